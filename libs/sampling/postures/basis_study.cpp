@@ -19,13 +19,19 @@ constexpr int kLengths = 5;                  // of recordings: all, half of it, 
 constexpr Eigen::Index kMostTested = 20000;  // rows that are reconstructed
 constexpr double kMostShare = 0.95;
 
+/// A posture that is reconstructed.
+struct Tested {
+  Eigen::VectorXd joints;
+  Eigen::Matrix3Xd tips;
+};
+
 /// Rows that stay together.
 struct Block {
   std::size_t recording = 0;
   int fold = 0;
-  Eigen::Index first = 0;
   Eigen::Index rows = 0;
   IncrementalComponents components;
+  std::vector<Tested> tested = {};  ///< Some of its rows.
 };
 
 /// The sum of values, and how many there are.
@@ -43,6 +49,12 @@ struct Sum {
     return *this;
   }
   [[nodiscard]] double mean() const { return count > 0.0 ? sum / count : 0.0; }
+};
+
+/// How far fingertips are off in postures that were reconstructed, m.
+struct Misses {
+  std::vector<Sum> by_block;
+  std::vector<double> all;
 };
 
 /// Largest principal angles between the spaces of the first 1, 2, … directions.
@@ -68,12 +80,13 @@ class Study {
       throw std::invalid_argument("a study's settings are out of range");
     }
     Eigen::Index rows = 0;
-    for (std::size_t r = 0; r < recordings.size(); ++r) {
-      cut(r);
-      rows += recordings[r].samples.rows();
+    for (const RecordedHand& recording : recordings) {
+      rows += recording.samples.rows();
     }
-    stride_ = std::max<Eigen::Index>(1, rows / kMostTested);
-    all_ = components_of([](const Block&) { return true; });
+    for (std::size_t r = 0; r < recordings.size(); ++r) {
+      cut(r, std::max<Eigen::Index>(1, rows / kMostTested));
+    }
+    all_ = components_of(every_block);
   }
 
   BasisStudy run() {
@@ -89,7 +102,10 @@ class Study {
   }
 
  private:
-  void cut(std::size_t recording) {
+  static bool every_block(const Block& /*block*/) { return true; }
+
+  /// @param stride of rows that are tested.
+  void cut(std::size_t recording, Eigen::Index stride) {
     const RecordedHand& hand = recordings_[recording];
     const auto length = std::max<Eigen::Index>(1, std::llround(settings_.block * hand.rate));
     const Eigen::Index count = hand.samples.rows() / length;
@@ -101,11 +117,16 @@ class Study {
            "Record more postures."});
     }
     for (Eigen::Index b = 0; b < count; ++b) {
-      const Eigen::Index last = b + 1 == count ? hand.samples.rows() : (b + 1) * length;
-      Block block{recording, static_cast<int>(b * settings_.folds / count), b * length,
-                  last - b * length, IncrementalComponents(static_cast<int>(hand.samples.cols()))};
-      for (Eigen::Index row = block.first; row < last; ++row) {
-        block.components.add(hand.samples.row(row).transpose());
+      const Eigen::Index first = b * length;
+      const Eigen::Index last = b + 1 == count ? hand.samples.rows() : first + length;
+      Block block{recording, static_cast<int>(b * settings_.folds / count), last - first,
+                  IncrementalComponents(static_cast<int>(hand.samples.cols()))};
+      for (Eigen::Index row = first; row < last; ++row) {
+        const Eigen::VectorXd posture = hand.samples.row(row).transpose();
+        block.components.add(posture);
+        if ((row - first) % stride == 0) {
+          block.tested.push_back({posture, fingertips_(posture)});
+        }
       }
       blocks_.push_back(std::move(block));
     }
@@ -134,49 +155,48 @@ class Study {
     return result.cwiseMax(0.0).cwiseMin(1.0);
   }
 
-  /// Calls `take` with the rows of a block that are tested.
-  template <typename Take>
-  void for_tested(const Block& block, const Take& take) const {
-    const Eigen::MatrixXd& samples = recordings_[block.recording].samples;
-    for (Eigen::Index row = block.first; row < block.first + block.rows; row += stride_) {
-      take(Eigen::VectorXd(samples.row(row).transpose()));
+  /// Bases of the blocks taken, a fold left out in each.
+  template <typename Taken>
+  [[nodiscard]] std::vector<PrincipalComponents> bases_of_folds(const Taken& taken) const {
+    std::vector<PrincipalComponents> bases;
+    bases.reserve(static_cast<std::size_t>(settings_.folds));
+    for (int fold = 0; fold < settings_.folds; ++fold) {
+      bases.push_back(
+          components_of([&](const Block& block) { return taken(block) && block.fold != fold; }));
     }
+    return bases;
   }
 
-  [[nodiscard]] Eigen::RowVectorXd misses(const Eigen::VectorXd& posture,
-                                          const Eigen::Matrix3Xd& tips,
-                                          const PrincipalComponents& basis,
-                                          Eigen::Index directions) const {
-    return (fingertips_(reconstructed(posture, basis, directions)) - tips).colwise().norm();
+  /// Of the blocks taken, each reconstructed by its fold's basis.
+  template <typename Taken>
+  [[nodiscard]] Misses misses_of(const Taken& taken, const std::vector<PrincipalComponents>& bases,
+                                 Eigen::Index directions) const {
+    Misses misses;
+    for (const Block& block : blocks_) {
+      if (!taken(block)) {
+        continue;
+      }
+      const PrincipalComponents& basis = bases[static_cast<std::size_t>(block.fold)];
+      Sum& sum = misses.by_block.emplace_back();
+      for (const Tested& tested : block.tested) {
+        const Eigen::RowVectorXd off =
+            (fingertips_(reconstructed(tested.joints, basis, directions)) - tested.tips)
+                .colwise()
+                .norm();
+        std::ranges::for_each(off, [&](double miss) { sum.add(miss); });
+        misses.all.insert(misses.all.end(), off.begin(), off.end());
+      }
+    }
+    return misses;
   }
 
   void reconstruct(BasisStudy& study) {
-    const Eigen::Index most = all_.directions.cols();
-    std::vector<std::vector<Sum>> sums(static_cast<std::size_t>(most + 1),
-                                       std::vector<Sum>(blocks_.size()));
-    std::vector<std::vector<double>> all(sums.size());
-    for (int fold = 0; fold < settings_.folds; ++fold) {
-      const PrincipalComponents basis =
-          components_of([&](const Block& block) { return block.fold != fold; });
-      for (std::size_t b = 0; b < blocks_.size(); ++b) {
-        if (blocks_[b].fold != fold) {
-          continue;
-        }
-        for_tested(blocks_[b], [&](const Eigen::VectorXd& posture) {
-          const Eigen::Matrix3Xd tips = fingertips_(posture);
-          for (std::size_t k = 0; k < sums.size(); ++k) {
-            for (const double miss : misses(posture, tips, basis, static_cast<Eigen::Index>(k))) {
-              sums[k][b].add(miss);
-              all[k].push_back(miss);
-            }
-          }
-        });
-      }
-    }
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-      study.reconstruction.push_back({static_cast<int>(k), interval_of(sums[k]),
-                                      quantile_of(std::move(all[k]), kMostShare),
-                                      all_.shares.head(static_cast<Eigen::Index>(k)).sum()});
+    const std::vector<PrincipalComponents> bases = bases_of_folds(every_block);
+    for (Eigen::Index k = 0; k <= all_.directions.cols(); ++k) {
+      Misses misses = misses_of(every_block, bases, k);
+      study.reconstruction.push_back({static_cast<int>(k), interval_of(misses.by_block),
+                                      quantile_of(std::move(misses.all), kMostShare),
+                                      all_.shares.head(k).sum()});
     }
   }
 
@@ -239,13 +259,13 @@ class Study {
       const PrincipalComponents own = components_of(is_own);
       const PrincipalComponents others =
           components_of([&](const Block& block) { return !is_own(block); });
+      const auto error_by = [&](const std::vector<PrincipalComponents>& bases) {
+        return interval_of(misses_of(is_own, bases, settings_.directions).by_block);
+      };
       PersonFit fit;
       fit.name = recordings_[r].name;
-      fit.own = error_of(r, [&](int fold) {
-        return components_of(
-            [&](const Block& block) { return is_own(block) && block.fold != fold; });
-      });
-      fit.others = error_of(r, [&](int) { return others; });
+      fit.own = error_by(bases_of_folds(is_own));
+      fit.others = error_by(std::vector(static_cast<std::size_t>(settings_.folds), others));
       fit.angles = largest_angles(own, others, settings_.directions);
       means.push_back({fit.others.mean, 1.0});
       study.persons.push_back(std::move(fit));
@@ -253,35 +273,10 @@ class Study {
     study.newcomer = interval_of(means);
   }
 
-  template <typename BasisFor>
-  [[nodiscard]] Interval error_of(std::size_t recording, const BasisFor& basis_for) const {
-    std::vector<Sum> sums;
-    int fold = -1;
-    PrincipalComponents basis;
-    for (const Block& block : blocks_) {
-      if (block.recording != recording) {
-        continue;
-      }
-      if (block.fold != fold) {
-        fold = block.fold;
-        basis = basis_for(fold);
-      }
-      Sum& sum = sums.emplace_back();
-      for_tested(block, [&](const Eigen::VectorXd& posture) {
-        for (const double miss :
-             misses(posture, fingertips_(posture), basis, settings_.directions)) {
-          sum.add(miss);
-        }
-      });
-    }
-    return interval_of(sums);
-  }
-
   const std::vector<RecordedHand>& recordings_;
   const FingertipsOf& fingertips_;
   const BasisStudySettings& settings_;
   std::vector<Block> blocks_;
-  Eigen::Index stride_ = 1;
   PrincipalComponents all_;
 };
 
