@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
+#include <boost/math/distributions/chi_squared.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -170,7 +171,7 @@ namespace {
 
 constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
 constexpr int kMostSteps = 100;
-constexpr double kNormal975 = 1.959964;  // 97.5 % quantile of the normal distribution
+constexpr double kKept = 0.975;  // quantile of χ²
 
 using Rows = std::vector<Eigen::Index>;
 
@@ -178,12 +179,6 @@ double median(Eigen::VectorXd values) {
   const auto middle = values.begin() + values.size() / 2;
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-// Quantile of χ² with so many degrees of freedom (Wilson and Hilferty 1931).
-double chi_squared(double freedom, double normal_quantile) {
-  const double part = 2.0 / (9.0 * freedom);
-  return freedom * std::pow(1.0 - part + normal_quantile * std::sqrt(part), 3);
 }
 
 // The rows with the smallest distances, sorted.
@@ -229,9 +224,10 @@ Distances mahalanobis(const Eigen::MatrixXd& samples, const Rows& rows) {
 }
 
 Rows within_quantile(const Distances& distances) {
-  const auto freedom = static_cast<double>(std::max<Eigen::Index>(distances.freedom, 1));
-  const double scale = median(distances.squares) / chi_squared(freedom, 0.0);
-  const double limit = scale * chi_squared(freedom, kNormal975);
+  const boost::math::chi_squared usual(
+      static_cast<double>(std::max<Eigen::Index>(distances.freedom, 1)));
+  const double scale = median(distances.squares) / boost::math::median(usual);
+  const double limit = scale * boost::math::quantile(usual, kKept);
   Rows rows;
   for (Eigen::Index row = 0; row < distances.squares.size(); ++row) {
     if (distances.squares[row] <= limit) {
