@@ -18,42 +18,6 @@ void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& othe
   }
 }
 
-}  // namespace
-
-std::string PlanStatistics::samples_text() const {
-  return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s");
-}
-
-PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
-  samples += other.samples;
-  nodes += other.nodes;
-  edges += other.edges;
-  passes += other.passes;
-  max_trials = std::max(max_trials, other.max_trials);
-  final_rho_a = std::max(final_rho_a, other.final_rho_a);
-  add(nodes_per_pmds, other.nodes_per_pmds);
-  node_checks += other.node_checks;
-  edge_checks += other.edge_checks;
-  edges_tested += other.edges_tested;
-  sampling_s += other.sampling_s;
-  connection_s += other.connection_s;
-  add(rejections_per_pair, other.rejections_per_pair);
-  for (const auto& [pair, count] : other.rejections) {
-    rejections[pair] += count;
-  }
-  add(rejections_per_tenth, other.rejections_per_tenth);
-  return *this;
-}
-
-const char* to_string(PlanStatus status) {
-  static constexpr std::array<const char*, 8> kWords = {
-      "solved",     "start invalid", "goal invalid", "samples spent",
-      "time limit", "cancelled",     "stalled",      "infeasible"};
-  return kWords[static_cast<std::size_t>(status)];
-}
-
-namespace {
-
 constexpr double kMost = 0.6;  // share of the rejections that a stretch has to hold
 constexpr int kNearEnd = 3;    // tenths of the motion
 constexpr std::size_t kMostPairs = 3;
@@ -138,6 +102,38 @@ std::string rejection_sentence(const std::vector<Rejected>& pairs, const Stretch
 }
 
 }  // namespace
+
+std::string PlanStatistics::samples_text() const {
+  return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s");
+}
+
+PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
+  samples += other.samples;
+  nodes += other.nodes;
+  edges += other.edges;
+  passes += other.passes;
+  max_trials = std::max(max_trials, other.max_trials);
+  final_rho_a = std::max(final_rho_a, other.final_rho_a);
+  add(nodes_per_pmds, other.nodes_per_pmds);
+  node_checks += other.node_checks;
+  edge_checks += other.edge_checks;
+  edges_tested += other.edges_tested;
+  sampling_s += other.sampling_s;
+  connection_s += other.connection_s;
+  add(rejections_per_pair, other.rejections_per_pair);
+  for (const auto& [pair, count] : other.rejections) {
+    rejections[pair] += count;
+  }
+  add(rejections_per_tenth, other.rejections_per_tenth);
+  return *this;
+}
+
+const char* to_string(PlanStatus status) {
+  static constexpr std::array<const char*, 8> kWords = {
+      "solved",     "start invalid", "goal invalid", "samples spent",
+      "time limit", "cancelled",     "stalled",      "infeasible"};
+  return kWords[static_cast<std::size_t>(status)];
+}
 
 std::vector<std::string> explain_failure(const PlanResult& result) {
   std::vector<std::string> sentences;

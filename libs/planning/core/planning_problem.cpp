@@ -78,6 +78,26 @@ void solve_goals(PlanningProblem& problem) {
   problem.goal_fault = std::move(solved.fault);
 }
 
+// @param checker, motion null: made of the world.
+PlanningProblem assembled(std::shared_ptr<const geometric::Scene> scene,
+                          std::shared_ptr<const sampling::PmdBasis> basis,
+                          const std::shared_ptr<const geometric::CollisionWorld>& world,
+                          std::shared_ptr<const geometric::CollisionChecker> checker,
+                          std::shared_ptr<const geometric::MotionBound> motion,
+                          const geometric::Preparation& preparation) {
+  PlanningProblem problem;
+  set_joints(*scene, std::move(basis), problem);
+  set_ends(*scene, problem);
+  problem.scene = std::move(scene);
+  problem.checker = checker ? std::move(checker)
+                            : geometric::make_collision_checker(
+                                  world, geometric::CheckerKind::kFast, preparation);
+  solve_goals(problem);
+  problem.motion =
+      motion ? std::move(motion) : std::make_shared<const geometric::MotionBound>(*world);
+  return problem;
+}
+
 }  // namespace
 
 void PlanningProblem::set_goal(Configuration q) {
@@ -145,30 +165,6 @@ std::vector<int> arm_variables(const geometric::RobotModel& model, const std::ve
   }
   return arm;
 }
-
-namespace {
-
-// @param checker, motion null: made of the world.
-PlanningProblem assembled(std::shared_ptr<const geometric::Scene> scene,
-                          std::shared_ptr<const sampling::PmdBasis> basis,
-                          const std::shared_ptr<const geometric::CollisionWorld>& world,
-                          std::shared_ptr<const geometric::CollisionChecker> checker,
-                          std::shared_ptr<const geometric::MotionBound> motion,
-                          const geometric::Preparation& preparation) {
-  PlanningProblem problem;
-  set_joints(*scene, std::move(basis), problem);
-  set_ends(*scene, problem);
-  problem.scene = std::move(scene);
-  problem.checker = checker ? std::move(checker)
-                            : geometric::make_collision_checker(
-                                  world, geometric::CheckerKind::kFast, preparation);
-  solve_goals(problem);
-  problem.motion =
-      motion ? std::move(motion) : std::make_shared<const geometric::MotionBound>(*world);
-  return problem;
-}
-
-}  // namespace
 
 PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
                              std::shared_ptr<const sampling::PmdBasis> basis,

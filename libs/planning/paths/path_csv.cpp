@@ -12,6 +12,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 namespace handway::planning {
@@ -23,11 +24,6 @@ using geometric::RobotModel;
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
-
-std::vector<std::string> cells(const std::string& line) {
-  const std::vector<std::string_view> parts = geometric::cells(line, ',');
-  return {parts.begin(), parts.end()};
-}
 
 class Reader {
  public:
@@ -54,7 +50,8 @@ class Reader {
 
  private:
   void read_header(const std::string& line) {
-    header_ = cells(line);
+    const std::vector<std::string_view> names = geometric::cells(line, ',');
+    header_.assign(names.begin(), names.end());
     link_of_column_.assign(header_.size(), 0);
     for (std::size_t c = 0; c < header_.size(); ++c) {
       for (int i = 1; i < model_.link_count(); ++i) {
@@ -88,7 +85,7 @@ class Reader {
   }
 
   Configuration read_row(const std::string& line) {
-    const std::vector<std::string> row = cells(line);
+    const std::vector<std::string_view> row = geometric::cells(line, ',');
     if (row.size() != header_.size()) {
       throw InputError({at_line(), "", fmt::format("{} values", row.size()),
                         fmt::format("{} as in the header", header_.size()), ""});
@@ -108,7 +105,7 @@ class Reader {
       const int link = link_of_column_[c];
       const double expected = link > 0 ? geometric::joint_value(model_, link, q) : values[c];
       if (std::abs(values[c] - expected) > kCouplingTolerance) {
-        throw InputError({at_line(), "column " + header_[c], row[c],
+        throw InputError({at_line(), "column " + header_[c], std::string(row[c]),
                           fmt::format("{:.6f}, as coupled to joint {}", expected,
                                       model_.variable(model_.drive(link).variable).name),
                           ""});
@@ -117,10 +114,11 @@ class Reader {
     return q;
   }
 
-  [[nodiscard]] double number(const std::string& cell, const std::string& column) const {
+  [[nodiscard]] double number(std::string_view cell, const std::string& column) const {
     const std::optional<double> value = geometric::parse_number(cell);
     if (!value) {
-      throw InputError({at_line(), "column " + column, "\"" + cell + "\"", "a finite number", ""});
+      throw InputError(
+          {at_line(), "column " + column, fmt::format("\"{}\"", cell), "a finite number", ""});
     }
     return *value;
   }

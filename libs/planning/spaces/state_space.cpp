@@ -168,6 +168,18 @@ class ToolSpace final : public CorridorSpace {
   Eigen::Quaterniond q_BM_;  ///< Midway.
 };
 
+sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space) {
+  if (space == HandSpace::kPrincipalDirections && problem.basis) {
+    return *problem.basis;
+  }
+  std::vector<std::string> joints;
+  joints.reserve(problem.hand.size());
+  for (const int v : problem.hand) {
+    joints.push_back(problem.model().variable(v).name);
+  }
+  return sampling::full_joint_basis(problem.model().name(), std::move(joints));
+}
+
 }  // namespace
 
 StateSpace::StateSpace(const PlanningProblem& problem) : problem_(problem), arm_(problem.arm) {
@@ -243,22 +255,6 @@ std::unique_ptr<CorridorSpace> make_corridor_space(const PlanningProblem& proble
   }
   return std::make_unique<JointSpace>(problem);
 }
-
-namespace {
-
-sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space) {
-  if (space == HandSpace::kPrincipalDirections && problem.basis) {
-    return *problem.basis;
-  }
-  std::vector<std::string> joints;
-  joints.reserve(problem.hand.size());
-  for (const int v : problem.hand) {
-    joints.push_back(problem.model().variable(v).name);
-  }
-  return sampling::full_joint_basis(problem.model().name(), std::move(joints));
-}
-
-}  // namespace
 
 HandArmRegion::HandArmRegion(const PlanningProblem& problem, HandSpace hand, CorridorForm form)
     : problem_(problem),

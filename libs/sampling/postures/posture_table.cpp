@@ -128,30 +128,6 @@ std::string one_line(std::string text) {
   return text;
 }
 
-}  // namespace
-
-PostureTable read_postures(const std::filesystem::path& file) { return TableReader(file).read(); }
-
-void write_postures(const PostureTable& table, const std::filesystem::path& file) {
-  if (static_cast<Eigen::Index>(table.joints.size()) != table.postures.cols()) {
-    throw std::invalid_argument("postures need a name for every column");
-  }
-  std::string text =
-      fmt::format("{}\n# hand: {}\n# source: {}\n{}\n", kFirstLine, one_line(table.hand),
-                  one_line(table.source), fmt::join(table.joints, ","));
-  for (const auto& row : table.postures.rowwise()) {
-    for (Eigen::Index joint = 0; joint < row.size(); ++joint) {
-      fmt::format_to(std::back_inserter(text), "{}{:.4f}", joint > 0 ? "," : "", row[joint]);
-    }
-    text += '\n';
-  }
-  geometric::replace_file(file, text);
-}
-
-namespace {
-
-using geometric::InputError;
-
 // The table's columns in the basis' order, one posture a column.
 Eigen::MatrixXd in_order_of(const PmdBasis& basis, const PostureTable& table,
                             const std::string& name) {
@@ -174,6 +150,24 @@ Eigen::MatrixXd in_order_of(const PmdBasis& basis, const PostureTable& table,
 }
 
 }  // namespace
+
+PostureTable read_postures(const std::filesystem::path& file) { return TableReader(file).read(); }
+
+void write_postures(const PostureTable& table, const std::filesystem::path& file) {
+  if (static_cast<Eigen::Index>(table.joints.size()) != table.postures.cols()) {
+    throw std::invalid_argument("postures need a name for every column");
+  }
+  std::string text =
+      fmt::format("{}\n# hand: {}\n# source: {}\n{}\n", kFirstLine, one_line(table.hand),
+                  one_line(table.source), fmt::join(table.joints, ","));
+  for (const auto& row : table.postures.rowwise()) {
+    for (Eigen::Index joint = 0; joint < row.size(); ++joint) {
+      fmt::format_to(std::back_inserter(text), "{}{:.4f}", joint > 0 ? "," : "", row[joint]);
+    }
+    text += '\n';
+  }
+  geometric::replace_file(file, text);
+}
 
 /// A kd-tree over postures.
 struct RecordedPostures::Tree {

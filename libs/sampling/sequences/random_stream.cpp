@@ -1,5 +1,6 @@
 #include "handway/sampling/sequences/random_stream.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -50,9 +51,7 @@ RandomStream RandomStream::fork(std::uint64_t index) const {
 
 Eigen::VectorXd RandomStream::uniform(int size) {
   Eigen::VectorXd values(size);
-  for (double& value : values) {
-    value = uniform();
-  }
+  std::ranges::generate(values, [this] { return uniform(); });
   return values;
 }
 
@@ -82,9 +81,7 @@ double RandomStream::normal() {
 
 Eigen::VectorXd RandomStream::normal(int size) {
   Eigen::VectorXd values(size);
-  for (double& value : values) {
-    value = normal();
-  }
+  std::ranges::generate(values, [this] { return normal(); });
   return values;
 }
 
