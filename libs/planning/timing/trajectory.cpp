@@ -1,5 +1,7 @@
 #include "handway/planning/timing/trajectory.h"
 
+#include "handway/geometric/robot/limit_violation.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -145,7 +147,9 @@ class Check {
   }
 
   /// True for the first fault of a kind that a joint has.
-  bool first(std::string_view kind, int joint) { return seen_.emplace(kind, joint).second; }
+  bool first(std::string_view kind, const std::string& joint) {
+    return seen_.emplace(kind, joint).second;
+  }
 
   bool check_shape(const TrajectoryPoint& point) {
     const Eigen::Index count = model_.variable_count();
@@ -173,27 +177,21 @@ class Check {
 
   void check_rest(const TrajectoryPoint& point, std::string_view what) {
     for (int v = 0; v < model_.variable_count(); ++v) {
-      if (std::abs(point.velocity[v]) > kRest && first(what, v)) {
-        add_of(model_.variable(v).name, point.time, point.velocity[v],
+      const std::string& joint = model_.variable(v).name;
+      if (std::abs(point.velocity[v]) > kRest && first(what, joint)) {
+        add_of(joint, point.time, point.velocity[v],
                fmt::format("{} at {:.6g} rad/s, not at rest.", what, point.velocity[v]));
       }
     }
   }
 
   void check_point(const TrajectoryPoint& point) {
-    for (int link = 1; link < model_.link_count(); ++link) {
-      const RobotModel::MimicMapping& drive = model_.drive(link);
-      if (drive.variable < 0) {
-        continue;
-      }
-      const geometric::Joint& joint = model_.joint(link);
-      const double value = drive.multiplier * point.position[drive.variable] + drive.offset;
-      if ((value < joint.limits.lower - kPositionTolerance ||
-           value > joint.limits.upper + kPositionTolerance) &&
-          first("limit", link)) {
-        add_of(joint.name, point.time, value,
-               fmt::format("at {:.4f} s: {:.6f} is outside {:.6f} to {:.6f}.", point.time, value,
-                           joint.limits.lower, joint.limits.upper));
+    for (const geometric::LimitViolation& violation :
+         geometric::limit_violations(model_, point.position, kPositionTolerance)) {
+      if (first("limit", violation.joint)) {
+        add_of(violation.joint, point.time, violation.value,
+               fmt::format("at {:.4f} s: {:.6f} is outside {:.6f} to {:.6f}.", point.time,
+                           violation.value, violation.lower, violation.upper));
       }
     }
     for (int v = 0; v < model_.variable_count(); ++v) {
@@ -205,7 +203,7 @@ class Check {
   void check_step(const TrajectoryPoint& before, const TrajectoryPoint& point) {
     const double step = point.time - before.time;
     if (!(step > 0.0)) {
-      if (first("time", 0)) {
+      if (first("time", "")) {
         add(point.time, step,
             fmt::format("Time goes from {:.6f} s to {:.6f} s: it has to increase.", before.time,
                         point.time));
@@ -225,8 +223,9 @@ class Check {
   }
 
   void check_rate(std::string_view what, int variable, double time, double value, double limit) {
-    if (std::abs(value) > limit * (1.0 + kRateTolerance) && first(what, variable)) {
-      add_of(model_.variable(variable).name, time, value,
+    const std::string& joint = model_.variable(variable).name;
+    if (std::abs(value) > limit * (1.0 + kRateTolerance) && first(what, joint)) {
+      add_of(joint, time, value,
              fmt::format("at {:.4f} s: {} {:.4f} is above {:.4f}.", time, what, std::abs(value),
                          limit));
     }
@@ -234,7 +233,7 @@ class Check {
 
   const RobotModel& model_;
   const JointKinematicLimits& limits_;
-  std::set<std::pair<std::string, int>> seen_;
+  std::set<std::pair<std::string, std::string>> seen_;
   std::vector<TrajectoryFault> faults_;
 };
 
