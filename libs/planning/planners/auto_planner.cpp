@@ -71,15 +71,13 @@ std::optional<Point> free_in_subspace(PlanningContext& context, const Objective&
 /// Free motions from an end of the problem into the PMD subspace: the hand goes straight to it; if
 /// obstacles forbid that, the arm first goes back a little along the straight motion to the other
 /// end. @param other the other end.
-/// @returns from the end to the entry, the end alone if it is in the subspace; nothing: not found.
-std::optional<std::vector<Configuration>> subspace_entry(PlanningContext& context,
-                                                         const Objective& objective,
-                                                         const Configuration& end,
-                                                         const Configuration& other,
-                                                         sampling::RandomStream& draw) {
+/// @returns from the end to the entry; the end alone if it is in the subspace, or none is found.
+std::vector<Configuration> subspace_entry(PlanningContext& context, const Objective& objective,
+                                          const Configuration& end, const Configuration& other,
+                                          sampling::RandomStream& draw) {
   const Point at = objective.point(end);
   if (at.distance() < kInside) {
-    return std::vector<Configuration>{end};
+    return {end};
   }
   Configuration back = end;
   back(context.problem().arm) = other(context.problem().arm);
@@ -97,12 +95,11 @@ std::optional<std::vector<Configuration>> subspace_entry(PlanningContext& contex
       const auto inside = free_in_subspace(context, objective, objective.point(from), draw);
       if (inside && context.validator().edge_plausible(from, inside->q, 3) &&
           context.validator().edge_free(from, inside->q, kMostChecks)) {
-        return retreat > 0.0 ? std::vector<Configuration>{end, from, inside->q}
-                             : std::vector<Configuration>{end, inside->q};
+        return retreat > 0.0 ? std::vector{end, from, inside->q} : std::vector{end, inside->q};
       }
     }
   }
-  return std::nullopt;
+  return {end};
 }
 
 /// Free motions from the start and from the goal into the PMD subspace, as subspace_entry().
@@ -111,8 +108,7 @@ struct Entries {
   std::vector<Configuration> from_goal;
 };
 
-// How the hand gets into the PMD subspace at both ends; an end alone where that is not found, and
-// nothing if there is nothing to gain.
+// How the hand gets into the PMD subspace at both ends; nothing if there is nothing to gain.
 std::optional<Entries> subspace_entries(PlanningContext& context, const ObjectiveWeights& weights) {
   const PlanningProblem& problem = context.problem();
   if (!problem.basis || weights.human_likeness <= 0.0) {
@@ -120,11 +116,8 @@ std::optional<Entries> subspace_entries(PlanningContext& context, const Objectiv
   }
   const Objective objective(problem, weights);
   sampling::RandomStream draw = sampling::RandomStream(context.request().seed).fork(6);
-  const auto entry = [&](const Configuration& end, const Configuration& other) {
-    return subspace_entry(context, objective, end, other, draw)
-        .value_or(std::vector<Configuration>{end});
-  };
-  Entries entries{entry(problem.start, problem.goal), entry(problem.goal, problem.start)};
+  Entries entries{subspace_entry(context, objective, problem.start, problem.goal, draw),
+                  subspace_entry(context, objective, problem.goal, problem.start, draw)};
   const bool useful = entries.from_start.size() + entries.from_goal.size() > 2;
   return useful ? std::optional(std::move(entries)) : std::nullopt;
 }
