@@ -22,7 +22,6 @@
 #include <cctype>
 #include <cmath>
 #include <exception>
-#include <iterator>
 #include <limits>
 #include <mutex>
 #include <string>
@@ -207,7 +206,6 @@ std::string joined(const std::vector<std::string>& messages) {
 }
 
 void check_size(const XmlDocument& document) {
-  static_cast<void>(document.need(document.root("robot"), "name"));
   std::size_t count = 0;
   for (const pugi::xml_node& link : document.root("robot").children("link")) {
     if (++count > kMostLinks) {
@@ -218,21 +216,17 @@ void check_size(const XmlDocument& document) {
   }
 }
 
-std::ptrdiff_t count_of(const pugi::xml_node& link, const char* element) {
-  return std::ranges::distance(link.children(element));
-}
-
 // The link that a node describes. Whatever urdfdom drops, no collision element is lost.
-Link read_link(const XmlDocument& document, const pugi::xml_node& node,
+Link read_link(const XmlDocument& document, const pugi::xml_node& node, std::ptrdiff_t collisions,
                const urdf::ModelInterface& model, const fs::path& folder, LinkFiles& files) {
   const std::string name = node.attribute("name").value();
   const urdf::LinkConstSharedPtr link = model.getLink(name);
-  if (!link || std::ssize(link->collision_array) != count_of(node, "collision")) {
+  if (!link || std::ssize(link->collision_array) != collisions) {
     throw InputError({document.where(node), "link " + name,
                       "a link that urdfdom reads only in part", "what ROS reads too", ""});
   }
   Link result = link_of(*link, folder, document.where(node), files);
-  if (result.visual.empty() && count_of(node, "visual") > 0) {
+  if (result.visual.empty() && node.child("visual")) {
     result.visual = result.collision;
   }
   return result;
@@ -271,10 +265,15 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
   robot.warnings.insert(robot.warnings.end(), elements.warnings.begin(), elements.warnings.end());
   const fs::path folder =
       fs::absolute(place.empty() ? file.parent_path() : place).lexically_normal();
-  LinkFiles files{std::move(elements.drawing), {}, {}};
+  LinkFiles files;
+  files.drawing = std::move(elements.drawing);
   for (const pugi::xml_node& node : document.root("robot").children("link")) {
-    robot.links.push_back(read_link(document, node, *parsed.model, folder, files));
+    if (const auto read = elements.links.find(node.attribute("name").value());
+        read != elements.links.end()) {
+      robot.links.push_back(read_link(document, node, read->second, *parsed.model, folder, files));
+    }
   }
+  files.refuse_missing();
   add_joints(document, *parsed.model, robot);
   note_links_without_collision(document, robot);
   if (const std::string faults = files.drawing.summary(); !faults.empty()) {
@@ -284,10 +283,8 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
     robot.warnings.push_back(fmt::format("files whose names have other letters on the disk: {}",
                                          fmt::join(files.renamed, ", ")));
   }
-  if (!files.found.empty()) {
-    robot.warnings.push_back(
-        fmt::format("meshes that are not where the file says were looked for: {}",
-                    fmt::join(files.found, ", ")));
+  if (const std::string found = files.found_elsewhere(); !found.empty()) {
+    robot.warnings.push_back(found);
   }
   const fs::path srdf = existing_file(fs::path(file).replace_extension(".srdf"));
   if (place.empty() && fs::exists(srdf)) {

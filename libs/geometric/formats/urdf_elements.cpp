@@ -3,13 +3,16 @@
 #include "formats/xml_document.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/robot/base_joint.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -42,7 +45,7 @@ namespace {
 
 constexpr double kLargestNumber = 1e6;  // m or rad: what is beyond is a slip
 
-const std::vector<std::string> kShapes = {"box", "sphere", "cylinder", "mesh"};
+const std::vector<std::string> kShapes = {"box", "sphere", "cylinder", "capsule", "mesh"};
 const std::vector<std::string> kJointTypes = {"revolute", "continuous", "prismatic",
                                               "fixed",    "planar",     "floating"};
 
@@ -58,8 +61,9 @@ const XmlVocabulary& vocabulary() {
       {"box", {.attributes = {"size"}}},
       {"sphere", {.attributes = {"radius"}}},
       {"cylinder", {.attributes = {"radius", "length"}}},
+      {"capsule", {.attributes = {"radius", "length"}}},
       {"mesh", {.attributes = {"filename", "scale"}}},
-      {"origin", {.attributes = {"xyz", "rpy"}}},
+      {"origin", {.attributes = {"xyz", "rpy", "quat_xyzw"}}},
       {"material", {.children = {"color", "texture"}}},
       {"joint",
        {.children = {"origin", "parent", "child", "axis", "limit", "mimic", "dynamics",
@@ -74,8 +78,9 @@ const XmlVocabulary& vocabulary() {
 }
 
 // What planning would miss if it stood where nobody looks for it.
-const std::vector<std::string> kNeeded = {"link",   "joint",    "collision", "geometry", "box",
-                                          "sphere", "cylinder", "mesh",      "limit",    "mimic"};
+const std::vector<std::string> kNeeded = {"link", "joint",  "collision", "geometry",
+                                          "box",  "sphere", "cylinder",  "capsule",
+                                          "mesh", "limit",  "mimic"};
 
 class ElementReader {
  public:
@@ -86,15 +91,23 @@ class ElementReader {
     note_unread(unread_elements(document_, robot, vocabulary(), kNeeded));
     read_joint_names(robot);
     robot_ = text_.append_child("robot");
-    copy_attribute(robot, "name", robot_);
+    copy_name(robot);
     read_materials(robot);
+    const std::set<std::string> alone = links_on_their_own(robot);
     for (const pugi::xml_node& link : robot.children("link")) {
-      read_link(link);
+      if (!alone.contains(link.attribute("name").value())) {
+        read_link(link);
+      }
     }
     for (const pugi::xml_node& joint : robot.children("joint")) {
       read_joint(joint);
     }
     note_undefined_materials();
+    note({alone.begin(), alone.end()}, "links that no joint connects are left out");
+    note(sizeless_, "collision shapes without size, which collide with nothing");
+    note(endless_, "joints whose limits are beyond ±1000000 turn without end");
+    note(endless_slides_,
+         fmt::format("slides whose limits are beyond ±1000000 go ±{:g} m", kDefaultBaseReach));
     result_.text = xml_text(text_);
     return std::move(result_);
   }
@@ -112,11 +125,61 @@ class ElementReader {
     }
   }
 
-  void note_unread(const std::vector<std::string>& unread) {
-    if (!unread.empty()) {
-      result_.warnings.push_back(
-          fmt::format("elements that are not read: {}", fmt::join(unread, ", ")));
+  void note(const std::vector<std::string>& names, const std::string& what) {
+    if (!names.empty()) {
+      result_.warnings.push_back(fmt::format("{}: {}", what, fmt::join(names, ", ")));
     }
+  }
+
+  void note_unread(const std::vector<std::string>& unread) {
+    note(unread, "elements that are not read");
+    if (std::ranges::any_of(unread,
+                            [](const std::string& name) { return name.starts_with("<xacro:"); })) {
+      result_.warnings.emplace_back(
+          "macros that xacro did not know are left out: what they stand for is missing");
+    }
+  }
+
+  void copy_name(const pugi::xml_node& robot) {
+    std::string name = robot.attribute("name").value();
+    if (name.empty()) {
+      name = document_.file().stem().string();
+      result_.warnings.push_back("the robot has no name; it is called after its file");
+    }
+    robot_.append_attribute("name") = name.c_str();
+  }
+
+  // The tree's links.
+
+  // Those that no joint connects, where joints make a robot of the others.
+  [[nodiscard]] std::set<std::string> links_on_their_own(const pugi::xml_node& robot) const {
+    std::set<std::string> parents;
+    std::set<std::string> children;
+    for (const pugi::xml_node& joint : robot.children("joint")) {
+      parents.insert(joint.child("parent").attribute("link").value());
+      children.insert(joint.child("child").attribute("link").value());
+    }
+    std::set<std::string> alone;
+    std::vector<std::string> roots;
+    pugi::xml_node second;
+    for (const pugi::xml_node& link : robot.children("link")) {
+      const std::string name = link.attribute("name").value();
+      if (children.contains(name)) {
+        continue;
+      }
+      if (!parents.contains(name) && !parents.empty()) {
+        alone.insert(name);
+        continue;
+      }
+      roots.push_back(name);
+      second = roots.size() == 2 ? link : second;
+    }
+    if (second) {
+      refuse(second, "robot",
+             fmt::format("several links that no joint carries: \"{}\"", fmt::join(roots, "\", \"")),
+             "one, the root", "Connect them by a fixed joint");
+    }
+    return alone;
   }
 
   // Numbers.
@@ -202,12 +265,21 @@ class ElementReader {
     if (!origin) {
       return;
     }
-    if (origin.attribute("quat_xyzw")) {
-      refuse(origin, element, "an origin with quat_xyzw", "xyz and rpy");
-    }
     pugi::xml_node copy = to.append_child("origin");
     copy_numbers(origin, element, "xyz", 3, copy);
-    copy_numbers(origin, element, "rpy", 3, copy);
+    if (!origin.attribute("quat_xyzw")) {
+      copy_numbers(origin, element, "rpy", 3, copy);
+      return;
+    }
+    // Of URDF 1.2, which urdfdom doesn't know yet.
+    const std::vector<double> q = numbers(origin, element, "quat_xyzw", 4);
+    const Eigen::Quaterniond turn(q[3], q[0], q[1], q[2]);
+    if (turn.norm() < 1e-6 || origin.attribute("rpy")) {
+      refuse(origin, element, "a quat_xyzw without direction or beside an rpy",
+             "rpy, or a quat_xyzw other than 0");
+    }
+    const Eigen::Vector3d rpy = rpy_from_rotation(turn.normalized().toRotationMatrix());
+    set(copy, "rpy", {rpy.x(), rpy.y(), rpy.z()});
   }
 
   void copy_geometry(const pugi::xml_node& from, const std::string& element,
@@ -226,20 +298,37 @@ class ElementReader {
     }
     if (!shape) {
       refuse(geometry ? geometry : from, element, "no shape that can be read",
-             "a <geometry> with a box, sphere, cylinder or mesh");
+             "a <geometry> with a box, sphere, cylinder, capsule or mesh");
     }
-    pugi::xml_node copy = to.append_child("geometry").append_child(shape.name());
     const std::string_view kind = shape.name();
+    const bool capsule = kind == kCapsule;
+    if (capsule) {
+      to.append_attribute("name") = kCapsule;
+    }
+    pugi::xml_node copy =
+        to.append_child("geometry").append_child(capsule ? "cylinder" : shape.name());
     if (kind == "box") {
       copy_positive(shape, element, "size", 3, copy);
     } else if (kind == "mesh") {
       copy_mesh(shape, element, copy);
     } else {
       copy_positive(shape, element, "radius", 1, copy);
-      if (kind == "cylinder") {
+      if (kind != "sphere") {
         copy_positive(shape, element, "length", 1, copy);
       }
     }
+  }
+
+  // Whether a shape is a mere point, as converters give to links that are frames.
+  [[nodiscard]] static bool has_no_size(const pugi::xml_node& collision) {
+    const pugi::xml_node geometry = collision.child("geometry");
+    const auto zero = [&](const char* shape, const char* attribute) {
+      const std::string text = geometry.child(shape).attribute(attribute).value();
+      return text.find('0') != std::string::npos &&
+             text.find_first_not_of("0. \t\r\n") == std::string::npos;
+    };
+    return zero("box", "size") || zero("sphere", "radius") ||
+           (zero("cylinder", "radius") && zero("cylinder", "length"));
   }
 
   void copy_mesh(const pugi::xml_node& mesh, const std::string& element,
@@ -260,7 +349,13 @@ class ElementReader {
     const std::string name = document_.need(link, "name");
     pugi::xml_node copy = robot_.append_child("link");
     copy.append_attribute("name") = name.c_str();
+    std::ptrdiff_t& collisions = result_.links[name];
     for (const pugi::xml_node& collision : link.children("collision")) {
+      if (has_no_size(collision)) {
+        sizeless_.push_back(name);
+        continue;
+      }
+      ++collisions;
       pugi::xml_node target = copy.append_child("collision");
       const std::string element = "link " + name + ", collision";
       copy_origin(collision, element, target);
@@ -361,6 +456,13 @@ class ElementReader {
     for (const pugi::xml_node& joint : robot.children("joint")) {
       joint_names_.emplace_back(joint.attribute("name").value());
     }
+    for (const pugi::xml_node& link : robot.children("link")) {
+      const std::string name = document_.need(link, "name");
+      if (std::ranges::count(link_names_, name) > 0) {
+        refuse(link, "robot", "a second link \"" + name + "\"", "unique names");
+      }
+      link_names_.push_back(name);
+    }
   }
 
   void read_joint(const pugi::xml_node& joint) {
@@ -379,7 +481,12 @@ class ElementReader {
         refuse(joint, element, std::string("no <") + end + ">",
                std::string("<") + end + " link=\"…\"/>");
       }
-      copy.append_child(end).append_attribute("link") = document_.need(link, "link").c_str();
+      const std::string name = document_.need(link, "link");
+      if (std::ranges::count(link_names_, name) == 0) {
+        refuse(link, element, fmt::format("the unknown {} link \"{}\"", end, name),
+               "a link of the robot", advise_name(name, link_names_));
+      }
+      copy.append_child(end).append_attribute("link") = name.c_str();
     }
     copy_origin(joint, element, copy);
     if (type == "planar" || type == "floating") {
@@ -412,7 +519,7 @@ class ElementReader {
 
   // A continuous joint has no limits but of its velocity.
   void copy_limit(const pugi::xml_node& joint, const std::string& element, const std::string& type,
-                  pugi::xml_node copy) const {
+                  pugi::xml_node copy) {
     const pugi::xml_node limit = only(joint, element, "limit");
     const bool ends = type != "continuous";
     if (!limit) {
@@ -427,14 +534,16 @@ class ElementReader {
       return limit.attribute(attribute) ? number(limit, element, attribute) : 0.0;
     };
     pugi::xml_node target = copy.append_child("limit");
-    const double velocity = value("velocity");
+    const double velocity = is_beyond(limit, "velocity") ? 0.0 : value("velocity");
     if (velocity < 0.0) {
       refuse(limit, element, fmt::format("velocity=\"{}\"", limit.attribute("velocity").value()),
              "0 or more", "Write 0 if it is not known");
     }
     set(target, "velocity", {velocity});
     set(target, "effort", {0.0});
-    if (ends) {
+    if (ends && is_beyond(limit, "lower", -1.0) && is_beyond(limit, "upper")) {
+      leave_without_end(joint, type, copy, target);
+    } else if (ends) {
       const double lower = value("lower");
       const double upper = value("upper");
       if (lower > upper) {
@@ -445,6 +554,28 @@ class ElementReader {
       }
       set(target, "lower", {lower});
       set(target, "upper", {upper});
+    }
+  }
+
+  // Whether a limit is so large that it says there is none.
+  [[nodiscard]] static bool is_beyond(const pugi::xml_node& limit, const char* attribute,
+                                      double side = 1.0) {
+    const std::string text = limit.attribute(attribute).value();
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return !text.empty() && *end == '\0' && side * value > kLargestNumber;
+  }
+
+  void leave_without_end(const pugi::xml_node& joint, const std::string& type, pugi::xml_node copy,
+                         pugi::xml_node limit) {
+    const std::string name = joint.attribute("name").value();
+    if (type == "prismatic") {
+      set(limit, "lower", {-kDefaultBaseReach});
+      set(limit, "upper", {kDefaultBaseReach});
+      endless_slides_.push_back(name);
+    } else {
+      copy.attribute("type") = "continuous";
+      endless_.push_back(name);
     }
   }
 
@@ -475,6 +606,10 @@ class ElementReader {
   std::set<std::string> undefined_materials_;
   int unnamed_materials_ = 0;
   std::vector<std::string> joint_names_;
+  std::vector<std::string> link_names_;
+  std::vector<std::string> sizeless_;  ///< Links, once for each shape.
+  std::vector<std::string> endless_;   ///< Joints.
+  std::vector<std::string> endless_slides_;
 };
 
 }  // namespace

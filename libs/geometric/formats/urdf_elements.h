@@ -3,6 +3,8 @@
 #include "formats/xml_document.h"
 #include "handway/geometric/io/input_error.h"
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,9 +23,14 @@ class DrawingFaults {
   std::vector<std::string> faults_;
 };
 
+/// What a cylinder of the text is called that stands for a capsule, which urdfdom doesn't know.
+inline constexpr const char* kCapsule = "capsule";
+
 /// The elements of a URDF file, checked.
 struct UrdfElements {
-  std::string text;                   ///< The file for urdfdom: what is read of it, and no more.
+  std::string text;  ///< The file for urdfdom: what is read of it, and no more.
+  /// The links of the text, with how many collision elements each has.
+  std::map<std::string, std::ptrdiff_t> links;
   std::vector<std::string> warnings;  ///< What is not read.
   DrawingFaults drawing;              ///< What of it can't be drawn.
 };

@@ -5,10 +5,16 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -20,11 +26,30 @@ namespace fs = std::filesystem;
 // "Write filename="…" if there is such a file nearby, else `otherwise`.
 std::string mesh_advice(const std::string& filename, const fs::path& folder,
                         const std::string& otherwise) {
-  std::optional<fs::path> found = find_file_below(folder, filename);
-  found = found ? found : find_file_below(folder.parent_path(), filename);
+  const fs::path file = with_slashes(filename);
+  std::optional<fs::path> found = find_file_below(folder, file);
+  found = found ? found : find_file_below(folder.parent_path(), file);
   return found ? "Write filename=\"" + found->lexically_relative(folder).generic_string() +
                      "\": there is a file of this name"
                : otherwise;
+}
+
+// The file in the robot's folder or the one above it that the end of a name means, as where a robot
+// was copied out of its package, or the package has another name.
+std::optional<fs::path> find_nearby(const std::string& filename, const fs::path& folder) {
+  const fs::path whole = with_slashes(filename);
+  for (auto begin = whole.begin(); begin != whole.end(); ++begin) {
+    fs::path end;
+    std::for_each(begin, whole.end(), [&](const fs::path& part) { end /= part; });
+    for (const fs::path& top : {folder, folder.parent_path()}) {
+      const fs::path file = existing_file(top / end.relative_path());
+      std::error_code ignored;
+      if (fs::is_regular_file(file, ignored)) {
+        return file;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 /// The file that a robot file means by a mesh's `filename` (see read_urdf()).
@@ -42,9 +67,10 @@ fs::path resolve_mesh_filename(const std::string& filename, const fs::path& fold
   if (scheme == "file") {
     return existing_file(fs::path(rest).lexically_normal());
   }
-  if (scheme != "package") {
-    throw InputError({referenced_by, "mesh", "\"" + filename + "\"",
-                      "a relative path, file:// or package://", "Copy the mesh beside the robot"});
+  if (scheme != "package" && scheme != "model") {
+    throw MissingMeshError({referenced_by, "mesh", "\"" + filename + "\"",
+                            "a relative path, file:// or package://",
+                            "Copy the mesh beside the robot"});
   }
   const std::string name = rest.substr(0, rest.find('/'));
   const std::optional<fs::path> package = find_package(name, folder);
@@ -68,17 +94,27 @@ class GeometryReader {
         where_(std::move(referenced_by)),
         files_(files) {}
 
-  [[nodiscard]] LinkGeometry read(const urdf::GeometrySharedPtr& geometry,
-                                  const urdf::Pose& origin) const {
-    if (!geometry) {
+  // Of a <visual> or <collision>; a capsule is three shapes.
+  template <typename Element>
+  [[nodiscard]] std::vector<LinkGeometry> read(const Element& element) const {
+    if (!element.geometry) {
       throw InputError({where_, element_, "a visual or collision without geometry",
                         "a box, sphere, cylinder or mesh", ""});
     }
-    LinkGeometry result{shape(*geometry), pose_of(origin), {}};
-    if (!result.X_LG.matrix().allFinite()) {
+    const Pose X_LG = pose_of(element.origin);
+    if (!X_LG.matrix().allFinite()) {
       throw InputError({where_, element_, "an origin that is not finite", "finite numbers", ""});
     }
-    return result;
+    const Shape single = shape(*element.geometry);
+    if (element.name != kCapsule) {
+      return {{single, X_LG, {}}};
+    }
+    const auto& cylinder = std::get<Cylinder>(single);
+    std::vector<LinkGeometry> parts;
+    for (const auto& [part, X_GS] : capsule_shapes(cylinder.radius, cylinder.length)) {
+      parts.push_back({part, X_LG * X_GS, {}});
+    }
+    return parts;
   }
 
  private:
@@ -116,7 +152,8 @@ class GeometryReader {
       }
       return file;
     } catch (const MissingMeshError&) {
-      const std::optional<fs::path> found = find_in_package_path(filename);
+      std::optional<fs::path> found = find_in_package_path(filename);
+      found = found ? found : find_nearby(filename, folder_);
       if (!found) {
         throw;
       }
@@ -157,20 +194,50 @@ Link link_of(const urdf::Link& link, const std::filesystem::path& folder,
   Link result{link.name, {}, {}};
   for (const urdf::VisualSharedPtr& visual : link.visual_array) {
     try {
-      LinkGeometry geometry = reader.read(visual->geometry, visual->origin);
-      if (visual->material) {
-        const urdf::Color& color = visual->material->color;
-        geometry.color = {color.r, color.g, color.b, color.a};
+      for (LinkGeometry& geometry : reader.read(*visual)) {
+        if (visual->material) {
+          const urdf::Color& color = visual->material->color;
+          geometry.color = {color.r, color.g, color.b, color.a};
+        }
+        result.visual.push_back(std::move(geometry));
       }
-      result.visual.push_back(std::move(geometry));
     } catch (const InputError& fault) {
       files.drawing.add(fault);
     }
   }
   for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
-    result.collision.push_back(reader.read(collision->geometry, collision->origin));
+    try {
+      std::ranges::move(reader.read(*collision), std::back_inserter(result.collision));
+    } catch (const MissingMeshError& fault) {
+      files.lost = files.lost.value_or(fault.problem());
+      files.all_lost.insert(dynamic_cast<const urdf::Mesh&>(*collision->geometry).filename);
+    }
   }
   return result;
+}
+
+void LinkFiles::refuse_missing() const {
+  if (!lost) {
+    return;
+  }
+  InputProblem problem = *lost;
+  if (all_lost.size() > 1) {
+    problem.found += fmt::format(" ({} collision meshes are missing in all)", all_lost.size());
+  }
+  throw MissingMeshError(problem);
+}
+
+std::string LinkFiles::found_elsewhere() const {
+  constexpr std::size_t kMostNamed = 3;
+  if (found.empty()) {
+    return "";
+  }
+  std::vector<std::string> named(found.begin(), found.end());
+  const std::size_t others = named.size() - std::min(kMostNamed, named.size());
+  named.resize(named.size() - others);
+  return fmt::format("meshes that are not where the file says were looked for: {}{}",
+                     fmt::join(named, ", "),
+                     others > 0 ? fmt::format(", and {} more", others) : "");
 }
 
 }  // namespace handway::geometric

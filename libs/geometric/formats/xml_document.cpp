@@ -98,6 +98,14 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
+// What xacro itself leaves nothing of. A call of a macro that it did not know stays in its output.
+bool is_of_xacro(std::string_view name) {
+  static const std::vector<std::string> kOwn = {
+      "xacro:macro", "xacro:include", "xacro:property",     "xacro:arg",
+      "xacro:if",    "xacro:unless",  "xacro:insert_block", "xacro:call"};
+  return contains(kOwn, name);
+}
+
 class Walk {
  public:
   Walk(const XmlDocument& document, const XmlVocabulary& vocabulary,
@@ -141,9 +149,9 @@ class Walk {
   void look_at_stranger(const pugi::xml_node& parent, const pugi::xml_node& child,
                         const std::vector<std::string>& known) {
     const std::string name = child.name();
-    if (name.starts_with("xacro:")) {
+    if (is_of_xacro(name)) {
       refuse(child, parent, fmt::format("<{}>", name), "a file without macros",
-             "Convert it with the xacro tool first");
+             "Give it a name that ends in .xacro: such files are converted as they are read");
     }
     if (const std::optional<std::string> meant = slip_of(name, known)) {
       refuse(child, parent, fmt::format("the unknown element <{}>", name), join(known),
@@ -164,7 +172,8 @@ class Walk {
       if (contains(known, name)) {
         continue;
       }
-      if (const std::optional<std::string> meant = slip_of(name, known)) {
+      const std::optional<std::string> meant = slip_of(name, known);
+      if (meant && !element.attribute(meant->c_str())) {
         refuse(element, element, fmt::format("the unknown attribute {}", name), join(known),
                fmt::format("Did you mean {}?", *meant));
       }

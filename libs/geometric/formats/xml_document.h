@@ -23,6 +23,7 @@ class XmlDocument {
 
   [[nodiscard]] pugi::xml_document& nodes() { return nodes_; }
   [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
   /// "FILE:LINE" of a node; "FILE" of none.
   [[nodiscard]] std::string where(const pugi::xml_node& node) const;
@@ -55,7 +56,8 @@ using XmlVocabulary = std::map<std::string, XmlElementKind, std::less<>>;
 
 /// Finds what a reader would pass over without a word, below the top element.
 ///
-/// A name within two letters of one that may stand there is a slip: refused. So is an element
+/// A name within two letters of one that may stand there is a slip: refused, unless the attribute
+/// that may be meant is there, too. So is what xacro should have expanded, and an element
 /// of `needed` where it may not stand: what it says would be lost. Other names are those of
 /// vendors and later versions: gathered, to be reported in one warning.
 /// @returns "<gazebo> (3)", …: what is not read, and how often it is there; sorted.

@@ -23,12 +23,6 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-fs::path with_slashes(const fs::path& path) {
-  std::string text = path.string();
-  std::ranges::replace(text, '\\', '/');
-  return fs::path(text).lexically_normal();
-}
-
 // The only entry of `folder` that `name` may mean.
 std::optional<fs::path> entry_like(const fs::path& folder, const std::string& name) {
   std::optional<fs::path> found;
@@ -47,6 +41,12 @@ std::optional<fs::path> entry_like(const fs::path& folder, const std::string& na
 }
 
 }  // namespace
+
+fs::path with_slashes(const fs::path& path) {
+  std::string text = path.string();
+  std::ranges::replace(text, '\\', '/');
+  return fs::path(text).lexically_normal();
+}
 
 fs::path existing_file(const fs::path& path) {
   std::error_code ignored;

@@ -2,11 +2,14 @@
 
 #include "handway/geometric/io/input_error.h"
 
+#include <boost/locale/encoding_utf.hpp>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace handway::geometric {
 namespace {
@@ -35,6 +38,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Text as Windows' shells and spreadsheets write it: UTF-16 behind a byte-order mark, in UTF-8.
+std::string from_utf16(const std::string& bytes) {
+  const bool little = bytes.starts_with("\xFF\xFE");
+  std::u16string units;
+  for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+    const auto low = static_cast<unsigned char>(bytes[little ? i : i + 1]);
+    const auto high = static_cast<unsigned char>(bytes[little ? i + 1 : i]);
+    units += static_cast<char16_t>(high << 8 | low);
+  }
+  return boost::locale::conv::utf_to_utf<char>(units);
+}
+
 bool is_text(unsigned char byte) {
   return byte >= 0x20 ? byte != 0x7F : byte == '\t' || byte == '\n' || byte == '\r' || byte == '\f';
 }
@@ -58,19 +73,30 @@ std::size_t sequence_length(const std::string& text, std::size_t at) {
   return length;
 }
 
-void check_text(const fs::path& file, const std::string& text, const std::string& what) {
+// The text with each byte beyond ASCII that is no UTF-8 taken for the Latin-1 of older editors.
+// @throws InputError if there are bytes that are in no text.
+std::string checked_text(const fs::path& file, std::string text, const std::string& what) {
+  std::string result;
+  std::size_t copied = 0;
   std::size_t at = 0;
   while (at < text.size()) {
     const std::size_t length = sequence_length(text, at);
-    if (length == 0) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    if (length == 0 && byte < 0x80) {
       const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
       const auto line = 1 + std::count(text.begin(), end, '\n');
-      throw InputError({file.string() + ":" + std::to_string(line), "",
-                        "bytes that are no UTF-8 text", what,
-                        "Is this another kind of file, or saved in another encoding?"});
+      throw InputError({file.string() + ":" + std::to_string(line), "", "bytes that are no text",
+                        what, "Is this another kind of file?"});
     }
-    at += length;
+    if (length == 0) {
+      result.append(text, copied, at - copied);
+      result += static_cast<char>(0xC0 | byte >> 6);
+      result += static_cast<char>(0x80 | (byte & 0x3F));
+      copied = at + 1;
+    }
+    at += std::max<std::size_t>(length, 1);
   }
+  return copied == 0 ? std::move(text) : result.append(text, copied);
 }
 
 }  // namespace
@@ -112,12 +138,13 @@ std::string read_text_file(const fs::path& file, const std::string& what, std::s
   }
   if (text.starts_with("\xEF\xBB\xBF")) {
     text.erase(0, 3);
+  } else if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    text = from_utf16(text);
   }
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw InputError({file.string(), "", "an empty file", what, ""});
   }
-  check_text(file, text, what);
-  return text;
+  return checked_text(file, std::move(text), what);
 }
 
 std::string head_of(const std::filesystem::path& file, std::size_t size) {

@@ -74,13 +74,23 @@ class GroupFinder {
       add(proposal_.arm, link);
     }
     const std::vector<int> branches = moving_branches(link);
+    const auto fingers = std::ranges::count_if(branches, [&](int b) { return !is_wheel(b); });
     if (branches.empty()) {
       proposal_.tip = last_link(link);
-    } else if (branches.size() > 1 && reach_[static_cast<std::size_t>(link)] <= kLongestFinger) {
+    } else if (fingers > 1 && reach_[static_cast<std::size_t>(link)] <= kLongestFinger) {
       add_hand(link, branches);
     } else {
       std::ranges::for_each(branches, [&](int branch) { follow(branch); });
     }
+  }
+
+  // Whether all of a branch that moves is one joint that turns without end.
+  [[nodiscard]] bool is_wheel(int link) const {
+    const std::vector<int> branches = moving_branches(link);
+    const Joint& joint = model_.joint(link);
+    return joint.type == JointType::kFixed
+               ? branches.size() == 1 && is_wheel(branches.front())
+               : branches.empty() && joint.is_continuous() && !joint.mimic;
   }
 
   void add_hand(int palm, const std::vector<int>& fingers) {

@@ -64,12 +64,14 @@ class Examination {
   void look_at_joints() {
     std::vector<std::string> fast;
     for (int v = 0; v < model_.variable_count(); ++v) {
-      if (std::isinf(model_.variable(v).limits.velocity)) {
+      const JointLimits& limits = model_.variable(v).limits;
+      if (std::isinf(limits.velocity) && limits.range() > 0.0) {
         fast.push_back(model_.variable(v).name);
       }
     }
-    add_list("joints have no velocity limit", fast,
-             "Write <limit velocity=…> (rad/s or m/s): without it motions can't be timed");
+    add_list(
+        "joints have no velocity limit", fast,
+        "Write <limit velocity=…>, or a joint_limits.yaml: motions are timed by 1 rad/s or m/s");
   }
 
   void look_at_pairs() {

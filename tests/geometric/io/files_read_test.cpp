@@ -29,5 +29,27 @@ TEST(FilesRead, AreNotedOnceEachWhileAnybodyWantsToKnow) {
   EXPECT_THAT(all.files(), ElementsAre(text, mesh));
 }
 
+// As Windows' shells and older editors write it.
+TEST(TextFile, IsReadInOtherEncodings) {
+  const ScratchFiles files;
+  const auto read = [&](const std::string& bytes) {
+    return read_text_file(files.write("a.txt", bytes), "a text");
+  };
+  EXPECT_EQ(read("\xEF\xBB\xBF"
+                 "gr\xC3\xB6\xC3\x9F"
+                 "e"),
+            "gr\u00F6\u00DFe");
+  EXPECT_EQ(read("gr\xF6\xDF"
+                 "e, 5\xB0"),
+            "gr\u00F6\u00DFe, 5\u00B0");
+  EXPECT_EQ(read(std::string("\xFF\xFE"
+                             "a\0\xF6\0\x3D\xD8\x00\xDE",
+                             10)),
+            "a\u00F6\U0001F600");
+  EXPECT_EQ(read(std::string("\xFE\xFF\0a\0\xF6", 6)), "a\u00F6");
+  EXPECT_THAT(test::input_error_of([&] { static_cast<void>(read("a\nb\x01")); }),
+              testing::AllOf(testing::HasSubstr("a.txt:2"), testing::HasSubstr("no text")));
+}
+
 }  // namespace
 }  // namespace handway::geometric

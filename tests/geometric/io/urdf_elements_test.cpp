@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace handway::geometric::urdf_elements {
@@ -53,11 +55,11 @@ class UrdfElementsTest : public testing::Test {
 
 TEST_F(UrdfElementsTest, RefusesCollisionGeometryThatCannotBeRead) {
   for (const std::string shape :
-       {R"(<sphere radius="0,03"/>)", R"(<sphere radius="nan"/>)", R"(<sphere radius="0"/>)",
-        "<sphere/>", R"(<sphere radius="1 2"/>)", R"(<box size="1 1"/>)", R"(<box size="1 1 -1"/>)",
-        R"(<box size="1 1 1e7"/>)", R"(<cylinder radius="1"/>)",
-        R"(<cylinder radius="1" length="inf"/>)", R"(<capsule radius="1" length="1"/>)", "",
-        R"(<mesh/>)", R"(<mesh filename="s.obj" scale="1 1"/>)",
+       {R"(<sphere radius="0,03"/>)", R"(<sphere radius="nan"/>)",
+        R"(<cylinder radius="0" length="1"/>)", "<sphere/>", R"(<sphere radius="1 2"/>)",
+        R"(<box size="1 1"/>)", R"(<box size="1 1 -1"/>)", R"(<box size="1 1 1e7"/>)",
+        R"(<cylinder radius="1"/>)", R"(<cylinder radius="1" length="inf"/>)",
+        R"(<capsule radius="1"/>)", "", R"(<mesh/>)", R"(<mesh filename="s.obj" scale="1 1"/>)",
         R"(<mesh filename="s.obj" scale="1 0 1"/>)", R"(<mesh filename="s.obj" scale="1 x 1"/>)",
         R"(<box size="1 1 1"/><sphere radius="1"/>)"}) {
     EXPECT_THAT(refusal(robot(link(kCollision + "<collision><geometry>" + shape +
@@ -74,12 +76,19 @@ TEST_F(UrdfElementsTest, RefusesOriginsThatCannotBeRead) {
   for (const std::string origin :
        {R"(<origin xyz="0 0"/>)", R"(<origin xyz="0 0 nan"/>)", R"(<origin rpy="0 0 0 1"/>)",
         R"(<origin xyz=""/>)", R"(<origin xzy="0 0 1"/>)", R"(<origin x="1" y="0" z="0"/>)",
-        R"(<origin quat_xyzw="0 0 0 1"/>)", R"(<origin xyz="0 0 0"/><origin xyz="0 0 1"/>)"}) {
+        R"(<origin quat_xyzw="0 0 0 0"/>)", R"(<origin xyz="0 0 0"/><origin xyz="0 0 1"/>)"}) {
     EXPECT_THAT(refusal(robot(link("<collision>" + origin + kSphere + "</collision>"))),
                 HasSubstr("r.urdf:4"))
         << origin;
     EXPECT_THAT(refusal(jointed(origin, "fixed")), HasSubstr("r.urdf:5")) << origin;
   }
+}
+
+TEST_F(UrdfElementsTest, ReadsOriginsOfUrdf12) {
+  const RobotDescription r =
+      read(jointed(R"(<origin xyz="1 2 3" quat_xyzw="0 0 0.6 0.8"/>)", "fixed"));
+  EXPECT_TRUE(
+      r.joints[0].X_PJ.isApprox(pose_from_rpy({1, 2, 3}, 0, 0, 2.0 * std::atan2(0.6, 0.8)), 1e-12));
 }
 
 TEST_F(UrdfElementsTest, RefusesMisspeltElements) {
@@ -97,7 +106,61 @@ TEST_F(UrdfElementsTest, RefusesMisspeltElements) {
   EXPECT_THAT(refusal(jointed(R"(<limits lower="-1" upper="1"/>)")), HasSubstr("Did you mean"));
   EXPECT_THAT(refusal(jointed(R"(<limit lowr="-1" upper="1"/>)")),
               HasSubstr("Did you mean lower?"));
-  EXPECT_THAT(refusal(robot(link("<xacro:body/>"))), HasSubstr("xacro"));
+  EXPECT_THAT(refusal(robot(link("<xacro:if value=\"1\"/>"))),
+              AllOf(HasSubstr("<xacro:if>"), HasSubstr("a name that ends in .xacro")));
+}
+
+TEST_F(UrdfElementsTest, TakesWhatXacroLeftOfMacrosThatItDidNotKnow) {
+  EXPECT_THAT(read(robot(link("<xacro:body/>"))).warnings,
+              ElementsAre(HasSubstr("<xacro:body>"), HasSubstr("what they stand for is missing")));
+}
+
+// Older files have their gains among the limits.
+TEST_F(UrdfElementsTest, TakesStrangeAttributesBesideThoseThatTheyResemble) {
+  const RobotDescription r =
+      read(jointed(R"(<limit lower="-1" upper="1" velocity="3" k_velocity="10" effort="1"/>)"));
+  EXPECT_EQ(r.joints[0].limits.velocity, 3.0);
+  EXPECT_THAT(r.warnings, ElementsAre(HasSubstr("k_velocity of <limit>")));
+}
+
+TEST_F(UrdfElementsTest, ReadsCapsulesAsThreeShapes) {
+  const RobotDescription r = read(robot(link(
+      R"(<collision><origin xyz="1 0 0" rpy="0 1.5707963267948966 0"/><geometry>
+<capsule radius="0.1" length="2"/></geometry></collision>
+<visual><geometry><capsule radius="0.1" length="2"/></geometry></visual>)")));
+  ASSERT_THAT(r.links[0].collision, SizeIs(3));
+  EXPECT_THAT(r.links[0].visual, SizeIs(3));
+  double farthest = 0.0;
+  for (const LinkGeometry& part : r.links[0].collision) {
+    farthest = std::max(farthest, part.X_LG.translation().x());
+  }
+  EXPECT_NEAR(farthest, 2.0, 1e-12) << "a ball at the end of the cylinder, along the turned z";
+  EXPECT_THAT(r.warnings, IsEmpty());
+}
+
+// As converters give to links that are frames.
+TEST_F(UrdfElementsTest, LeavesOutShapesWithoutSize) {
+  for (const char* shape : {R"(<box size="0 0 0"/>)", R"(<sphere radius="0.0"/>)",
+                            R"(<cylinder radius="0" length="0"/>)"}) {
+    const RobotDescription r = read(robot(link(std::string("<collision><geometry>") + shape +
+                                               "</geometry></collision>" + kCollision)));
+    EXPECT_THAT(r.links[0].collision, SizeIs(1));
+    EXPECT_THAT(r.warnings, ElementsAre(HasSubstr("without size, which collide with nothing: a")));
+  }
+}
+
+TEST_F(UrdfElementsTest, LeavesOutLinksThatNoJointConnects) {
+  const RobotDescription r =
+      read(robot("<link name=\"a\"/><link name=\"lone\"/><link name=\"b\"/><joint name=\"j\" "
+                 "type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint>"));
+  EXPECT_THAT(r.links, SizeIs(2));
+  EXPECT_THAT(r.warnings, ElementsAre("links that no joint connects are left out: lone"));
+}
+
+TEST_F(UrdfElementsTest, CallsARobotWithoutANameAfterItsFile) {
+  const RobotDescription r = read("<robot><link name=\"a\"/></robot>");
+  EXPECT_EQ(r.name, "r");
+  EXPECT_THAT(r.warnings, ElementsAre(HasSubstr("no name")));
 }
 
 TEST_F(UrdfElementsTest, RefusesWhatPlanningNeedsWhereNobodyLooksForIt) {
@@ -180,6 +243,25 @@ TEST_F(UrdfElementsTest, TakesLimitsWithoutWhatPlanningDoesNotNeed) {
       read(jointed(R"(<limit lower="-1e16" upper="1e16" effort="x" velocity="3"/>)", "continuous"));
   EXPECT_EQ(wheel.joints[0].limits.velocity, 3.0);
   EXPECT_THAT(read(jointed("<limit/>")).warnings, Contains(HasSubstr("can't move")));
+}
+
+// Written for joints that have none.
+TEST_F(UrdfElementsTest, TakesLimitsThatAreTooLargeForNone) {
+  for (const char* limit : {R"(lower="-1e10" upper="1e10")", R"(lower="-inf" upper="inf")"}) {
+    const RobotDescription r = read(jointed(std::string("<limit ") + limit + "/>"));
+    EXPECT_TRUE(r.joints[0].is_continuous());
+    EXPECT_THAT(r.warnings, ElementsAre(HasSubstr("turn without end: j")));
+    const RobotDescription slide =
+        read(jointed(std::string("<limit ") + limit + "/>", "prismatic"));
+    EXPECT_EQ(slide.joints[0].limits.upper, 2.0);
+    EXPECT_THAT(slide.warnings, ElementsAre(HasSubstr("go ±2 m: j")));
+  }
+  for (const char* velocity : {"inf", "1e9"}) {
+    const RobotDescription r =
+        read(jointed(std::string(R"(<limit lower="-1" upper="1" velocity=")") + velocity + "\"/>"));
+    EXPECT_TRUE(std::isinf(r.joints[0].limits.velocity));
+    EXPECT_THAT(r.warnings, IsEmpty());
+  }
 }
 
 TEST_F(UrdfElementsTest, RefusesCouplingsThatMakeNoSense) {

@@ -205,6 +205,43 @@ TEST(UrdfReader, FindsPackagesWhereRosHasThem) {
   }
 }
 
+// Copied out of its package, or called otherwise than it.
+TEST(UrdfReader, TakesTheFileNearbyThatAMissingMeshMustBe) {
+  const ScratchFiles files;
+  files.write("other/meshes/s.obj", kSquareObj);
+  const auto mesh = files.write("mine/meshes/s.obj", kSquareObj);
+  const auto flat = files.write("mine/urdf/t.obj", kSquareObj);
+  const auto read = [&](const std::string& name) {
+    return read_urdf(files.write(
+        "mine/urdf/r.urdf", robot("<link name=\"a\"><collision><geometry><mesh filename=\"" + name +
+                                  "\"/></geometry></collision></link>")));
+  };
+  for (const char* name :
+       {"package://r_description/meshes/s.obj", "model://r/meshes/s.obj", "meshes/s.obj",
+        "$(find r)/meshes/s.obj", "https://example.org/r/meshes/s.obj",
+        R"(C:\Users\me\meshes\s.obj)", "file:///home/me/ws/src/r/meshes/s.obj"}) {
+    const RobotDescription r = read(name);
+    EXPECT_EQ(std::get<Mesh>(r.links[0].collision[0].shape).file, mesh) << name;
+    EXPECT_THAT(r.warnings, ElementsAre(HasSubstr(std::string(name) + " is " + mesh.string())));
+  }
+  EXPECT_EQ(std::get<Mesh>(read("package://r/visual/t.obj").links[0].collision[0].shape).file,
+            flat);
+  EXPECT_THROW(static_cast<void>(read("package://r/parts/u.obj")), MissingMeshError);
+}
+
+TEST(UrdfReader, CountsAllMissingMeshesAtOnce) {
+  const ScratchFiles files;
+  const auto link = [](const std::string& name) {
+    return "<link name=\"" + name + "\"><collision><geometry><mesh filename=\"" + name +
+           ".stl\"/></geometry></collision></link>\n";
+  };
+  const std::string error =
+      refusal(files, robot(link("a") + link("b") + link("c") + joint("j", "fixed", "a", "b", "") +
+                           joint("k", "fixed", "a", "c", "")));
+  EXPECT_THAT(error, AllOf(HasSubstr("broken.urdf:3"), HasSubstr("a.stl"),
+                           HasSubstr("3 collision meshes are missing in all")));
+}
+
 TEST(UrdfReader, SaysWhereAMissingMeshMayBe) {
   const ScratchFiles files;
   files.write("other/parts/s.obj", kSquareObj);
@@ -253,7 +290,8 @@ TEST(UrdfReader, NamesTheLineOfAWrongElement) {
   EXPECT_THAT(refusal(files, robot(links + joint("j", "revolute", "a", "b", ""))),
               AllOf(HasSubstr("broken.urdf:5"), HasSubstr("limit")));
   EXPECT_THAT(refusal(files, robot(links + joint("j", "fixed", "a", "nowhere", ""))),
-              AllOf(HasSubstr("broken.urdf:"), HasSubstr("nowhere")));
+              AllOf(HasSubstr("broken.urdf:5: joint j: found the unknown child link \"nowhere\""),
+                    HasSubstr("There are: a, b")));
   EXPECT_THAT(refusal(files, robot(links + joint("j", "revolute", "a", "b",
                                                  "<axis xyz=\"0 0 0\"/>" + kLimit))),
               AllOf(HasSubstr("broken.urdf:5"), HasSubstr("axis")));
@@ -274,10 +312,17 @@ TEST(UrdfReader, RefusesWhatIsNoRobot) {
   EXPECT_THAT(refusal(files, std::string("\x7F"
                                          "ELF\x02\x01\0\0",
                                          8)),
-              HasSubstr("no UTF-8 text"));
+              HasSubstr("no text"));
   EXPECT_THAT(refusal(files, robot("")), HasSubstr("broken.urdf"));
   EXPECT_THAT(refusal(files, robot("<link name=\"a\"/><link name=\"a\"/>")), HasSubstr("unique"));
   EXPECT_THAT(refusal(files, robot("<link name=\"a\"/><link name=\"b\"/>")), HasSubstr("root"));
+  EXPECT_EQ(
+      refusal(files, robot("<link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n<link "
+                           "name=\"d\"/>" +
+                           joint("j", "fixed", "a", "b", "") + joint("k", "fixed", "d", "c", ""))),
+      (files.folder() / "broken.urdf").string() +
+          ":4: robot: found several links that no joint carries: \"a\", \"d\", expected one, "
+          "the root. Connect them by a fixed joint.");
   std::string deep;
   for (int i = 0; i < 100000; ++i) {
     deep += "<a>";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace handway::geometric {
 namespace {
@@ -35,6 +36,13 @@ class Tree {
     add(palm, name + "1", 0.05).add(name + "1", name + "2", 0.05);
     add(name + "2", name + "tip", 0.02, JointType::kFixed);
     return add(palm, name + "3", 0.05).add(name + "3", name + "4", 0.05);
+  }
+
+  Tree& add_wheel(const std::string& axle, const std::string& name) {
+    constexpr double kForever = std::numeric_limits<double>::infinity();
+    add(axle, name, 0.05);
+    robot_.joints.back().limits = {-kForever, kForever};
+    return *this;
   }
 
   /// Of the joints to two links.
@@ -106,6 +114,16 @@ TEST(GroupProposal, TakesNoBarOfALinkageForAFinger) {
   const GroupProposal groups = propose_groups(tree.model());
   EXPECT_THAT(groups.fingertips, ElementsAre("left_tip", "right_tip"));
   EXPECT_EQ(groups.hand.size(), 6U);
+}
+
+TEST(GroupProposal, TakesNoWheelsForFingers) {
+  const Tree car =
+      Tree().add("root", "caster", 0.1).add_wheel("caster", "l").add_wheel("caster", "r");
+  const GroupProposal groups =
+      propose_groups(Tree(car).add_arm("root", "").add_fingers("c", "f").model());
+  EXPECT_THAT(groups.hand, ElementsAre("f1_joint", "f2_joint", "f3_joint", "f4_joint"));
+  EXPECT_EQ(groups.palm, "c");
+  EXPECT_THAT(propose_groups(car.model()).hand, IsEmpty());
 }
 
 TEST(GroupProposal, TakesLongBranchesForArms) {

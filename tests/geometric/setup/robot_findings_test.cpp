@@ -74,6 +74,8 @@ TEST(RobotFindings, SeeJointsWithoutVelocityLimit) {
   RobotDescription robot = two_boxes();
   robot.joints[0].limits = {-1.0, 1.0};
   EXPECT_THAT(findings_of(robot), says("no velocity limit: turn"));
+  robot.joints[0].limits = {0.0, 0.0};
+  EXPECT_THAT(findings_of(robot), testing::Not(says("no velocity limit"))) << "it never moves";
 }
 
 TEST(RobotFindings, SeePairsThatTouchWhereTheyShouldNot) {

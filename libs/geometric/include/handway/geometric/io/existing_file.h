@@ -9,6 +9,10 @@
 
 namespace handway::geometric {
 
+/// A path with its backslashes, as under Windows, as slashes; normal.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::filesystem::path with_slashes(
+    const std::filesystem::path& path);
+
 /// The file or folder that a path from a file means. Under Windows the case of letters does
 /// not matter and folders are separated by backslashes: where there is nothing of exactly this
 /// name, the only one that differs in these alone is taken.

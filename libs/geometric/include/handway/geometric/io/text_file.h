@@ -31,8 +31,8 @@ class HANDWAY_GEOMETRIC_EXPORT FilesRead {
 /// To be called by every reader of a file that a scene or a problem may refer to.
 HANDWAY_GEOMETRIC_EXPORT void note_file_read(const std::filesystem::path& file);
 
-/// The whole content of a file that people write: UTF-8 text without control
-/// characters, a byte-order mark removed.
+/// The whole content of a file that people write, as UTF-8 without control characters and
+/// byte-order mark: UTF-8, UTF-16 with its mark, or with bytes of Latin-1 in between.
 /// @param what what the file should be, for messages: "a robot file (URDF)".
 /// @throws InputError if it is missing, a folder, device or pipe, unreadable, empty, larger than
 /// `limit` bytes, or no text; a byte that is no text is named with its line.
