@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ignition/math/Pose3.hh>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -26,6 +27,7 @@
 #include <sdf/Console.hh>
 #include <sdf/Cylinder.hh>
 #include <sdf/Ellipsoid.hh>
+#include <sdf/Error.hh>
 #include <sdf/Geometry.hh>
 #include <sdf/Joint.hh>
 #include <sdf/JointAxis.hh>
@@ -33,6 +35,7 @@
 #include <sdf/Material.hh>
 #include <sdf/Mesh.hh>
 #include <sdf/Model.hh>
+#include <sdf/ParserConfig.hh>
 #include <sdf/Root.hh>
 #include <sdf/SemanticPose.hh>
 #include <sdf/Sphere.hh>
@@ -176,9 +179,23 @@ class Reader {
     static std::mutex one_at_a_time;  // the library's console is one for the whole program
     const std::lock_guard lock(one_at_a_time);
     sdf::Console::Instance()->SetQuiet(true);
+    sdf::ParserConfig config;
+    config.SetFindCallback([this](const std::string& uri) { return included(uri); });
     sdf::Root root;
-    const sdf::Errors errors = root.Load(robot_.file.string());
+    sdf::Errors errors = root.Load(robot_.file.string(), config);
+    // A world without its sun or its ground is a world for planning.
+    const auto lost = std::stable_partition(errors.begin(), errors.end(), [](const auto& error) {
+      return error.Code() != sdf::ErrorCode::URI_LOOKUP;
+    });
+    std::vector<std::string> missing;
+    std::ranges::transform(lost, errors.end(), std::back_inserter(missing), &sdf::Error::Message);
+    note(missing, "includes that are left out");
+    errors.erase(lost, errors.end());
     const sdf::Model* model = errors.empty() ? busiest_model(root) : nullptr;
+    if (model == nullptr && errors.empty() && !missing.empty()) {
+      refuse("", fmt::format("no model besides includes: {}", fmt::join(missing, "; ")),
+             "a robot as SDF", "Name the folder that holds their folders with --package-path");
+    }
     if (model == nullptr) {
       refuse("", errors.empty() ? "no model" : "what libsdformat does not take: " + text_of(errors),
              "a robot as SDF");
@@ -193,8 +210,17 @@ class Reader {
 
  private:
   [[noreturn]] void refuse(const std::string& element, const std::string& found,
-                           const std::string& expected) const {
-    throw InputError({robot_.file.string(), element, found, expected, ""});
+                           const std::string& expected, const std::string& advice = "") const {
+    throw InputError({robot_.file.string(), element, found, expected, advice});
+  }
+
+  // The file or folder of an included model; empty if it is nowhere.
+  [[nodiscard]] std::string included(const std::string& uri) const {
+    const std::size_t colon = uri.find("://");
+    const fs::path rest = colon == std::string::npos ? uri : uri.substr(colon + 3);
+    const std::string name = rest.empty() ? "" : rest.begin()->string();
+    const std::optional<fs::path> folder = model_folder(name, folder_);
+    return folder ? (*folder / rest.lexically_relative(name)).lexically_normal().string() : "";
   }
 
   void check(const sdf::Errors& errors, const std::string& element) const {

@@ -159,6 +159,30 @@ TEST(SdfReader, SplitsJointsWithSeveralAxes) {
   EXPECT_EQ(model.upper()[model.find_variable("roll").value()], 2.0);
 }
 
+// As most worlds are: sun and ground come with Gazebo, the robot has a folder of its own.
+TEST(SdfReader, DoesWithoutIncludesThatAreNotThere) {
+  const SdfRobot robot;
+  std::filesystem::create_directories(robot.folder() / "crane");
+  std::filesystem::copy(robot.file(), robot.folder() / "crane" / "model.sdf");
+  std::ofstream(robot.folder() / "crane" / "model.config")
+      << "<model><name>crane</name><sdf version='1.9'>model.sdf</sdf></model>";
+  const auto world = [&](const std::string& crane) {
+    const std::filesystem::path file = robot.folder() / "yard.world";
+    std::ofstream(file) << "<sdf version='1.6'><world name='yard'><include><uri>model://sun</uri>"
+                           "</include><include><uri>model://ground_plane</uri></include>" +
+                               crane + "</world></sdf>";
+    return file;
+  };
+  const RobotModel model(read_sdf(world("<include><uri>model://crane</uri></include>")));
+  EXPECT_EQ(model.name(), "crane");
+  EXPECT_EQ(model.variable_count(), 3);
+  EXPECT_THAT(model.description().warnings,
+              Contains(testing::AllOf(HasSubstr("left out"), HasSubstr("model://sun"))));
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(read_sdf(world(""))); }),
+              testing::AllOf(HasSubstr("yard.world"), HasSubstr("no model besides includes"),
+                             HasSubstr("--package-path")));
+}
+
 TEST(SdfReader, RefusesInWords) {
   const auto refused = [](const char* from, const char* to) {
     const SdfRobot robot(from, to);
