@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -129,32 +130,42 @@ double controllable(const Cell& cell, const JointKinematicLimits& limits, double
   return reaches_end(high) ? high : bisect(0.0, high, reaches_end).first;
 }
 
-/// By how much the fastest law is too fast in a cell: time has to be stretched by this, at least 1.
-double excess(const Cell& cell, const JointKinematicLimits& limits, double x0, double x1) {
-  double worst = 1.0;
-  const double u = (x1 - x0) / (2.0 * cell.width);
-  const int steps = cell.piece->is_arc() ? 4 : 0;
-  for (int i = 0; i <= steps; ++i) {
-    const double share = steps == 0 ? 0.0 : static_cast<double>(i) / steps;
-    const double s = cell.begin + share * cell.width;
-    const double x = x0 + share * (x1 - x0);
-    const Configuration first = cell.piece->derivative(1, s);
-    const Configuration acceleration = u * first + x * cell.piece->derivative(2, s);
-    const double top = steps == 0 ? std::max(x0, x1) : x;
-    worst = std::max({worst, largest_share(std::sqrt(top) * first, limits.velocity),
-                      std::sqrt(largest_share(acceleration, limits.acceleration))});
+/// By how much a law is too fast, jerk not counted where it is not limited: time has to be
+/// stretched by this.
+double excess(const BlendedPath& path, std::span<const Knot> knots,
+              const JointKinematicLimits& limits) {
+  double velocity = 0.0;
+  double acceleration = 0.0;
+  double jerk = 0.0;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    const PathPiece& piece = path.piece_at(0.5 * (knots[k].s + knots[k + 1].s));
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const Knot at = knots[k].after(share * (knots[k + 1].time - knots[k].time));
+      const double s = std::clamp(at.s - piece.begin, 0.0, piece.length);
+      const Eigen::VectorXd first = piece.derivative(1, s);
+      const Eigen::VectorXd second = piece.derivative(2, s);
+      const double v = at.speed;
+      velocity = std::max(velocity, largest_share(v * first, limits.velocity));
+      acceleration = std::max(acceleration, largest_share(at.acceleration * first + v * v * second,
+                                                          limits.acceleration));
+      if (limits.jerk.size() > 0) {
+        jerk = std::max(jerk, largest_share(at.jerk * first + 3.0 * v * at.acceleration * second +
+                                                v * v * v * piece.derivative(3, s),
+                                            limits.jerk));
+      }
+    }
   }
-  return worst;
+  return std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)});
 }
 
-/// Slows the knots from `first` to the end down by `factor`.
-void stretch(std::vector<Knot>& knots, std::size_t first, double factor) {
-  const double begin = knots[first].time;
-  for (std::size_t k = first; k < knots.size(); ++k) {
-    knots[k].time = begin + factor * (knots[k].time - begin);
-    knots[k].speed /= factor;
-    knots[k].acceleration /= factor * factor;
-    knots[k].jerk /= factor * factor * factor;
+/// Slows a law down by `factor`.
+void stretch(std::span<Knot> knots, double factor) {
+  const double begin = knots.front().time;
+  for (Knot& knot : knots) {
+    knot.time = begin + factor * (knot.time - begin);
+    knot.speed /= factor;
+    knot.acceleration /= factor * factor;
+    knot.jerk /= factor * factor * factor;
   }
 }
 
@@ -205,7 +216,6 @@ TimeParameterization time_optimal(const BlendedPath& path, const JointKinematicL
   TimeParameterization law;
   double x = 0.0;
   double time = 0.0;
-  double slower = 1.0;
   std::size_t section = 0;  // its first knot
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const Cell& cell = cells[c];
@@ -216,7 +226,6 @@ TimeParameterization time_optimal(const BlendedPath& path, const JointKinematicL
     // Rounding may leave nothing of a range that is a single number.
     const double u = range.empty() ? 0.5 * (range.low + range.high) : range.high;
     const double next = std::clamp(x + 2.0 * cell.width * u, 0.0, most[c + 1]);
-    slower = std::max(slower, excess(cell, limits, x, next));
     law.knots.back().acceleration = (next - x) / (2.0 * cell.width);
     time += 2.0 * cell.width / (std::sqrt(x) + std::sqrt(next));
     x = next;
@@ -226,10 +235,10 @@ TimeParameterization time_optimal(const BlendedPath& path, const JointKinematicL
          .s = ends_piece ? cell.piece->end() : cell.piece->begin + cell.begin + cell.width,
          .speed = std::sqrt(x)});
     if (cell.stop_after) {
-      stretch(law.knots, section, slower);
+      const auto knots = std::span(law.knots).subspan(section);
+      stretch(knots, std::max(1.0, excess(path, knots, limits.without_jerk())));
       time = law.knots.back().time;
       section = law.knots.size();
-      slower = 1.0;
     }
   }
   return law;
@@ -239,7 +248,7 @@ TimeParameterization align_stops(const TimeParameterization& law, double period)
   TimeParameterization aligned;
   for (TimeParameterization& section : sections_of(law)) {
     const double rounded = period * std::max(1.0, std::ceil(section.duration() / period - 1e-9));
-    stretch(section.knots, 0, rounded / section.duration());
+    stretch(section.knots, rounded / section.duration());
     append(section, aligned);
     // Multiples of the period exactly, free of what rounding adds up.
     aligned.knots.back().time = period * std::round(aligned.duration() / period);
@@ -318,36 +327,11 @@ std::vector<Knot> with_joins(const BlendedPath& path, const std::vector<Knot>& k
   return result;
 }
 
-/// By how much the law is too fast: time has to be stretched by this.
-double excess(const BlendedPath& path, const std::vector<Knot>& knots,
-              const JointKinematicLimits& limits) {
-  double velocity = 0.0;
-  double acceleration = 0.0;
-  double jerk = 0.0;
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    const PathPiece& piece = path.piece_at(0.5 * (knots[k].s + knots[k + 1].s));
-    for (const double share : {0.0, 0.5, 1.0}) {
-      const Knot at = knots[k].after(share * (knots[k + 1].time - knots[k].time));
-      const double s = std::clamp(at.s - piece.begin, 0.0, piece.length);
-      const Eigen::VectorXd first = piece.derivative(1, s);
-      const Eigen::VectorXd second = piece.derivative(2, s);
-      const double v = at.speed;
-      velocity = std::max(velocity, largest_share(v * first, limits.velocity));
-      acceleration = std::max(acceleration, largest_share(at.acceleration * first + v * v * second,
-                                                          limits.acceleration));
-      jerk = std::max(jerk, largest_share(at.jerk * first + 3.0 * v * at.acceleration * second +
-                                              v * v * v * piece.derivative(3, s),
-                                          limits.jerk));
-    }
-  }
-  return kMargin * std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)});
-}
-
 void keep_faster(const BlendedPath& path, const TimeParameterization& section,
                  const JointKinematicLimits& limits, TimeParameterization& best) {
   for (const double share : kWindows) {
     TimeParameterization law{with_joins(path, averaged(section, share * section.duration()))};
-    stretch(law.knots, 0, excess(path, law.knots, limits));
+    stretch(law.knots, kMargin * excess(path, law.knots, limits));
     if (best.knots.empty() || law.duration() < best.duration()) {
       best = std::move(law);
     }

@@ -49,9 +49,6 @@ TrajectoryPoint point_at(const BlendedPath& path, const TimeParameterization& la
   }
   const double t = std::max(0.0, time);
   const auto after = std::ranges::upper_bound(law.knots, t, {}, &Knot::time);
-  if (after == law.knots.begin() || after == law.knots.end()) {
-    return at_rest(time, path.polyline().waypoints.front());
-  }
   return point_between(path, *std::prev(after), *after, t);
 }
 
