@@ -3,6 +3,7 @@
 #include "grasps/pregrasp_rejections.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/jacobian.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
@@ -119,22 +120,17 @@ class HandClosing {
   /// length 1, or zero where none does. @param a, b ends of the segment in the palm's frame, m.
   [[nodiscard]] Eigen::VectorXd towards(const Finger& finger, const Eigen::VectorXd& posture,
                                         const Vector3d& a, const Vector3d& b) const {
-    constexpr double kStep = 1e-3;  // normalised
-    const auto distance = [&](const Eigen::VectorXd& at) {
-      const Vector3d p = tip(finger, at);
-      return (p - nearest_on_segment(p, a, b)).norm();
-    };
-    const double before = distance(posture);
-    Eigen::VectorXd rates(static_cast<Eigen::Index>(finger.joints.size()));
-    for (Eigen::Index k = 0; k < rates.size(); ++k) {
-      const int joint = finger.joints[static_cast<std::size_t>(k)];
-      Eigen::VectorXd moved = posture;
-      const double step = moved[joint] < 0.5 ? kStep : -kStep;
-      moved[joint] += step;
-      rates[k] = (before - distance(moved)) / step;
-    }
-    const double length = rates.norm();
-    return length > 1e-9 ? Eigen::VectorXd(rates / length) : Eigen::VectorXd::Zero(rates.size());
+    const RobotModel& model = problem_.model();
+    const std::vector<Pose> X_BL = link_poses(posture);
+    const Pose& X_BP = X_BL[static_cast<std::size_t>(palm_)];
+    const Vector3d p_P = last_link(finger, X_BL) * finger.p_LTip;
+    const Vector3d way_B = X_BP.linear() * (nearest_on_segment(p_P, a, b) - p_P).normalized();
+    const geometric::Jacobian J =
+        geometric::point_jacobian(model, X_BL, finger.links.back(), finger.p_LTip);
+    const Eigen::VectorXd of_hand = (J.topRows<3>().transpose() * way_B)
+                                        .cwiseProduct(model.upper() - model.lower())(problem_.hand);
+    const Eigen::VectorXd rates = of_hand(finger.joints);
+    return rates.norm() > 1e-9 ? rates.normalized() : Eigen::VectorXd::Zero(rates.size());
   }
 
  private:
@@ -175,27 +171,28 @@ class HandClosing {
     }
   }
 
-  [[nodiscard]] Pose last_link(const Finger& finger, const Eigen::VectorXd& posture) const {
-    const RobotModel& model = problem_.model();
-    std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
-    model.forward_kinematics(with_hand(problem_.start, posture), X_BL);
-    return X_BL[static_cast<std::size_t>(palm_)].inverse() *
-           X_BL[static_cast<std::size_t>(finger.links.back())];
+  [[nodiscard]] std::vector<Pose> link_poses(const Eigen::VectorXd& posture) const {
+    std::vector<Pose> X_BL(static_cast<std::size_t>(problem_.model().link_count()));
+    problem_.model().forward_kinematics(with_hand(problem_.start, posture), X_BL);
+    return X_BL;
   }
 
-  [[nodiscard]] Vector3d tip(const Finger& finger, const Eigen::VectorXd& posture) const {
-    return last_link(finger, posture) * finger.p_LTip;
+  // In the palm's frame.
+  [[nodiscard]] Pose last_link(const Finger& finger, const std::vector<Pose>& X_BL) const {
+    return X_BL[static_cast<std::size_t>(palm_)].inverse() *
+           X_BL[static_cast<std::size_t>(finger.links.back())];
   }
 
   [[nodiscard]] std::optional<Preshape> preshape(Eigen::VectorXd open) const {
     if (fingers_.size() < 2) {
       return std::nullopt;
     }
+    const std::vector<Pose> X_BL = link_poses(open);
     Eigen::Matrix3Xd tips(3, std::ssize(fingers_));
     Eigen::Matrix3Xd ends(3, tips.cols());
     for (Eigen::Index i = 0; i < tips.cols(); ++i) {
       const Finger& finger = fingers_[static_cast<std::size_t>(i)];
-      const Pose X_PL = last_link(finger, open);
+      const Pose X_PL = last_link(finger, X_BL);
       tips.col(i) = X_PL * finger.p_LTip;
       ends.col(i) = X_PL * finger.p_LEnd;
     }
