@@ -113,7 +113,6 @@ MotionValidator::MotionValidator(const PlanningProblem& problem, const PlanReque
 
 MotionValidator::~MotionValidator() = default;
 
-// Why the start (0) or the goal (1) can't be an end of a path; empty if it can.
 std::string MotionValidator::objection(std::size_t end) {
   const geometric::RobotModel& model = problem_.model();
   const Configuration& q = end == 0 ? problem_.start : problem_.goal;
