@@ -9,6 +9,7 @@
 #include "app/view_actions.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/dock_layout.h"
@@ -61,7 +62,7 @@ void MainWindow::build_middle() {
   PlaybackBar& bar = workbench_.playback_bar;
   bar.setProperty("role", "playback");
   middle_->addWidget(start_page_);
-  middle_->addWidget(stacked({&workbench_.view, &bar}, 0));
+  middle_->addWidget(boxed(in_column({{&workbench_.view, 1}, &bar}, 0)));
   setCentralWidget(middle_);
   workbench_.add_dock(DockArea::kLeft, 2, {"messages", tr("Messages"), &workbench_.log, 110});
   statusBar()->addPermanentWidget(new FrameRateLabel(workbench_.view));

@@ -5,6 +5,7 @@
 #include "model/settings/preferences.h"
 #include "view3d/scene_bodies.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 
@@ -171,7 +172,7 @@ ViewActions::ViewActions(Workbench& workbench, BodyDisplayTool& bodies)
       bodies_(bodies),
       preferences_(workbench.preferences),
       displays_(new QActionGroup(this)),
-      display_button_(new QToolButton) {
+      display_button_(named("display", new QToolButton)) {
   show_all_ = make("", tr("Show &all"), "Shift+F", tr("Show the whole scene"));
   show_all_->setObjectName(QStringLiteral("show_all"));
   connect(show_all_, &QAction::triggered, &view_, &SceneView::show_all);
@@ -258,7 +259,6 @@ QMenu* ViewActions::make_displays() {
                    tr("The hulls that separate bodies before triangles are compared")));
   add(kSpheres, make("bodies_spheres", tr("Bounding &spheres"), "Alt+4",
                      tr("The spheres that cover bodies before triangles are compared")));
-  display_button_->setObjectName(QStringLiteral("display"));
   display_button_->setToolTip(tr("What bodies are drawn as"));
   display_button_->setPopupMode(QToolButton::InstantPopup);
   display_button_->setMenu(menu);

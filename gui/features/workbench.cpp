@@ -1,6 +1,7 @@
 #include "features/workbench.h"
 
 #include "view3d/scene_view.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
@@ -184,8 +185,7 @@ void Workbench::show_context_menu(const QPoint& place) {
       menu_entries_[MainMenu::kContext], std::back_inserter(possible),
       [](const Entry& entry) { return std::get<QAction*>(entry.content)->isEnabled(); });
   if (!possible.empty()) {
-    auto* menu = new QMenu(&window);
-    menu->setObjectName(QStringLiteral("context_menu"));
+    auto* menu = named("context_menu", new QMenu(&window));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     fill(*menu, possible);
     menu->popup(place);

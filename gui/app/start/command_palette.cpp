@@ -1,5 +1,8 @@
 #include "app/start/command_palette.h"
 
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QKeyEvent>
@@ -9,7 +12,6 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <limits>
@@ -78,26 +80,23 @@ void visit_menu(const QMenu& menu, const QString& path, const Add& add) {
 }  // namespace
 
 CommandPalette::CommandPalette(QWidget& window)
-    : QFrame(&window, Qt::Popup), window_(window), field_(new QLineEdit), list_(new QListWidget) {
+    : QFrame(&window, Qt::Popup),
+      window_(window),
+      field_(named("palette_field", new QLineEdit)),
+      list_(named("palette_list", new QListWidget)) {
   setProperty("role", "palette");
   setAttribute(Qt::WA_StyledBackground);
-  field_->setObjectName(QStringLiteral("palette_field"));
   field_->setAccessibleName(tr("Letters of the command"));
   field_->setPlaceholderText(tr("Type a command"));
   field_->installEventFilter(this);
-  list_->setObjectName(QStringLiteral("palette_list"));
   list_->setAccessibleName(tr("Commands"));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setFocusPolicy(Qt::NoFocus);
   list_->setIconSize({18, 18});
   list_->setUniformItemSizes(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 8, 8, 8);
-  layout->setSpacing(6);
   setFixedWidth(scaled(kWidth));
-  layout->addWidget(field_);
-  layout->addWidget(list_);
+  lay_out(*this, in_column({field_, list_}, 6), {8, 8, 8, 8});
   connect(field_, &QLineEdit::textChanged, this, &CommandPalette::list);
   connect(list_, &QListWidget::itemClicked, this, &CommandPalette::run_current);
 }
@@ -142,17 +141,12 @@ void CommandPalette::list(const QString& typed) {
     auto* row = new QListWidgetItem(list_);
     row->setSizeHint({0, scaled(kRowHeight)});
     row->setData(kActionRole, QVariant::fromValue(entry.command->action));
-    auto* words = new QWidget;
-    auto* layout = new QHBoxLayout(words);
-    layout->setContentsMargins(8, 0, 10, 0);
     auto* picture = new QLabel;
     picture->setFixedWidth(22);
     picture->setPixmap(action->icon().pixmap(18, 18));
-    auto* keys = new QLabel(action->shortcut().toString(QKeySequence::NativeText));
-    keys->setProperty("role", "note");
-    layout->addWidget(picture);
-    layout->addWidget(new QLabel(entry.command->path), 1);
-    layout->addWidget(keys);
+    auto* keys = note(action->shortcut().toString(QKeySequence::NativeText));
+    auto* words =
+        boxed(in_row({picture, {new QLabel(entry.command->path), 1}, keys}), {8, 0, 10, 0});
     row->setData(Qt::AccessibleTextRole, entry.command->path);
     list_->setItemWidget(row, words);
   }

@@ -1,6 +1,8 @@
 #include "app/start/help.h"
 
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>
@@ -11,7 +13,6 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QTabWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -157,17 +158,14 @@ void show_panel_help(QMainWindow& window) {
   if (help == std::end(kHelp)) {
     help = std::begin(kHelp);
   }
-  auto* card = new QFrame(&window, Qt::Popup);
-  card->setObjectName(QStringLiteral("help_card"));
+  auto* card = named("help_card", new QFrame(&window, Qt::Popup));
   card->setAttribute(Qt::WA_DeleteOnClose);
   card->setAttribute(Qt::WA_StyledBackground);
   card->setProperty("role", "help");
   auto* text = new QLabel(QCoreApplication::translate("Help", help->text));
   text->setWordWrap(true);
   text->setFixedWidth(scaled(kHelpWidth));
-  auto* layout = new QVBoxLayout(card);
-  layout->setContentsMargins(16, 12, 16, 12);
-  layout->addWidget(text);
+  lay_out(*card, in_column({text}), {16, 12, 16, 12});
   card->adjustSize();
   const QPoint corner =
       window.mapToGlobal(QPoint(window.width() - scaled(kHelpWidth) - 60, window.height()));

@@ -3,6 +3,9 @@
 #include "app/start/picture_card.h"
 #include "handway/geometric/formats/srdf.h"
 #include "handway/geometric/io/resources.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 
@@ -48,22 +51,19 @@ NewSceneDialog::NewSceneDialog(QWidget* parent)
       robots_(library_robots()),
       arms_(new QButtonGroup(this)),
       hands_(new QButtonGroup(this)),
-      note_(new QLabel),
-      create_(new QPushButton(tr("Create"))) {
+      note_(named("new_scene_note", new QLabel)),
+      create_(named("new_scene_create", new QPushButton(tr("Create")))) {
   setObjectName(QStringLiteral("new_scene_dialog"));
   setWindowTitle(tr("New scene"));
   setAttribute(Qt::WA_DeleteOnClose);
   resize(within_window(*this, {scaled(970), scaled(480)}));
-  note_->setObjectName(QStringLiteral("new_scene_note"));
   note_->setWordWrap(true);
-  create_->setObjectName(QStringLiteral("new_scene_create"));
   create_->setProperty("role", "primary");
   create_->setDefault(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   buttons->addButton(create_, QDialogButtonBox::AcceptRole);
   connect(create_, &QPushButton::clicked, this, &NewSceneDialog::create);
-  auto* file = new QPushButton(tr("Robot file…"));
-  file->setObjectName(QStringLiteral("new_scene_file"));
+  auto* file = named("new_scene_file", new QPushButton(tr("Robot file…")));
   file->setToolTip(tr("Begin with a robot of your own: URDF, xacro, SDF, MJCF"));
   buttons->addButton(file, QDialogButtonBox::ActionRole);
   connect(file, &QPushButton::clicked, this, [this] {
@@ -71,13 +71,8 @@ NewSceneDialog::NewSceneDialog(QWidget* parent)
     emit file_wanted();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* below = new QHBoxLayout;
-  below->addWidget(note_, 1);
-  below->addWidget(buttons);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
-  layout->addWidget(make_choice(), 1);
-  layout->addLayout(below);
+  lay_out(*this, in_column({{make_choice(), 1}, in_row({{note_, 1}, buttons})}),
+          {kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge});
   for (QButtonGroup* group : {arms_, hands_}) {
     connect(group, qOverload<QAbstractButton*, bool>(&QButtonGroup::buttonToggled), this,
             &NewSceneDialog::follow_choice);
@@ -108,9 +103,7 @@ QWidget* NewSceneDialog::make_choice() {
 
 void NewSceneDialog::add_cards(QVBoxLayout& layout, const QString& title, QButtonGroup& group,
                                const std::vector<std::string>& names, const QString& none) {
-  auto* heading = new QLabel(title);
-  heading->setProperty("role", "heading");
-  layout.addWidget(heading);
+  layout.addWidget(heading(title));
   auto* grid = new QGridLayout;
   grid->setSpacing(kCardGap);
   const int card_width = scaled(kCardWidth);

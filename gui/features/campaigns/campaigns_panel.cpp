@@ -4,6 +4,8 @@
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/campaigns/run_workers.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/screen_colors.h"
@@ -13,14 +15,12 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <iterator>
@@ -172,11 +172,12 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::PluginManager> pl
       shown_(nullptr),
       view_(nullptr),
       plot_(new EcdfPlot),
-      open_(new QPushButton(tr("Open…"))),
-      stop_(new QPushButton(tr("Stop"))),
+      open_(named("campaign_open", new QPushButton(tr("Open…")))),
+      stop_(named("campaign_stop", new QPushButton(tr("Stop")))),
       progress_(new QProgressBar),
-      state_(new QLabel(tr("Open a campaign to run it, or a run database to look at it."))),
-      problems_(new QComboBox) {
+      state_(named("campaign_state",
+                   new QLabel(tr("Open a campaign to run it, or a run database to look at it.")))),
+      problems_(named("campaign_problem", new QComboBox)) {
   shown_ = new RunsOfProblem(runs_, *problems_, this);
   shown_->setSourceModel(table_);
   view_ = new RunView(*shown_,
@@ -198,16 +199,9 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::PluginManager> pl
   parts->addWidget(plot_);
   parts->setSizes({kTableHeight, kPlotHeight});
   parts->setChildrenCollapsible(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(make_actions());
-  layout->addWidget(progress_);
-  layout->addWidget(state_);
-  layout->addWidget(problems_);
-  layout->addWidget(parts, 1);
-  state_->setObjectName(QStringLiteral("campaign_state"));
+  setLayout(in_column({make_actions(), progress_, state_, problems_, {parts, 1}}));
   state_->setWordWrap(true);
   progress_->setVisible(false);
-  problems_->setObjectName(QStringLiteral("campaign_problem"));
   problems_->setVisible(false);
   redraw_.setSingleShot(true);
   redraw_.setInterval(kRedrawInterval);
@@ -228,19 +222,12 @@ void CampaignsPanel::take_theme() {
 }
 
 QWidget* CampaignsPanel::make_actions() {
-  auto* actions = new QWidget;
-  auto* layout = new QHBoxLayout(actions);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(open_, 1);
-  layout->addWidget(stop_, 1);
-  open_->setObjectName(QStringLiteral("campaign_open"));
   open_->setToolTip(tr("A campaign (.yaml) is carried out, a run database (.sqlite) is read"));
-  stop_->setObjectName(QStringLiteral("campaign_stop"));
   stop_->setToolTip(tr("Runs that are done are kept; open the campaign again to go on"));
   stop_->setEnabled(false);
   connect(open_, &QPushButton::clicked, this, &CampaignsPanel::choose_file);
   connect(stop_, &QPushButton::clicked, &runner_, &CampaignRunner::stop);
-  return actions;
+  return boxed(in_row({{open_, 1}, {stop_, 1}}));
 }
 
 void CampaignsPanel::choose_file() {

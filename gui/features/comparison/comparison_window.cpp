@@ -5,6 +5,9 @@
 #include "handway/planning/paths/path_csv.h"
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/style/theme.h"
 
@@ -12,13 +15,11 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
@@ -218,14 +219,11 @@ bool same(const OrbitCamera::Placement& a, const OrbitCamera::Placement& b) {
 }  // namespace
 
 LockedViews::LockedViews(QWidget* parent) : QWidget(parent), views_{new SceneView, new SceneView} {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2);
+  lay_out(*this, in_row({{views_[0], 1}, {views_[1], 1}}, 2));
   for (std::size_t i = 0; i < views_.size(); ++i) {
     SceneView* const view = views_.at(i);
     view->set_colors(colors_of(current_theme()).view);
     view->setMinimumSize(240, 200);
-    layout->addWidget(view, 1);
     connect(view, &SceneView::frameSwapped, this, [this, i] { follow(i); });
   }
 }
@@ -254,30 +252,23 @@ ComparisonWindow::ComparisonWindow(PathHistory& history, Query query, QWidget* p
       views_(new LockedViews),
       bar_(new PlaybackBar(player_)),
       choosers_{new QComboBox, new QComboBox},
-      table_(new FigureTable),
-      note_(new QLabel) {
+      table_(named("comparison_figures", new FigureTable)),
+      note_(named("comparison_note", note())) {
   setWindowTitle(tr("Compare two paths"));
   setAttribute(Qt::WA_DeleteOnClose);
   resize(within_window(*this, {1180, 800}));
-  auto* top = new QHBoxLayout;
-  top->setSpacing(14);
-  top->addWidget(make_chooser(0), 1);
-  top->addWidget(make_chooser(1), 1);
-  note_->setObjectName(QStringLiteral("comparison_note"));
   note_->setWordWrap(true);
-  note_->setProperty("role", "note");
-  table_->setObjectName(QStringLiteral("comparison_figures"));
   table_->setAccessibleName(tr("Figures of both paths"));
   bar_->setProperty("role", "playback");
   bar_->hide_traces();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 12);
-  layout->setSpacing(8);
-  layout->addLayout(top);
-  layout->addWidget(views_, 1);
-  layout->addWidget(bar_);
-  layout->addWidget(table_);
-  layout->addWidget(note_);
+  lay_out(*this,
+          in_column({in_row({{make_chooser(0), 1}, {make_chooser(1), 1}}, 14),
+                     {views_, 1},
+                     bar_,
+                     table_,
+                     note_},
+                    8),
+          {12, 10, 12, 12});
   connect(&player_, &PathPlayer::moved, this, &ComparisonWindow::show_moment);
   connect(&history_, &PathHistory::changed, this, &ComparisonWindow::take_history);
   fill_choosers();
@@ -307,12 +298,7 @@ QWidget* ComparisonWindow::make_chooser(std::size_t side) {
   from_file->setToolTip(tr("A path as handway plan and the export write it (CSV)"));
   from_file->setEnabled(query_.problem != nullptr);
   connect(from_file, &QPushButton::clicked, this, [this, side] { ask_for_file(side); });
-  auto* chooser = new QWidget;
-  auto* layout = new QHBoxLayout(chooser);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(box, 1);
-  layout->addWidget(from_file);
-  return chooser;
+  return boxed(in_row({{box, 1}, from_file}));
 }
 
 void ComparisonWindow::fill_choosers() {

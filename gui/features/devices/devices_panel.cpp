@@ -3,6 +3,9 @@
 #include "handway/device/arm/val3_arm.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/geometric/math/units.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
@@ -15,14 +18,12 @@
 #include <QEvent>
 #include <QFormLayout>
 #include <QFrame>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <QVariant>
 
 #include <algorithm>
@@ -50,22 +51,16 @@ std::vector<double> in_degrees(std::vector<double> angles) {
 
 FollowingPlot::FollowingPlot(QWidget* parent)
     : QWidget(parent),
-      joints_(new QComboBox),
+      joints_(named("following_joint", new QComboBox)),
       angles_(new TimePlot({}, tr("angle, °"))),
       difference_(new TimePlot(tr("time, s"), tr("off, °"))) {
-  joints_->setObjectName(QStringLiteral("following_joint"));
   angles_->setFixedHeight(kAnglesHeight);
   angles_->add_curve(tr("planned"), kPlannedColor);
   angles_->add_curve(tr("measured"), kPlotOrange, true);
   angles_->show_legend();
   difference_->setFixedHeight(kDifferenceHeight);
   difference_->add_curve(tr("measured − planned"), kPlotOrange);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  layout->addWidget(joints_);
-  layout->addWidget(angles_);
-  layout->addWidget(difference_);
+  lay_out(*this, in_column({joints_, angles_, difference_}, 4));
   connect(joints_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &FollowingPlot::show_joint);
   take_theme();
@@ -201,12 +196,6 @@ constexpr int kMargin = 12;
 constexpr double kCautiousSpeed = 0.1;  // until somebody asks for more
 constexpr double kLeastSpeed = 0.01;
 
-QLabel* make_heading(const QString& text) {
-  auto* heading = new QLabel(text);
-  heading->setProperty("role", "heading");
-  return heading;
-}
-
 QLabel* make_text(const char* name) {
   auto* text = new QLabel;
   text->setObjectName(QLatin1String(name));
@@ -250,61 +239,42 @@ DevicesPanel::DevicesPanel(QWidget* parent)
     : QWidget(parent),
       arm_(new MotionDeviceField(QStringLiteral("arm"), device::kVal3MotionPort)),
       hand_(new MotionDeviceField(QStringLiteral("hand"), device::kHandPort)),
-      connect_(new QPushButton),
+      connect_(named("devices_connect", new QPushButton)),
       state_text_(make_text("devices_state")),
       problem_(new QFrame),
       problem_text_(make_text("devices_problem")),
-      mirror_(new QCheckBox(tr("Show the measured robot"))),
+      mirror_(named("devices_mirror", new QCheckBox(tr("Show the measured robot")))),
       speed_(new SliderRow(
           tr("Speed"),
           {.lower = kLeastSpeed, .upper = 1.0, .scale = 100.0, .unit = tr(" %"), .decimals = 0})),
       motion_(make_text("devices_motion")),
-      start_here_(new QPushButton(tr("Plan from the measured position"))),
-      armed_(new QCheckBox(tr("Let the robot move"))),
-      run_(new QPushButton(tr("Run on the robot"))),
-      hold_(new QPushButton(tr("Hold"))),
+      start_here_(
+          named("devices_start_here", new QPushButton(tr("Plan from the measured position")))),
+      armed_(named("devices_armed", new QCheckBox(tr("Let the robot move")))),
+      run_(named("devices_run", new QPushButton(tr("Run on the robot")))),
+      hold_(named("devices_hold", new QPushButton(tr("Hold")))),
       progress_(new QProgressBar),
-      progress_text_(new QLabel),
+      progress_text_(named("devices_progress", note())),
       outcome_text_(make_text("devices_outcome")),
       plot_(new FollowingPlot) {
   outcome_ = make_outcome();
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(kMargin, 10, kMargin, kMargin);
-  layout->setSpacing(8);
-  layout->addWidget(make_connection());
-  layout->addWidget(make_motion());
-  layout->addWidget(outcome_);
-  layout->addStretch();
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(new PanelArea(content));
+  auto* content = boxed(in_column({make_connection(), make_motion(), outcome_, room()}, 8),
+                        {kMargin, 10, kMargin, kMargin});
+  lay_out(*this, in_column({new PanelArea(content)}));
   show_state(State::kOff, false);
 }
 
 QWidget* DevicesPanel::make_connection() {
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(10);
   form->setVerticalSpacing(6);
-  form->addRow(make_heading(tr("Controllers")));
+  form->addRow(heading(tr("Controllers")));
   form->addRow(tr("Arm"), arm_);
   form->addRow(tr("Hand"), hand_);
-  layout->addLayout(form);
-  connect_->setObjectName(QStringLiteral("devices_connect"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(state_text_, 1);
-  row->addWidget(connect_);
-  layout->addLayout(row);
-  mirror_->setObjectName(QStringLiteral("devices_mirror"));
   mirror_->setChecked(true);
   mirror_->setToolTip(
       tr("The robot in the view is where the joints are measured, whatever is edited or played"));
   connect(mirror_, &QCheckBox::toggled, this, &DevicesPanel::mirror_changed);
-  layout->addWidget(mirror_);
   connect(connect_, &QPushButton::clicked, this, [this] {
     if (state_ == State::kOff) {
       emit connect_requested();
@@ -312,70 +282,42 @@ QWidget* DevicesPanel::make_connection() {
       emit disconnect_requested();
     }
   });
-  return box;
+  return boxed(in_column({form, in_row({{state_text_, 1}, connect_}), mirror_}, 8));
 }
 
 QWidget* DevicesPanel::make_motion() {
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(make_heading(tr("Motion")));
   speed_->setObjectName(QStringLiteral("devices_speed"));
   speed_->set_value(kCautiousSpeed);
   speed_->setToolTip(tr("Share of the pace that the joints' limits allow"));
-  layout->addWidget(speed_);
-  armed_->setObjectName(QStringLiteral("devices_armed"));
   armed_->setToolTip(tr("Nothing moves unless this is ticked; it holds for one motion"));
-  layout->addWidget(armed_);
-  run_->setObjectName(QStringLiteral("devices_run"));
   run_->setProperty("role", "primary");
-  hold_->setObjectName(QStringLiteral("devices_hold"));
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addWidget(run_, 2);
-  buttons->addWidget(hold_, 1);
-  layout->addLayout(buttons);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
-  progress_text_->setProperty("role", "note");
-  progress_text_->setObjectName(QStringLiteral("devices_progress"));
   for (QWidget* shown_while_running :
        {static_cast<QWidget*>(progress_), static_cast<QWidget*>(progress_text_)}) {
     QSizePolicy keeps_room = shown_while_running->sizePolicy();
     keeps_room.setRetainSizeWhenHidden(true);
     shown_while_running->setSizePolicy(keeps_room);
-    layout->addWidget(shown_while_running);
   }
   problem_->setProperty("role", "banner");
-  auto* problem_layout = new QVBoxLayout(problem_);
-  problem_layout->setContentsMargins(10, 7, 10, 7);
-  problem_layout->addWidget(problem_text_);
+  lay_out(*problem_, in_column({problem_text_}), {10, 7, 10, 7});
   problem_text_->setTextFormat(Qt::PlainText);
   problem_->hide();
-  layout->addWidget(problem_);
-  layout->addWidget(motion_);
-  start_here_->setObjectName(QStringLiteral("devices_start_here"));
   start_here_->setToolTip(tr("Makes the robot's measured posture the start, and plans"));
   start_here_->hide();
-  layout->addWidget(start_here_);
   connect(speed_, &SliderRow::value_edited, this, &DevicesPanel::speed_changed);
   connect(start_here_, &QPushButton::clicked, this, &DevicesPanel::start_here_requested);
   connect(armed_, &QCheckBox::toggled, this, &DevicesPanel::update_buttons);
   connect(run_, &QPushButton::clicked, this, &DevicesPanel::run_requested);
   connect(hold_, &QPushButton::clicked, this, [this] { emit hold_requested(!held_); });
-  return box;
+  return boxed(in_column({heading(tr("Motion")), speed_, armed_, in_row({{run_, 2}, {hold_, 1}}, 8),
+                          progress_, progress_text_, problem_, motion_, start_here_},
+                         8));
 }
 
 QWidget* DevicesPanel::make_outcome() {
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(make_heading(tr("Executed")));
-  layout->addWidget(outcome_text_);
-  layout->addWidget(plot_);
+  auto* box = boxed(in_column({heading(tr("Executed")), outcome_text_, plot_}, 8));
   box->hide();
   return box;
 }

@@ -3,6 +3,9 @@
 #include "model/document/scene_editor.h"
 #include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 
@@ -16,7 +19,6 @@
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -30,12 +32,6 @@ constexpr int kWidth = 270;
 constexpr int kCardMargin = 12;
 constexpr int kMostInARow = 50;
 constexpr double kFarthest = 100.0;  // m
-
-QLabel* note(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setProperty("role", "note");
-  return label;
-}
 
 // Room for a hand between the copies, in round numbers.
 double roomy(double size) { return std::ceil((size + 0.05) / 0.01) * 0.01; }
@@ -60,23 +56,15 @@ ArrayCard::ArrayCard(QWidget* host)
   group_->setObjectName(QStringLiteral("array_group"));
   make_->setObjectName(QStringLiteral("array_make"));
   make_->setProperty("role", "primary");
-  auto* close_button = new QToolButton;
-  close_button->setObjectName(QStringLiteral("array_close"));
+  auto* close_button = named("array_close", new QToolButton);
   close_button->setIcon(icon("close"));
   close_button->setAutoRaise(true);
   close_button->setToolTip(tr("Make no copies (Esc)"));
-  auto* header = new QHBoxLayout;
-  header->addWidget(title_, 1);
-  header->addWidget(close_button, 0, Qt::AlignTop);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 6, 8, 10);
-  layout->setSpacing(8);
-  layout->addLayout(header);
-  layout->addWidget(kind_);
-  layout->addWidget(pages_);
-  layout->addWidget(group_);
-  layout->addWidget(note_);
-  layout->addWidget(make_);
+  lay_out(*this,
+          in_column({in_row({{title_, 1}, {close_button, 0, Qt::AlignTop}}), kind_, pages_, group_,
+                     note_, make_},
+                    8),
+          {12, 6, 8, 10});
 
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int page) {
     pages_->setCurrentIndex(page);

@@ -5,6 +5,7 @@
 #include "handway/geometric/io/resources.h"
 #include "model/document/scene_edits.h"
 #include "model/document/selection.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QClipboard>
@@ -30,7 +31,9 @@ QString as_title(const std::string& name) {
 }  // namespace
 
 EditActions::EditActions(Workbench& workbench)
-    : workbench_(workbench), editor_(workbench.editor), add_button_(new QToolButton) {
+    : workbench_(workbench),
+      editor_(workbench.editor),
+      add_button_(named("add_object", new QToolButton)) {
   make_actions();
   fill_menu();
   fill_add_menu(workbench_.menu(MainMenu::kAdd));
@@ -106,7 +109,6 @@ void EditActions::fill_menu() {
 }
 
 void EditActions::make_add_button() {
-  add_button_->setObjectName(QStringLiteral("add_object"));
   add_button_->setText(tr("Add"));
   add_button_->setToolTip(tr("Add an object to the scene"));
   add_button_->setMenu(&workbench_.menu(MainMenu::kAdd));
@@ -274,7 +276,7 @@ ArrangeActions::ArrangeActions(Workbench& workbench)
       editor_(workbench.editor),
       align_menu_(new QMenu(tr("&Align"), &workbench.window)),
       distribute_menu_(new QMenu(tr("D&istribute"), &workbench.window)),
-      button_(new QToolButton) {
+      button_(named("arrange", new QToolButton)) {
   select_all =
       workbench_.make_action("select_all", tr("Select &all"),
                              QKeySequence(QStringLiteral("Ctrl+A")), tr("Select every object"));
@@ -319,7 +321,6 @@ void ArrangeActions::place_actions() {
     workbench_.add_to_menu(MainMenu::kContext, {4, order}, action);
   }
   workbench_.add_to_menu(MainMenu::kEdit, {4, ++order}, select_all);
-  button_->setObjectName(QStringLiteral("arrange"));
   button_->setText(tr("Arrange"));
   button_->setToolTip(tr("Align, distribute, repeat or group what is selected"));
   button_->setMenu(arrange);

@@ -1,6 +1,7 @@
 #include "features/editing/goal_pose_form.h"
 
 #include "handway/geometric/robot/inverse_kinematics.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 
 #include <QCheckBox>
@@ -32,15 +33,14 @@ QuantityField* tolerance_field(QuantityField::Kind kind, double most, const char
 
 GoalPoseForm::GoalPoseForm(QWidget* parent)
     : QWidget(parent),
-      link_(new QComboBox),
+      link_(named("goal_link", new QComboBox)),
       position_(tolerance_field(QuantityField::Kind::kLength, 1.0, "goal_position_tolerance",
                                 tr("How far the tool may be from the pose along each axis"))),
       rotation_(tolerance_field(QuantityField::Kind::kAngle, std::numbers::pi,
                                 "goal_rotation_tolerance",
                                 tr("How far the tool may be turned about each axis"))),
-      fold_(new QToolButton),
+      fold_(named("goal_tool_fold", new QToolButton)),
       tool_(new PoseForm) {
-  link_->setObjectName(QStringLiteral("goal_link"));
   link_->setToolTip(tr("The link that the goal is for"));
   link_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* free = new QHBoxLayout;
@@ -63,7 +63,6 @@ GoalPoseForm::GoalPoseForm(QWidget* parent)
   rows->addRow(tr("Position within"), position_);
   rows->addRow(tr("Rotation within"), rotation_);
   rows->addRow(tr("Free about"), free);
-  fold_->setObjectName(QStringLiteral("goal_tool_fold"));
   fold_->setText(tr("Tool in the link"));
   fold_->setToolTip(tr("The frame that is brought to the pose"));
   fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

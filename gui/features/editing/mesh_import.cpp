@@ -1,6 +1,9 @@
 #include "features/editing/mesh_import.h"
 
 #include "handway/geometric/math/units.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
@@ -10,7 +13,6 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -116,13 +118,12 @@ MeshImportDialog::MeshImportDialog(const QString& file,
                                    bool knows_units, QWidget* parent)
     : QDialog(parent),
       mesh_(std::move(mesh)),
-      unit_(new QComboBox),
-      up_(new QComboBox),
-      size_(new QLabel),
-      picture_(new QLabel) {
+      unit_(named("mesh_unit", new QComboBox)),
+      up_(named("mesh_up", new QComboBox)),
+      size_(named("mesh_size", new QLabel)),
+      picture_(named("mesh_picture", new QLabel)) {
   setObjectName(QStringLiteral("mesh_import"));
   setWindowTitle(tr("Add %1").arg(QFileInfo(file).fileName()));
-  unit_->setObjectName(QStringLiteral("mesh_unit"));
   unit_->setToolTip(tr("What 1 in the file is"));
   for (const auto& [name, metres] : {std::pair(tr("metres"), 1.0),
                                      {tr("centimetres"), 0.01},
@@ -130,17 +131,12 @@ MeshImportDialog::MeshImportDialog(const QString& file,
                                      {tr("inches"), 0.0254}}) {
     unit_->addItem(name, metres);
   }
-  up_->setObjectName(QStringLiteral("mesh_up"));
   up_->setToolTip(tr("The file's axis that points upwards"));
   up_->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
   up_->setCurrentIndex(2);
   const double largest = geometric::bounding_box(*mesh_).size().maxCoeff();
   unit_->setCurrentIndex(!knows_units && largest > kLikelyMost ? 2 : 0);
-  size_->setObjectName(QStringLiteral("mesh_size"));
-  picture_->setObjectName(QStringLiteral("mesh_picture"));
   picture_->setFixedSize(kPictureSize);
-  auto* note = new QLabel(tr("The bar at its left is as long as a hand, 19 cm."));
-  note->setProperty("role", "note");
   auto* form = new QFormLayout;
   form->addRow(tr("Written in"), unit_);
   form->addRow(tr("Upwards is"), up_);
@@ -150,13 +146,13 @@ MeshImportDialog::MeshImportDialog(const QString& file,
   add->setObjectName(QStringLiteral("mesh_add"));
   add->setProperty("role", "primary");
   add->setDefault(true);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 16, 16, 12);
-  layout->setSpacing(10);
-  layout->addWidget(picture_, 0, Qt::AlignHCenter);
-  layout->addWidget(note);
-  layout->addLayout(form);
-  layout->addWidget(buttons);
+  lay_out(*this,
+          in_column({{picture_, 0, Qt::AlignHCenter},
+                     note(tr("The bar at its left is as long as a hand, 19 cm.")),
+                     form,
+                     buttons},
+                    10),
+          {16, 16, 16, 12});
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(unit_, qOverload<int>(&QComboBox::currentIndexChanged), this,

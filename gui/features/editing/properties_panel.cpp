@@ -3,6 +3,9 @@
 #include "features/editing/goal_pose_form.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/scene_edits.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/shape_form.h"
 #include "widgets/style/theme.h"
@@ -11,12 +14,10 @@
 #include <QColorDialog>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <initializer_list>
@@ -29,9 +30,8 @@ namespace {
 
 using Kind = SceneItem::Kind;
 
-QLabel* heading(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setProperty("role", "heading");
+QLabel* title(const QString& text) {
+  QLabel* label = heading(text);
   label->setWordWrap(true);
   return label;
 }
@@ -45,16 +45,7 @@ QToolButton* toggle(const char* name) {
   return button;
 }
 
-QWidget* boxed(std::initializer_list<QWidget*> parts) {
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  for (QWidget* part : parts) {
-    layout->addWidget(part);
-  }
-  return box;
-}
+QWidget* section(std::initializer_list<PanelPart> parts) { return boxed(in_column(parts, 4)); }
 
 // The first constraint about the body with such a kind of content; nullptr if there is none.
 template <typename Content>
@@ -97,67 +88,46 @@ void switch_constraint(SceneEditor& editor, const geometric::PathConstraint& mad
 PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
     : PanelArea(nullptr, parent),
       editor_(editor),
-      hint_(new QLabel(tr("Select an object to see its place and size here. Add one with "
-                          "the Add menu."))),
+      hint_(note(tr("Select an object to see its place and size here. Add one with "
+                    "the Add menu."))),
       header_(make_header()),
-      pose_title_(heading(tr("Pose"))),
+      pose_title_(title(tr("Pose"))),
       pose_(new PoseForm),
       goal_form_(new GoalPoseForm),
-      mount_(new QComboBox),
+      mount_(named("mounted_on", new QComboBox)),
       shape_(new ShapeForm),
-      extent_(new QLabel),
-      color_(new QToolButton),
-      parent_(new QComboBox),
-      solid_(new QCheckBox(tr("Solid"))),
+      extent_(named("extent", note())),
+      color_(named("color", new QToolButton)),
+      parent_(named("fixed_to", new QComboBox)),
+      solid_(named("solid", new QCheckBox(tr("Solid")))),
       constraints_(new ConstraintForm) {
   hint_->setWordWrap(true);
-  hint_->setProperty("role", "note");
-  pose_box_ = boxed({pose_title_, pose_});
-  color_->setObjectName(QStringLiteral("color"));
+  pose_box_ = section({pose_title_, pose_});
   color_->setToolTip(tr("Choose a colour"));
   color_->setIconSize({54, 16});
-  parent_->setObjectName(QStringLiteral("fixed_to"));
   parent_->setToolTip(tr("What the object moves with"));
-  mount_->setObjectName(QStringLiteral("mounted_on"));
   mount_->setAccessibleName(tr("Mounted on"));
   mount_->setToolTip(tr("The link that carries the robot, by its origin at first"));
   mount_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  mount_box_ = boxed({heading(tr("Mounted on")), mount_});
+  mount_box_ = section({title(tr("Mounted on")), mount_});
   auto* more = new QWidget;
   auto* rows = new QFormLayout(more);
   rows->setContentsMargins(0, 4, 0, 0);
   rows->setHorizontalSpacing(10);
   rows->setVerticalSpacing(5);
-  const auto note = [](const QString& text) {
-    auto* label = new QLabel(text);
-    label->setProperty("role", "note");
-    return label;
-  };
-  auto* look = new QHBoxLayout;  // a short panel shows them both
-  look->addWidget(color_);
-  look->addStretch(1);
-  look->addWidget(solid_);
-  rows->addRow(note(tr("Colour")), look);
+  // A short panel shows them both.
+  rows->addRow(note(tr("Colour")), in_row({color_, room(1), solid_}));
   rows->addRow(note(tr("Fixed to")), parent_);
-  solid_->setObjectName(QStringLiteral("solid"));
   solid_->setToolTip(
       tr("What is inside collides. Off: a room or a cell, of which the walls alone count"));
-  extent_->setObjectName(QStringLiteral("extent"));
-  extent_->setProperty("role", "note");
   extent_->setWordWrap(true);
-  shape_box_ = boxed({heading(tr("Size")), shape_, extent_, more});
+  shape_box_ = section({title(tr("Size")), shape_, extent_, more});
 
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(12, 10, 12, 10);
-  layout->setSpacing(8);
-  constraints_box_ = boxed({heading(tr("Along paths")), constraints_});
-  for (QWidget* part : std::initializer_list<QWidget*>{hint_, header_, mount_box_, pose_box_,
-                                                       goal_form_, shape_box_, constraints_box_}) {
-    layout->addWidget(part);
-  }
-  layout->addStretch(1);
-  setWidget(content);
+  constraints_box_ = section({title(tr("Along paths")), constraints_});
+  setWidget(boxed(in_column({hint_, header_, mount_box_, pose_box_, goal_form_, shape_box_,
+                             constraints_box_, room(1)},
+                            8),
+                  {12, 10, 12, 10}));
 
   connect(pose_, &PoseForm::pose_edited, &editor_,
           [this](const geometric::Pose& X_FO) { editor_.place(X_WF_ * X_FO); });
@@ -192,14 +162,6 @@ QWidget* PropertiesPanel::make_header() {
   hide_ = toggle("hide");
   lock_->setToolTip(tr("Lock: keep it from being changed"));
   hide_->setToolTip(tr("Hide: do not draw it; it still counts in planning"));
-  auto* header = new QWidget;
-  auto* layout = new QHBoxLayout(header);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  layout->addWidget(name_, 1);
-  layout->addWidget(kind_);
-  layout->addWidget(hide_);
-  layout->addWidget(lock_);
   connect(name_, &QLineEdit::editingFinished, this, [this] {
     editor_.rename(name_->text().trimmed().toStdString());
     refresh();
@@ -208,7 +170,7 @@ QWidget* PropertiesPanel::make_header() {
           [this](bool on) { editor_.set_locked(editor_.selected_objects(), on); });
   connect(hide_, &QToolButton::clicked, this,
           [this](bool on) { editor_.set_hidden(editor_.selected_objects(), on); });
-  return header;
+  return boxed(in_row({{name_, 1}, kind_, hide_, lock_}, 4));
 }
 
 void PropertiesPanel::refresh_icons() {

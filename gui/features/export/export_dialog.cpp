@@ -5,6 +5,8 @@
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/cursor_plot.h"
@@ -27,7 +29,6 @@
 #include <QStringList>
 #include <QTabBar>
 #include <QTabWidget>
-#include <QVBoxLayout>
 #include <QVariant>
 
 #include <exception>
@@ -105,29 +106,21 @@ void draw(TimePlot& plot, const planning::Motion& motion, const std::vector<int>
 MotionPreview::MotionPreview(QWidget* parent)
     : QWidget(parent),
       tabs_(new QTabWidget),
-      report_(new QLabel),
+      report_(named("export_report", new QLabel)),
       arm_(new TimePlot({}, tr("arm, °/s"))),
       hand_(new TimePlot(tr("time, s"), tr("hand, °/s"))),
-      names_(new QListWidget),
-      content_(new QPlainTextEdit) {
+      names_(named("export_files", new QListWidget)),
+      content_(named("export_content", new QPlainTextEdit)) {
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setDrawBase(false);
-  report_->setObjectName(QStringLiteral("export_report"));
   report_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   report_->setWordWrap(true);
   report_->setMargin(12);
   report_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* speeds = new QWidget;
-  auto* plots = new QVBoxLayout(speeds);
-  plots->setContentsMargins(0, 0, 0, 0);
-  plots->setSpacing(0);
   for (TimePlot* plot : {arm_, hand_}) {
     plot->set_colors(screen_colors());
-    plots->addWidget(plot);
   }
-  names_->setObjectName(QStringLiteral("export_files"));
   names_->setAccessibleName(tr("Files"));
-  content_->setObjectName(QStringLiteral("export_content"));
   content_->setAccessibleName(tr("What the file holds"));
   content_->setReadOnly(true);
   content_->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -137,11 +130,9 @@ MotionPreview::MotionPreview(QWidget* parent)
   files->addWidget(content_);
   files->setSizes({kNamesWidth, 3 * kNamesWidth});
   tabs_->addTab(report_, tr("Pre-flight"));
-  tabs_->addTab(speeds, tr("Velocities"));
+  tabs_->addTab(boxed(in_column({arm_, hand_}, 0)), tr("Velocities"));
   tabs_->addTab(files, tr("Files"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(tabs_);
+  lay_out(*this, in_column({tabs_}));
   connect(names_, &QListWidget::currentRowChanged, this, &MotionPreview::show_file);
 }
 
@@ -215,29 +206,24 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
       document_(document),
       path_(std::move(path)),
       export_(std::move(plugins)),
-      formats_(new QListWidget),
-      name_(new QLineEdit(QString::fromStdString(planning::motion_name(name.toStdString())))),
+      formats_(named("export_formats", new QListWidget)),
+      name_(named("export_name", new QLineEdit(QString::fromStdString(
+                                     planning::motion_name(name.toStdString()))))),
       speed_(make_number(1.0, kPercent, kPercent, 0, tr(" %"))),
       period_(make_number(0.1, 1000.0, planning::TimingOptions{}.period / kMilli, 1, tr(" ms"))),
       arcs_(new QCheckBox(tr("Round the corners"))),
       deviation_(make_number(0.001, 10.0, planning::BlendOptions{}.deviation, 3, tr(" rad"))),
-      any_robot_(new QCheckBox(tr("Any robot"))),
+      any_robot_(named("export_any_robot", new QCheckBox(tr("Any robot")))),
       preview_(new MotionPreview),
-      folder_(new QLineEdit(QDir::homePath())),
-      export_button_(new QPushButton(tr("Export"))),
-      problem_text_(new QLabel) {
+      folder_(named("export_folder", new QLineEdit(QDir::homePath()))),
+      export_button_(named("export_now", new QPushButton(tr("Export")))),
+      problem_text_(named("export_problem", new QLabel)) {
   setWindowTitle(tr("Export the path"));
   setAttribute(Qt::WA_DeleteOnClose);
   resize(within_window(*this, {scaled(940), scaled(600)}));
-  auto* top = new QHBoxLayout;
-  top->setSpacing(12);
-  top->addWidget(make_settings());
-  top->addWidget(preview_, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 12, 14, 14);
-  layout->setSpacing(10);
-  layout->addLayout(top, 1);
-  layout->addWidget(make_destination());
+  lay_out(*this,
+          in_column({{in_row({make_settings(), {preview_, 1}}, 12), 1}, make_destination()}, 10),
+          {14, 12, 14, 14});
   settle_.setSingleShot(true);
   settle_.setInterval(kSettleMs);
   connect(&settle_, &QTimer::timeout, this, &ExportDialog::time_again);
@@ -274,7 +260,6 @@ void ExportDialog::take_edit(const SceneState& before) {
 }
 
 QWidget* ExportDialog::make_settings() {
-  formats_->setObjectName(QStringLiteral("export_formats"));
   formats_->setAccessibleName(tr("Formats"));
   formats_->setProperty("role", "choices");
   formats_->setWordWrap(true);
@@ -285,7 +270,6 @@ QWidget* ExportDialog::make_settings() {
         name + QLatin1Char('\n') + QString::fromStdString(exporter->description()), formats_);
     item->setData(Qt::UserRole, name);
   }
-  name_->setObjectName(QStringLiteral("export_name"));
   name_->setToolTip(tr("Of the motion, in the files and for them"));
   speed_->setObjectName(QStringLiteral("export_speed"));
   speed_->setToolTip(tr("Share of the pace that the joints' limits allow"));
@@ -302,17 +286,12 @@ QWidget* ExportDialog::make_settings() {
   form->addRow(tr("Period"), period_);
   form->addRow(QString(), arcs_);
   form->addRow(tr("Deviation"), deviation_);
-  any_robot_->setObjectName(QStringLiteral("export_any_robot"));
   any_robot_->setToolTip(tr("Export though the format does not seem to be for this robot"));
   any_robot_->hide();
   form->addRow(QString(), any_robot_);
   auto* box = new QWidget;
   box->setFixedWidth(scaled(kSettingsWidth));
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(10);
-  layout->addWidget(formats_, 1);
-  layout->addLayout(form);
+  lay_out(*box, in_column({{formats_, 1}, form}, 10));
   const auto settle = [this] {
     export_button_->setEnabled(false);
     settle_.start();
@@ -328,20 +307,12 @@ QWidget* ExportDialog::make_settings() {
 }
 
 QWidget* ExportDialog::make_destination() {
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  problem_text_->setObjectName(QStringLiteral("export_problem"));
   problem_text_->setWordWrap(true);
   problem_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   problem_text_->hide();
-  layout->addWidget(problem_text_);
-  folder_->setObjectName(QStringLiteral("export_folder"));
   folder_->setAccessibleName(tr("Folder"));
   auto* browse = new QPushButton(tr("Browse…"));
   auto* cancel = new QPushButton(tr("Cancel"));
-  export_button_->setObjectName(QStringLiteral("export_now"));
   export_button_->setProperty("role", "primary");
   export_button_->setDefault(true);
   export_button_->setEnabled(false);
@@ -353,7 +324,6 @@ QWidget* ExportDialog::make_destination() {
   row->addSpacing(18);
   row->addWidget(cancel);
   row->addWidget(export_button_);
-  layout->addLayout(row);
   connect(browse, &QPushButton::clicked, this, [this] {
     const QString folder =
         QFileDialog::getExistingDirectory(this, tr("Export to folder"), folder_->text());
@@ -363,7 +333,7 @@ QWidget* ExportDialog::make_destination() {
   });
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(export_button_, &QPushButton::clicked, this, &ExportDialog::export_now);
-  return box;
+  return boxed(in_column({problem_text_, row}, 8));
 }
 
 void ExportDialog::choose_format(const std::string& name) {

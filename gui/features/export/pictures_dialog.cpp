@@ -1,6 +1,9 @@
 #include "features/export/pictures_dialog.h"
 
 #include "features/export/film_recorder.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/plots/figure_file.h"
 #include "widgets/style/theme.h"
@@ -10,14 +13,12 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStandardItemModel>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -82,25 +83,23 @@ PicturesDialog::PicturesDialog(std::shared_ptr<const geometric::Scene> scene, Pa
       scene_(std::move(scene)),
       timeline_(std::move(timeline)),
       camera_(camera),
-      kinds_(new QComboBox),
-      pictures_(new QSpinBox),
-      sizes_(new QComboBox),
-      rates_(new QComboBox),
+      kinds_(named("pictures_kind", new QComboBox)),
+      pictures_(named("pictures_count", new QSpinBox)),
+      sizes_(named("pictures_size", new QComboBox)),
+      rates_(named("pictures_rate", new QComboBox)),
       speeds_(new QComboBox),
-      count_(new QLabel),
-      file_(new QLineEdit(QDir(QDir::homePath()).filePath(name.simplified().replace(' ', '_')))),
+      count_(note()),
+      file_(named(
+          "pictures_file",
+          new QLineEdit(QDir(QDir::homePath()).filePath(name.simplified().replace(' ', '_'))))),
       progress_(new QProgressBar),
-      export_button_(new QPushButton(tr("Export"))),
-      close_button_(new QPushButton(tr("Close"))),
-      note_(new QLabel) {
+      export_button_(named("pictures_export", new QPushButton(tr("Export")))),
+      close_button_(named("pictures_close", new QPushButton(tr("Close")))),
+      note_(named("pictures_note", note())) {
   setWindowTitle(tr("Export pictures of the path"));
   setAttribute(Qt::WA_DeleteOnClose);
   setMinimumWidth(scaled(520));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 12, 14, 14);
-  layout->setSpacing(12);
-  layout->addLayout(make_settings());
-  layout->addWidget(make_destination());
+  lay_out(*this, in_column({make_settings(), make_destination()}, 12), {14, 12, 14, 14});
   connect(kinds_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &PicturesDialog::take_kind);
   for (QComboBox* box : {rates_, speeds_}) {
@@ -154,7 +153,6 @@ void PicturesDialog::cancel() {
 }
 
 QFormLayout* PicturesDialog::make_settings() {
-  kinds_->setObjectName(QStringLiteral("pictures_kind"));
   kinds_->addItem(tr("Film strip: pictures side by side"), static_cast<int>(Kind::kStrip));
   kinds_->addItem(tr("Frames: a folder of numbered PNG files"), static_cast<int>(Kind::kFrames));
   kinds_->addItem(tr("Film: MP4"), static_cast<int>(Kind::kFilm));
@@ -167,22 +165,18 @@ QFormLayout* PicturesDialog::make_settings() {
       item->setText(tr("%1 (needs ffmpeg)").arg(item->text()));
     }
   }
-  pictures_->setObjectName(QStringLiteral("pictures_count"));
   pictures_->setRange(2, kMostStripPictures);
   pictures_->setValue(kStripPictures);
   for (const QSize& size : {QSize(640, 360), QSize(1280, 720), QSize(1920, 1080)}) {
     sizes_->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
   }
-  sizes_->setObjectName(QStringLiteral("pictures_size"));
   sizes_->setCurrentIndex(1);
   for (const int rate : {10, 15, 25, 30, 60}) {
     rates_->addItem(tr("%1 pictures a second").arg(rate), rate);
   }
-  rates_->setObjectName(QStringLiteral("pictures_rate"));
   rates_->setCurrentIndex(rates_->findData(25));
   offer_speeds(*speeds_);
   speeds_->setToolTip(tr("Of the film; 1× is real time"));
-  count_->setProperty("role", "note");
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(8);
@@ -196,34 +190,16 @@ QFormLayout* PicturesDialog::make_settings() {
 }
 
 QWidget* PicturesDialog::make_destination() {
-  file_->setObjectName(QStringLiteral("pictures_file"));
   file_->setAccessibleName(tr("File"));
-  export_button_->setObjectName(QStringLiteral("pictures_export"));
   export_button_->setProperty("role", "primary");
-  close_button_->setObjectName(QStringLiteral("pictures_close"));
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
-  note_->setObjectName(QStringLiteral("pictures_note"));
   note_->setWordWrap(true);
-  note_->setProperty("role", "note");
   auto* browse = new QPushButton(tr("Browse…"));
   connect(browse, &QPushButton::clicked, this, &PicturesDialog::browse);
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(10);
-  auto* place = new QHBoxLayout;
-  place->addWidget(file_, 1);
-  place->addWidget(browse);
-  auto* buttons = new QHBoxLayout;
-  buttons->addStretch();
-  buttons->addWidget(close_button_);
-  buttons->addWidget(export_button_);
-  layout->addLayout(place);
-  layout->addWidget(note_);
-  layout->addWidget(progress_);
-  layout->addLayout(buttons);
-  return box;
+  return boxed(in_column({in_row({{file_, 1}, browse}), note_, progress_,
+                          in_row({room(), close_button_, export_button_})},
+                         10));
 }
 
 PicturesDialog::Kind PicturesDialog::kind() const {

@@ -1,14 +1,15 @@
 #include "features/glove/basis_report.h"
 
 #include "handway/geometric/math/units.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QLabel>
 #include <QPainter>
 #include <QPolygonF>
 #include <QStringList>
-#include <QVBoxLayout>
-#include <QVariant>
 
 #include <algorithm>
 #include <exception>
@@ -188,17 +189,10 @@ QString study_text(const BasisStudy& study, double confidence) {
 }  // namespace
 
 BasisReportView::BasisReportView(QWidget* parent)
-    : QWidget(parent), chart_(new ReconstructionChart), text_(new QLabel) {
-  text_->setObjectName(QStringLiteral("basis_report"));
-  text_->setProperty("role", "note");
+    : QWidget(parent), chart_(new ReconstructionChart), text_(named("basis_report", note())) {
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::RichText);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(chart_);
-  layout->addWidget(text_);
-  layout->addStretch();
+  lay_out(*this, in_column({chart_, text_, room()}, 6));
   set_input(std::nullopt, {});
 }
 

@@ -4,6 +4,9 @@
 #include "handway/device/glove/recording_quality.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QDate>
@@ -11,7 +14,6 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
@@ -19,7 +21,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStringList>
-#include <QVBoxLayout>
 #include <QVariant>
 
 #include <Eigen/Geometry>
@@ -259,23 +260,18 @@ QString range_quality(const device::PersonRanges& ranges, const device::Recordin
 CalibrationGuide::CalibrationGuide(GloveSession& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      person_(new QLineEdit),
-      title_(new QLabel),
+      person_(named("calibration_person", new QLineEdit)),
+      title_(heading()),
       picture_(new HandPicture),
       bones_(new BonesForm),
-      instruction_(new QLabel),
+      instruction_(named("calibration_instruction", new QLabel)),
       progress_(new QProgressBar),
-      quality_(new QLabel),
-      back_(new QPushButton(tr("Back"))),
-      skip_(new QPushButton(tr("Leave out"))),
-      capture_(new QPushButton) {
-  person_->setObjectName(QStringLiteral("calibration_person"));
+      quality_(named("calibration_quality", note())),
+      back_(named("calibration_back", new QPushButton(tr("Back")))),
+      skip_(named("calibration_skip", new QPushButton(tr("Leave out")))),
+      capture_(named("calibration_capture", new QPushButton)) {
   person_->setPlaceholderText(tr("whose hand it is"));
-  title_->setProperty("role", "heading");
-  instruction_->setObjectName(QStringLiteral("calibration_instruction"));
   instruction_->setWordWrap(true);
-  quality_->setObjectName(QStringLiteral("calibration_quality"));
-  quality_->setProperty("role", "note");
   quality_->setWordWrap(true);
   progress_->setRange(0, kPercentDone);
   progress_->setTextVisible(false);
@@ -283,37 +279,18 @@ CalibrationGuide::CalibrationGuide(GloveSession& session, QWidget* parent)
   progress_->setAccessibleName(tr("How long the posture has been held"));
   auto* form = new QFormLayout;
   form->addRow(tr("Person"), person_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 8, 12, 8);
-  layout->setSpacing(8);
-  layout->addLayout(form);
-  layout->addWidget(title_);
-  layout->addWidget(picture_);
-  layout->addWidget(instruction_);
-  layout->addWidget(bones_);
-  layout->addWidget(capture_);
-  layout->addWidget(progress_);
-  layout->addWidget(build_buttons());
-  layout->addWidget(quality_);
-  layout->addStretch();
+  lay_out(*this,
+          in_column({form, title_, picture_, instruction_, bones_, capture_, progress_,
+                     build_buttons(), quality_, room()},
+                    8),
+          {12, 8, 12, 8});
   connect(&session_, &GloveSession::sampled, this, &CalibrationGuide::take);
 }
 
 QWidget* CalibrationGuide::build_buttons() {
-  auto* box = new QWidget;
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
-  capture_->setObjectName(QStringLiteral("calibration_capture"));
   capture_->setProperty("role", "primary");
-  back_->setObjectName(QStringLiteral("calibration_back"));
-  skip_->setObjectName(QStringLiteral("calibration_skip"));
   skip_->setToolTip(tr("Sensors that only this posture measures keep the calibration before"));
-  auto* close = new QPushButton(tr("Close"));
-  close->setObjectName(QStringLiteral("calibration_close"));
-  for (QPushButton* button : {back_, skip_, close}) {
-    row->addWidget(button, 1);
-  }
+  auto* close = named("calibration_close", new QPushButton(tr("Close")));
   connect(capture_, &QPushButton::clicked, this,
           [this] { step_ == Step::kDone ? choose_to_save() : capture(); });
   connect(back_, &QPushButton::clicked, this, [this] { go_to(pose_ - 1); });
@@ -323,7 +300,7 @@ QWidget* CalibrationGuide::build_buttons() {
     go_to(pose_ + 1);
   });
   connect(close, &QPushButton::clicked, this, &CalibrationGuide::closed);
-  return box;
+  return boxed(in_row({{back_, 1}, {skip_, 1}, {close, 1}}, 8));
 }
 
 void CalibrationGuide::begin() {

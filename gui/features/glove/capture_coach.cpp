@@ -4,6 +4,8 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/geometric/math/units.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QLabel>
@@ -12,7 +14,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTextDocument>
-#include <QVBoxLayout>
 #include <QVariant>
 
 #include <algorithm>
@@ -438,18 +439,14 @@ QString dotted(const QColor& color, const QString& text) {
 
 CaptureCoach::CaptureCoach(QWidget* parent)
     : QWidget(parent),
-      headline_(new QLabel),
+      headline_(named("coverage_headline", new QLabel)),
       progress_(new QProgressBar),
-      advice_(new QLabel),
-      hints_label_(new QLabel),
+      advice_(named("capture_advice", new QLabel)),
+      hints_label_(named("capture_hints", new QLabel)),
       bars_(new CoverageBars),
-      together_(new QLabel),
+      together_(named("combinations_headline", new QLabel)),
       squares_(new CombinationSquares),
-      restart_(new QPushButton(tr("Start again"))) {
-  headline_->setObjectName(QStringLiteral("coverage_headline"));
-  advice_->setObjectName(QStringLiteral("capture_advice"));
-  hints_label_->setObjectName(QStringLiteral("capture_hints"));
-  restart_->setObjectName(QStringLiteral("capture_restart"));
+      restart_(named("capture_restart", new QPushButton(tr("Start again")))) {
   restart_->setToolTip(tr("Delete the postures so far"));
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
@@ -458,28 +455,13 @@ CaptureCoach::CaptureCoach(QWidget* parent)
   hints_label_->setWordWrap(true);
   hints_label_->setAlignment(Qt::AlignTop);
   hints_label_->setMinimumHeight(fontMetrics().lineSpacing() * kHintLines + 14);
-  auto* top = new QVBoxLayout;
+  auto* top = in_column({headline_, progress_, advice_, hints_label_}, 7);
   top->setContentsMargins(12, 10, 12, 6);
-  top->setSpacing(7);
-  top->addWidget(headline_);
-  top->addWidget(progress_);
-  top->addWidget(advice_);
-  top->addWidget(hints_label_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 10);
-  layout->setSpacing(6);
-  layout->addLayout(top);
-  layout->addWidget(bars_);
-  together_->setObjectName(QStringLiteral("combinations_headline"));
   together_->setWordWrap(true);
   together_->setContentsMargins(kSideMargin, 6, kSideMargin, 0);
-  layout->addWidget(together_);
-  layout->addWidget(squares_);
-  auto* bottom = new QVBoxLayout;
+  auto* bottom = in_column({{restart_, 0, Qt::AlignLeft}});
   bottom->setContentsMargins(12, 6, 12, 0);
-  bottom->addWidget(restart_, 0, Qt::AlignLeft);
-  layout->addLayout(bottom);
-  layout->addStretch();
+  lay_out(*this, in_column({top, bars_, together_, squares_, bottom, room()}, 6), {0, 0, 0, 10});
   connect(restart_, &QPushButton::clicked, this, &CaptureCoach::restart_requested);
   show_progress({});
 }

@@ -10,6 +10,9 @@
 #include "features/workbench.h"
 #include "model/document/document.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/link_status.h"
 #include "widgets/style/theme.h"
@@ -18,13 +21,11 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QFrame>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
-#include <QVBoxLayout>
 #include <QVariant>
 
 namespace handway::gui {
@@ -52,22 +53,18 @@ bool is_live(StreamState state) {
 GlovePanel::GlovePanel(ContactGuard& guard, QUndoStack& history, QWidget* parent)
     : QWidget(parent),
       device_(new DeviceField),
-      connect_(new QPushButton),
+      connect_(named("glove_connect", new QPushButton)),
       status_(new LinkStatus(QStringLiteral("glove"))),
-      tabs_(new QTabBar),
+      tabs_(named("glove_pages", new QTabBar)),
       pages_(new QStackedWidget),
       bars_(new SensorBars),
       capture_(session_),
       mapping_editor_(new MappingEditor(session_, history)),
       guard_(guard),
-      follow_(new QCheckBox(tr("Hand follows"))),
-      rule_(new QComboBox),
-      contact_(new QLabel),
+      follow_(named("glove_follow", new QCheckBox(tr("Hand follows")))),
+      rule_(named("contact_rule", new QComboBox)),
+      contact_(named("glove_contact", note())),
       record_(new RecordBar(session_)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  tabs_->setObjectName(QStringLiteral("glove_pages"));
   tabs_->setDrawBase(false);
   tabs_->setExpanding(true);
   tabs_->setProperty("role", "pages");
@@ -75,10 +72,7 @@ GlovePanel::GlovePanel(ContactGuard& guard, QUndoStack& history, QWidget* parent
   add_page(tr("Coach"), &capture_.coach());
   add_page(tr("Explore"), &capture_.explorer());
   add_page(tr("Mapping"), mapping_editor_);
-  layout->addWidget(build_header());
-  layout->addWidget(tabs_);
-  layout->addWidget(pages_, 1);
-  layout->addWidget(build_footer());
+  lay_out(*this, in_column({build_header(), tabs_, {pages_, 1}, build_footer()}, 0));
   bars_->set_mapping(session_.mapping());
   connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
   connect(&session_, &GloveSession::state_changed, this, &GlovePanel::show_state);
@@ -106,42 +100,25 @@ GlovePanel::GlovePanel(ContactGuard& guard, QUndoStack& history, QWidget* parent
 GlovePanel::~GlovePanel() { session_.blockSignals(true); }
 
 QWidget* GlovePanel::build_header() {
-  auto* header = new QWidget;
-  auto* layout = new QVBoxLayout(header);
-  layout->setContentsMargins(kMargin, 10, kMargin, 8);
-  layout->setSpacing(8);
-  connect_->setObjectName(QStringLiteral("glove_connect"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  row->addWidget(device_, 1);
-  row->addWidget(connect_);
-  layout->addLayout(row);
-  layout->addWidget(status_);
   connect(connect_, &QPushButton::clicked, this, &GlovePanel::toggle_connection);
   connect(device_, &DeviceField::requested, this, [this] {
     session_.disconnect_glove();
     toggle_connection();
   });
-  return header;
+  return boxed(in_column({in_row({{device_, 1}, connect_}, 8), status_}, 8),
+               {kMargin, 10, kMargin, 8});
 }
 
 QWidget* GlovePanel::build_sensors_page() {
-  auto* page = new QWidget;
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, 4, 0, 8);
-  layout->setSpacing(6);
-  layout->addWidget(bars_);
   auto* calibration = new CalibrationChoice;
-  auto* calibrate = new QPushButton(tr("Calibrate…"));
-  calibrate->setObjectName(QStringLiteral("calibrate"));
+  auto* calibrate = named("calibrate", new QPushButton(tr("Calibrate…")));
   calibrate->setToolTip(tr("Some postures to hold, shown one by one: a calibration in a minute"));
   auto* form = new QFormLayout;
   form->setContentsMargins(kMargin, 4, kMargin, 0);
   form->setHorizontalSpacing(12);
   form->addRow(tr("Calibration"), calibration);
   form->addRow(QString(), calibrate);
-  layout->addLayout(form);
-  layout->addStretch();
+  auto* page = boxed(in_column({bars_, form, room()}, 6), {0, 4, 0, 8});
   connect(calibration, &CalibrationChoice::chosen, &session_, &GloveSession::set_calibration);
   connect(calibration, &CalibrationChoice::failed, this, &GlovePanel::show_problem);
   auto* guide = new CalibrationGuide(session_);
@@ -169,28 +146,18 @@ QWidget* GlovePanel::build_sensors_page() {
 QWidget* GlovePanel::build_footer() {
   auto* footer = new QFrame;
   footer->setProperty("role", "playback");
-  auto* layout = new QVBoxLayout(footer);
-  layout->setContentsMargins(kMargin, 8, kMargin, 10);
-  layout->setSpacing(8);
-  follow_->setObjectName(QStringLiteral("glove_follow"));
   follow_->setChecked(session_.following());
   follow_->setToolTip(tr("The hand in the view takes the postures of the glove"));
-  rule_->setObjectName(QStringLiteral("contact_rule"));
   rule_->addItem(tr("Go on at contact"));
   rule_->addItem(tr("Stop at contact"));
   rule_->addItem(tr("Slide at contact"));
   rule_->setToolTip(
       tr("What becomes of a motion of glove or tracker that leads into something: it goes on and "
          "the links turn red, it stops, or arm and fingers go as far as each is free"));
-  contact_->setObjectName(QStringLiteral("glove_contact"));
-  contact_->setProperty("role", "note");
   contact_->setWordWrap(true);
   contact_->hide();
   rule_->setMinimumContentsLength(rule_->itemText(0).size());
-  layout->addWidget(follow_);
-  layout->addWidget(rule_);
-  layout->addWidget(contact_);
-  layout->addWidget(record_);
+  lay_out(*footer, in_column({follow_, rule_, contact_, record_}, 8), {kMargin, 8, kMargin, 10});
   connect(follow_, &QCheckBox::toggled, &session_, &GloveSession::set_following);
   connect(rule_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           [this](int rule) { guard_.set_rule(static_cast<ContactRule>(rule)); });

@@ -6,6 +6,8 @@
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/sampling/postures/basis_study.h"
 #include "handway/sampling/postures/pmd_basis.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -121,15 +123,14 @@ QString comparison_text(const RobotModel& model, const HandBasis& a, const HandB
 }  // namespace
 
 BasisComparisonView::BasisComparisonView(QWidget* parent)
-    : QWidget(parent), other_(new QComboBox), table_(new QLabel) {
-  other_->setObjectName(QStringLiteral("explorer_compare"));
+    : QWidget(parent),
+      other_(named("explorer_compare", new QComboBox)),
+      table_(named("basis_comparison", note())) {
   other_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   other_->setMinimumContentsLength(3);
   other_->setToolTip(
       tr("Another basis of this hand: how far apart their subspaces are, and how much of each "
          "other's postures they hold"));
-  table_->setObjectName(QStringLiteral("basis_comparison"));
-  table_->setProperty("role", "note");
   table_->setWordWrap(true);
   table_->setTextFormat(Qt::RichText);
   auto* label = new QLabel(tr("Compare with"));

@@ -10,11 +10,13 @@
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/principal_components.h"
 #include "model/document/edit.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -25,8 +27,6 @@
 #include <QPushButton>
 #include <QToolTip>
 #include <QUndoStack>
-#include <QVBoxLayout>
-#include <QVariant>
 
 #include <algorithm>
 #include <cmath>
@@ -324,33 +324,17 @@ MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget
       wires_(new MappingWires),
       form_(new WireForm),
       curve_(new CurveView),
-      source_(new QLineEdit),
-      comparison_(new QLabel),
-      choices_(new QPushButton(tr("Mapping"))) {
-  source_->setObjectName(QStringLiteral("mapping_source"));
+      source_(named("mapping_source", new QLineEdit)),
+      comparison_(named("mapping_comparison", note())),
+      choices_(named("mapping_choices", new QPushButton(tr("Mapping")))) {
   source_->setPlaceholderText(tr("where the correspondence comes from"));
   connect(source_, &QLineEdit::textChanged, source_, &QWidget::setToolTip);
-  comparison_->setObjectName(QStringLiteral("mapping_comparison"));
-  comparison_->setProperty("role", "note");
   comparison_->setWordWrap(true);
-  auto* inner = new QVBoxLayout;
+  auto* inner = in_column({form_, curve_, in_row({new QLabel(tr("Source")), {source_, 1}}, 8),
+                           build_buttons(), comparison_},
+                          8);
   inner->setContentsMargins(12, 4, 12, 8);
-  inner->setSpacing(8);
-  inner->addWidget(form_);
-  inner->addWidget(curve_);
-  auto* source_row = new QHBoxLayout;
-  source_row->setSpacing(8);
-  source_row->addWidget(new QLabel(tr("Source")));
-  source_row->addWidget(source_, 1);
-  inner->addLayout(source_row);
-  inner->addWidget(build_buttons());
-  inner->addWidget(comparison_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 8, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(wires_);
-  layout->addLayout(inner);
-  layout->addStretch();
+  lay_out(*this, in_column({wires_, inner, room()}, 6), {0, 8, 0, 0});
   connect(wires_, &MappingWires::selected_changed, this, [this] { refresh(); });
   connect(wires_, &MappingWires::connected, this, [this](int joint, int sensor) {
     device::HandMapping mapping = session_.mapping();
@@ -374,11 +358,6 @@ MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget
 }
 
 QWidget* MappingEditor::build_buttons() {
-  auto* box = new QWidget;
-  auto* layout = new QHBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  choices_->setObjectName(QStringLiteral("mapping_choices"));
   auto* menu = new QMenu(choices_);
   menu->setToolTipsVisible(true);
   menu->addAction(tr("New for this hand"), this, &MappingEditor::propose)
@@ -411,9 +390,7 @@ QWidget* MappingEditor::build_buttons() {
   others->addAction(tr("With a file…"), this, &MappingEditor::choose_to_compare);
   compare->setMenu(others);
   compare->setToolTip(tr("What both mappings make of the motion since connecting"));
-  layout->addWidget(choices_, 1);
-  layout->addWidget(compare, 1);
-  return box;
+  return boxed(in_row({{choices_, 1}, {compare, 1}}, 8));
 }
 
 void MappingEditor::set_hand(std::shared_ptr<const geometric::RobotModel> model,

@@ -4,12 +4,14 @@
 #include "features/glove/device_field.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/normalised_joints.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
 #include <QFileDialog>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QMenu>
@@ -21,7 +23,6 @@
 #include <QSpinBox>
 #include <QTabBar>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <QVariant>
 
 #include <algorithm>
@@ -410,19 +411,13 @@ QComboBox* choice(const char* name) {
   return box;
 }
 
-QLabel* heading(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setProperty("role", "note");
-  return label;
-}
-
 }  // namespace
 
 BasisOptions::BasisOptions(QWidget* parent)
-    : QWidget(parent), directions_(new QSpinBox), free_(new QPushButton) {
-  directions_->setObjectName(QStringLiteral("basis_directions"));
+    : QWidget(parent),
+      directions_(named("basis_directions", new QSpinBox)),
+      free_(named("basis_free", new QPushButton)) {
   directions_->setToolTip(tr("Principal motion directions that the basis takes"));
-  free_->setObjectName(QStringLiteral("basis_free"));
   free_->setProperty("role", "compact");
   free_->setMenu(new QMenu(free_));
   free_->setToolTip(
@@ -430,12 +425,7 @@ BasisOptions::BasisOptions(QWidget* parent)
          "paper; they take no part in the directions"));
   auto* label = new QLabel(tr("PMDs"));
   label->setBuddy(directions_);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(label);
-  layout->addWidget(directions_);
-  layout->addWidget(free_, 1);
+  lay_out(*this, in_row({label, directions_, {free_, 1}}, 8));
   connect(directions_, qOverload<int>(&QSpinBox::valueChanged), this, &BasisOptions::changed);
   take_joints();
 }
@@ -497,11 +487,11 @@ PmdExplorer::PmdExplorer(QWidget* parent)
     : QWidget(parent),
       source_(choice("explorer_source")),
       method_(choice("explorer_method")),
-      errors_(heading({})),
+      errors_(named("explorer_errors", note({}))),
       basis_(choice("explorer_basis")),
       options_(new BasisOptions),
-      save_(new QPushButton(tr("Save as basis…"))),
-      use_(new QPushButton(tr("Use for planning"))),
+      save_(named("basis_save", new QPushButton(tr("Save as basis…")))),
+      use_(named("basis_use", new QPushButton(tr("Use for planning")))),
       across_(choice("explorer_across")),
       up_(choice("explorer_up")),
       pad_(new PmdPad),
@@ -509,8 +499,8 @@ PmdExplorer::PmdExplorer(QWidget* parent)
       correlation_(new CorrelationMap),
       comparison_(new BasisComparisonView),
       report_(new BasisReportView),
-      views_(new QTabBar),
-      note_(heading({})) {
+      views_(named("explorer_views", new QTabBar)),
+      note_(note({})) {
   source_->addItems({tr("Live"), tr("A recording…")});
   source_->setToolTip(
       tr("Postures that the glove makes now, or those of one or several recordings together"));
@@ -527,7 +517,6 @@ PmdExplorer::PmdExplorer(QWidget* parent)
   method_->setToolTip(
       tr("What makes postures of this hand from a person's: sensor by sensor, as Mapping says, or "
          "by where the person's fingertips are"));
-  errors_->setObjectName(QStringLiteral("explorer_errors"));
   errors_->setWordWrap(true);
   errors_->setTextFormat(Qt::RichText);
   errors_->hide();
@@ -546,11 +535,7 @@ PmdExplorer::PmdExplorer(QWidget* parent)
   form->addWidget(build_buttons(), 5, 0, 1, 4);
   form->setColumnStretch(1, 1);
   form->setColumnStretch(3, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 6);
-  layout->setSpacing(8);
-  layout->addLayout(form);
-  layout->addWidget(build_views(), 1);
+  lay_out(*this, in_column({form, {build_views(), 1}}, 8), {12, 10, 12, 6});
   connect(source_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
     if (index == kLive) {
       emit live_requested();
@@ -585,38 +570,22 @@ QWidget* PmdExplorer::build_views() {
   auto* charts = new QGridLayout;
   charts->setHorizontalSpacing(12);
   charts->setVerticalSpacing(2);
-  charts->addWidget(heading(tr("Variance held")), 0, 0);
-  charts->addWidget(heading(tr("Joints together")), 0, 1);
+  charts->addWidget(note(tr("Variance held")), 0, 0);
+  charts->addWidget(note(tr("Joints together")), 0, 1);
   charts->addWidget(variance_, 1, 0);
   charts->addWidget(correlation_, 1, 1);
-  auto* directions = new QWidget;
-  auto* layout = new QVBoxLayout(directions);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addLayout(axes);
-  layout->addWidget(pad_, 1);
-  layout->addWidget(note_);
-  layout->addLayout(charts);
-  layout->addWidget(comparison_);
-  auto* box = new QWidget;
-  auto* pages = new QVBoxLayout(box);
-  pages->setContentsMargins(0, 0, 0, 0);
-  pages->setSpacing(8);
-  views_->setObjectName(QStringLiteral("explorer_views"));
+  auto* directions = boxed(in_column({axes, {pad_, 1}, note_, charts, comparison_}, 8));
   views_->setDrawBase(false);
   views_->setExpanding(true);
   views_->setProperty("role", "pages");
   views_->addTab(tr("Directions"));
   views_->addTab(tr("Report"));
-  pages->addWidget(views_);
-  pages->addWidget(directions, 1);
-  pages->addWidget(report_, 1);
   report_->hide();
   connect(views_, &QTabBar::currentChanged, this, [this, directions](int view) {
     directions->setVisible(view == 0);
     report_->setVisible(view == 1);
   });
-  return box;
+  return boxed(in_column({views_, {directions, 1}, {report_, 1}}, 8));
 }
 
 void PmdExplorer::showEvent(QShowEvent* event) {
@@ -634,21 +603,13 @@ void PmdExplorer::show_errors(const QString& text) {
 }
 
 QWidget* PmdExplorer::build_buttons() {
-  auto* box = new QWidget;
-  auto* layout = new QHBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  save_->setObjectName(QStringLiteral("basis_save"));
   save_->setToolTip(tr("Write the basis that is shown, and the postures it is made of, to files"));
-  use_->setObjectName(QStringLiteral("basis_use"));
   use_->setToolTip(
       tr("The scene names this basis: the planner samples in it, and human-likeness is measured "
          "against it. Undo takes the one before"));
-  layout->addWidget(save_, 1);
-  layout->addWidget(use_, 1);
   connect(save_, &QPushButton::clicked, this, [this] { (void)choose_to_save(); });
   connect(use_, &QPushButton::clicked, this, &PmdExplorer::use_shown);
-  return box;
+  return boxed(in_row({{save_, 1}, {use_, 1}}, 8));
 }
 
 bool PmdExplorer::shows_own_basis() const { return basis_->currentIndex() == kOwnBasis; }

@@ -1,6 +1,9 @@
 #include "features/glove/record_bar.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QDateTime>
@@ -8,12 +11,10 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QString>
-#include <QVariant>
 
 #include <exception>
 
@@ -52,16 +53,12 @@ QString clock_text(double seconds) {
 }  // namespace
 
 RecordBar::RecordBar(GloveSession& session, QWidget* parent)
-    : QWidget(parent), session_(session), button_(new QPushButton), progress_(new QLabel) {
-  button_->setObjectName(QStringLiteral("record"));
-  progress_->setObjectName(QStringLiteral("record_progress"));
-  progress_->setProperty("role", "note");
+    : QWidget(parent),
+      session_(session),
+      button_(named("record", new QPushButton)),
+      progress_(named("record_progress", note())) {
   progress_->setWordWrap(true);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(10);
-  layout->addWidget(button_);
-  layout->addWidget(progress_, 1);
+  lay_out(*this, in_row({button_, {progress_, 1}}, 10));
   ticker_.setInterval(kTickMs);
   connect(button_, &QPushButton::clicked, this, &RecordBar::toggle);
   connect(&ticker_, &QTimer::timeout, this, &RecordBar::show_progress);
@@ -125,8 +122,8 @@ void RecordBar::finish() {
 }
 
 void RecordBar::ask_for_name() {
-  auto* dialog = new QFileDialog(this, tr("Save the recording"), {}, tr("Recordings (*.csv)"));
-  dialog->setObjectName(QStringLiteral("record_name"));
+  auto* dialog = named(
+      "record_name", new QFileDialog(this, tr("Save the recording"), {}, tr("Recordings (*.csv)")));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("csv"));

@@ -4,6 +4,8 @@
 #include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/math/units.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
@@ -15,7 +17,6 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -318,12 +319,11 @@ QString sensor_tip(int sensor) {
 WireForm::WireForm(QWidget* parent)
     : QWidget(parent),
       joint_(new QLabel),
-      sensor_(new QComboBox),
+      sensor_(named("wire_sensor", new QComboBox)),
       gain_(field("wire_gain")),
       offset_(field("wire_offset")),
       curve_(field("wire_curve")),
       fixed_(field("wire_fixed")) {
-  sensor_->setObjectName(QStringLiteral("wire_sensor"));
   sensor_->setMinimumContentsLength(6);
   sensor_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   sensor_->addItem(tr("Fixed, no sensor"), kFixed);
@@ -351,13 +351,7 @@ WireForm::WireForm(QWidget* parent)
   line_part_ = row({new QLabel(tr("Gain")), gain_, new QLabel(tr("Offset °")), offset_});
   curve_part_ = row({new QLabel(tr("Curve")), curve_});
   fixed_part_ = row({new QLabel(tr("At °")), fixed_});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(row({joint_, sensor_}));
-  layout->addWidget(line_part_);
-  layout->addWidget(curve_part_);
-  layout->addWidget(fixed_part_);
+  lay_out(*this, in_column({row({joint_, sensor_}), line_part_, curve_part_, fixed_part_}, 6));
   connect(sensor_, qOverload<int>(&QComboBox::currentIndexChanged), this, &WireForm::take);
   for (QLineEdit* edit : {gain_, offset_, curve_, fixed_}) {
     connect(edit, &QLineEdit::editingFinished, this, [this, edit] {

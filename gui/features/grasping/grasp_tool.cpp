@@ -9,16 +9,17 @@
 #include "model/planning/planning_session.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 #include <QVariant>
 
 #include <algorithm>
@@ -54,19 +55,15 @@ QString row_tip(const planning::Pregrasp& grasp) {
 GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen)
     : FloatingCard(host),
       to_be_seen_(std::move(to_be_seen)),
-      title_(new QLabel),
+      title_(heading()),
       details_(new QWidget),
       fold_(make_fold(QStringLiteral("grasp_fold"), *details_)),
-      note_(new QLabel),
-      list_(new QTreeWidget),
-      plan_(new QPushButton(tr("Plan to this grasp"))) {
+      note_(named("grasp_note", note())),
+      list_(named("grasp_list", new QTreeWidget)),
+      plan_(named("grasp_plan", new QPushButton(tr("Plan to this grasp")))) {
   setProperty("role", "offer");
   setObjectName(QStringLiteral("grasps"));
-  title_->setProperty("role", "heading");
-  note_->setProperty("role", "note");
-  note_->setObjectName(QStringLiteral("grasp_note"));
   note_->setWordWrap(true);
-  list_->setObjectName(QStringLiteral("grasp_list"));
   list_->setAccessibleName(tr("Grasps"));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setRootIsDecorated(false);
@@ -84,11 +81,9 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
   for (int column = 0; column < words.size(); ++column) {
     list_->headerItem()->setToolTip(column, words[column]);
   }
-  plan_->setObjectName(QStringLiteral("grasp_plan"));
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Take it for the goal and plan"));
-  auto* close = new QToolButton;
-  close->setObjectName(QStringLiteral("grasp_close"));
+  auto* close = named("grasp_close", new QToolButton);
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
   close->setToolTip(tr("Leave the goal as it is"));
@@ -108,21 +103,13 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
     hide();
     emit chosen(list_->indexOfTopLevelItem(list_->currentItem()));
   });
-  auto* header = new QHBoxLayout;
-  header->addWidget(title_, 1);
-  header->addWidget(fold_, 0, Qt::AlignTop);
-  header->addWidget(close, 0, Qt::AlignTop);
-  auto* details = new QVBoxLayout(details_);
-  details->setContentsMargins(0, 0, 0, 0);
-  details->setSpacing(6);
-  details->addWidget(note_);
-  details->addWidget(list_, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 6, 8, 10);
-  layout->setSpacing(6);
-  layout->addLayout(header);
-  layout->addWidget(details_, 1);
-  layout->addWidget(plan_);
+  lay_out(*details_, in_column({note_, {list_, 1}}, 6));
+  lay_out(*this,
+          in_column({in_row({{title_, 1}, {fold_, 0, Qt::AlignTop}, {close, 0, Qt::AlignTop}}),
+                     {details_, 1},
+                     plan_},
+                    6),
+          {12, 6, 8, 10});
 }
 
 void GraspCard::show_search(const QString& object) {

@@ -6,12 +6,14 @@
 #include "model/planning/plan_settings.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
 #include <QEvent>
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QObject>
 #include <QPlainTextEdit>
@@ -20,7 +22,6 @@
 #include <QSlider>
 #include <QTextBlock>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
@@ -145,8 +146,7 @@ QString listing_text(const AlgorithmListing& listing) {
 }  // namespace
 
 ListingView::ListingView(QWidget* parent)
-    : QWidget(parent), title_(new QLabel), text_(new QPlainTextEdit) {
-  title_->setProperty("role", "heading");
+    : QWidget(parent), title_(heading()), text_(new QPlainTextEdit) {
   title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // panels keep their widths
   text_->setReadOnly(true);
   text_->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -154,11 +154,7 @@ ListingView::ListingView(QWidget* parent)
   QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
   font.setPixelSize(scaled(12));
   text_->setFont(font);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2);
-  layout->addWidget(title_);
-  layout->addWidget(text_, 1);
+  lay_out(*this, in_column({title_, {text_, 1}}, 2));
 }
 
 void ListingView::show_line(int algorithm, int line, bool calls) {
@@ -344,26 +340,21 @@ MicroscopePanel::MicroscopePanel(Document& document, PlanSettings& planning, Sce
       document_(document),
       planning_(planning),
       view_(view),
-      record_(new QPushButton(tr("Record a run"))),
+      record_(named("microscope_record", new QPushButton(tr("Record a run")))),
       rewind_(make_button("microscope_rewind", "step_back", tr("To the beginning"))),
       back_(make_button("microscope_back", "frame_back", tr("One step back"))),
       run_(make_button("microscope_run", "play", tr("Step by itself, or pause"))),
       forward_(make_button("microscope_forward", "frame_forward", tr("One step on"))),
-      position_(new QSlider(Qt::Horizontal)),
-      filter_(new QComboBox),
+      position_(named("microscope_position", new QSlider(Qt::Horizontal))),
+      filter_(named("microscope_filter", new QComboBox)),
       pace_(new QComboBox),
-      count_(new QLabel),
-      words_(new QLabel),
-      state_(new QLabel),
+      count_(note()),
+      words_(named("microscope_words", new QLabel)),
+      state_(note()),
       caller_(new ListingView),
       called_(new ListingView) {
   setAttribute(Qt::WA_StyledBackground);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(10, 6, 10, 6);
-  layout->setSpacing(14);
-  layout->addWidget(make_controls());
-  layout->addWidget(caller_, 1);
-  layout->addWidget(called_, 1);
+  lay_out(*this, in_row({make_controls(), {caller_, 1}, {called_, 1}}, 14), {10, 6, 10, 6});
   connect(record_, &QPushButton::clicked, this, [this] {
     if (microscope_.is_recording()) {
       microscope_.forget();
@@ -409,51 +400,27 @@ MicroscopePanel::MicroscopePanel(Document& document, PlanSettings& planning, Sce
 }
 
 QWidget* MicroscopePanel::make_controls() {
-  record_->setObjectName(QStringLiteral("microscope_record"));
   record_->setToolTip(
       tr("Plans with pmd-prm (or full-prm, if it is chosen), its settings and the seed of the "
          "planning panel, and keeps every step"));
-  position_->setObjectName(QStringLiteral("microscope_position"));
   filter_->addItem(tr("All steps"), static_cast<int>(StepFilter::kAll));
   filter_->addItem(tr("Samples"), static_cast<int>(StepFilter::kSamples));
   filter_->addItem(tr("Nodes and edges"), static_cast<int>(StepFilter::kEdges));
-  filter_->setObjectName(QStringLiteral("microscope_filter"));
   filter_->setToolTip(tr("What the buttons stop at"));
   for (const int pace : {1, 3, 10, 25}) {
     pace_->addItem(tr("%1 a second").arg(pace), pace);
   }
   pace_->setCurrentIndex(1);
-  words_->setObjectName(QStringLiteral("microscope_words"));
   for (QLabel* label : {words_, state_}) {
     label->setWordWrap(true);
     label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   }
-  state_->setProperty("role", "note");
-  count_->setProperty("role", "note");
   auto* controls = new QWidget;
   controls->setMaximumWidth(scaled(kControlsWidth));
-  auto* layout = new QVBoxLayout(controls);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(2);
-  buttons->addWidget(record_);
-  buttons->addStretch();
-  for (QToolButton* button : {rewind_, back_, run_, forward_}) {
-    buttons->addWidget(button);
-  }
-  auto* choices = new QHBoxLayout;
-  choices->addWidget(filter_, 1);
-  choices->addWidget(pace_);
-  auto* place = new QHBoxLayout;
-  place->addWidget(position_, 1);
-  place->addWidget(count_);
-  layout->addLayout(buttons);
-  layout->addLayout(place);
-  layout->addLayout(choices);
-  layout->addWidget(words_);
-  layout->addWidget(state_);
-  layout->addStretch();
+  lay_out(*controls, in_column({in_row({record_, room(), rewind_, back_, run_, forward_}, 2),
+                                in_row({{position_, 1}, count_}), in_row({{filter_, 1}, pace_}),
+                                words_, state_, room()},
+                               6));
   return controls;
 }
 

@@ -5,17 +5,17 @@
 #include "model/playback/path_player.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 
 #include <QAction>
-#include <QHBoxLayout>
 #include <QKeySequence>
 #include <QLabel>
 #include <QPushButton>
 #include <QStringList>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <QVariant>
 
 #include <algorithm>
@@ -189,19 +189,16 @@ QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& e
 DoctorCard::DoctorCard(QWidget* host)
     : FloatingCard(host),
       picture_(new QLabel),
-      text_(new QLabel),
+      text_(named("doctor_text", new QLabel)),
       area_(new PanelArea),
       close_(new QToolButton),
-      show_(new QPushButton(tr("Show"))),
-      use_(new QPushButton(tr("Use posture"))) {
+      show_(named("doctor_show", new QPushButton(tr("Show")))),
+      use_(named("doctor_use", new QPushButton(tr("Use posture")))) {
   setProperty("role", "banner");
   setObjectName(QStringLiteral("doctor"));
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  text_->setObjectName(QStringLiteral("doctor_text"));
-  show_->setObjectName(QStringLiteral("doctor_show"));
   show_->setToolTip(tr("Move the robot to the free posture"));
-  use_->setObjectName(QStringLiteral("doctor_use"));
   use_->setToolTip(tr("Take the free posture instead"));
   use_->setProperty("role", "primary");
   area_->setWidget(text_);
@@ -213,20 +210,14 @@ DoctorCard::DoctorCard(QWidget* host)
   connect(show_, &QPushButton::clicked, this, [this] { emit shown(*end_.nearest.q); });
   connect(use_, &QPushButton::clicked, this,
           [this] { emit accepted(end_.is_start, *end_.nearest.q); });
-  auto* words = new QHBoxLayout;
-  words->setSpacing(kSpacing);
-  words->addWidget(picture_, 0, Qt::AlignTop);
-  words->addWidget(area_, 1);
-  words->addWidget(close_, 0, Qt::AlignTop);
-  auto* answers = new QHBoxLayout;
-  answers->addWidget(show_);
-  answers->addWidget(use_);
-  answers->addStretch();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 10, 8, 10);
-  layout->setSpacing(6);
-  layout->addLayout(words, 1);
-  layout->addLayout(answers);
+  lay_out(
+      *this,
+      in_column(
+          {{in_row({{picture_, 0, Qt::AlignTop}, {area_, 1}, {close_, 0, Qt::AlignTop}}, kSpacing),
+            1},
+           in_row({show_, use_, room()})},
+          6),
+      {14, 10, 8, 10});
 }
 
 void DoctorCard::show_diagnoses(const std::shared_ptr<const geometric::RobotModel>& model,

@@ -1,8 +1,8 @@
 #include "features/planning/group_choice.h"
 
 #include "handway/geometric/setup/moving_group.h"
+#include "widgets/forms/arrangement.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -18,10 +18,7 @@ GroupChoice::GroupChoice(SceneEditor& editor, QWidget* parent)
   button_->setAccessibleName(tr("What moves"));
   button_->setMenu(menu_);
   button_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(new QLabel(tr("Moves")));
-  row->addWidget(button_, 1);
+  lay_out(*this, in_row({new QLabel(tr("Moves")), {button_, 1}}));
   connect(menu_, &QMenu::aboutToShow, this, &GroupChoice::fill_menu);
   connect(&editor_.document(), &Document::opened, this, &GroupChoice::show_scene);
   connect(&editor_.document(), &Document::edited, this, &GroupChoice::show_scene);

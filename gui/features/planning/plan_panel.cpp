@@ -2,6 +2,9 @@
 
 #include "features/planning/preset_bar.h"
 #include "model/planning/planning_session.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/parameter_form.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
@@ -10,7 +13,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -30,45 +32,34 @@ namespace {
 constexpr int kPlannersSeen = 14;  // of a list that may have dozens
 constexpr int kClockMs = 100;
 
-QLabel* make_heading(const QString& text) {
-  auto* heading = new QLabel(text);
-  heading->setProperty("role", "heading");
-  return heading;
-}
-
 }  // namespace
 
 PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
     : QWidget(parent),
       settings_(settings),
-      planners_(new QComboBox),
-      description_(new QLabel),
-      seed_(new QSpinBox),
-      seeds_(new QSpinBox),
-      merit_(new QComboBox),
-      time_limit_(new QDoubleSpinBox),
-      margin_(new QDoubleSpinBox),
-      threads_(new QSpinBox),
+      planners_(named("planners", new QComboBox)),
+      description_(note()),
+      seed_(named("seed", new QSpinBox)),
+      seeds_(named("seeds", new QSpinBox)),
+      merit_(named("merit", new QComboBox)),
+      time_limit_(named("time_limit", new QDoubleSpinBox)),
+      margin_(named("margin", new QDoubleSpinBox)),
+      threads_(named("threads", new QSpinBox)),
       presets_(new PresetBar(settings.registry())),
-      modified_(new QLabel(tr("modified"))),
-      reset_(new QPushButton(tr("Reset"))),
+      modified_(named("modified", note(tr("modified")))),
+      reset_(named("reset_parameters", new QPushButton(tr("Reset")))),
       form_place_(new QVBoxLayout),
       sections_(new QVBoxLayout),
-      plan_(new QPushButton(tr("Plan"))),
-      cancel_(new QPushButton(tr("Cancel"))),
+      plan_(named("plan", new QPushButton(tr("Plan")))),
+      cancel_(named("cancel", new QPushButton(tr("Cancel")))),
       optimizing_(new QWidget),
-      optimize_(new QPushButton(tr("Continue optimising"))),
-      optimize_limit_(new QDoubleSpinBox),
-      progress_(new QProgressBar),
-      validity_(new QLabel),
-      result_(new QLabel),
-      all_runs_(new QPushButton(tr("All runs"))) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(make_actions());
-  layout->addWidget(make_settings(), 1);
-  layout->addWidget(make_results());
+      optimize_(named("optimize", new QPushButton(tr("Continue optimising")))),
+      optimize_limit_(named("optimize_limit", new QDoubleSpinBox)),
+      progress_(named("progress", new QProgressBar)),
+      validity_(named("path_validity", new QLabel)),
+      result_(named("result", new QLabel)),
+      all_runs_(named("all_runs", new QPushButton(tr("All runs")))) {
+  lay_out(*this, in_column({make_actions(), {make_settings(), 1}, make_results()}, 0));
 
   const planning::PlannerRegistry& registry = settings_.registry();
   for (const std::string& name : registry.names()) {
@@ -145,20 +136,15 @@ void PlanPanel::follow(PlanningSession& session) {
 }
 
 QWidget* PlanPanel::make_settings() {
-  planners_->setObjectName(QStringLiteral("planners"));
   planners_->setMaxVisibleItems(kPlannersSeen);
   description_->setWordWrap(true);
-  description_->setProperty("role", "note");
   seed_->setRange(0, std::numeric_limits<int>::max());
-  seed_->setObjectName(QStringLiteral("seed"));
   seed_->setToolTip(tr("The same seed gives the same path, on any number of threads"));
-  time_limit_->setObjectName(QStringLiteral("time_limit"));
   time_limit_->setRange(0.0, 86400.0);
   time_limit_->setDecimals(1);
   time_limit_->setSuffix(tr(" s"));
   time_limit_->setSpecialValueText(tr("none"));
   time_limit_->setToolTip(tr("Give up after this time"));
-  margin_->setObjectName(QStringLiteral("margin"));
   margin_->setRange(0.0, 1000.0);
   margin_->setDecimals(1);
   margin_->setSuffix(tr(" mm"));
@@ -167,33 +153,19 @@ QWidget* PlanPanel::make_settings() {
       tr("Clearance that the robot keeps from all else along the path, where start and goal allow "
          "it"));
   threads_->setRange(1, 1024);
-  threads_->setObjectName(QStringLiteral("threads"));
   threads_->setToolTip(tr("More threads plan faster; the path stays the same"));
 
-  reset_->setObjectName(QStringLiteral("reset_parameters"));
   reset_->setToolTip(tr("Give every parameter the value that it has in the preset"));
-  modified_->setObjectName(QStringLiteral("modified"));
-  modified_->setProperty("role", "note");
 
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(12, 10, 12, 8);
-  layout->setSpacing(8);
   auto* form = new QFormLayout;
-  layout->addLayout(form);
-  auto* parameters = new QHBoxLayout;
-  parameters->addWidget(make_heading(tr("Parameters")));
-  parameters->addWidget(modified_);
-  parameters->addStretch(1);
-  parameters->addWidget(reset_);
-  layout->addLayout(parameters);
-  layout->addWidget(presets_);
-  layout->addLayout(form_place_);
-  layout->addLayout(sections_);
-  layout->addStretch();
+  auto* box =
+      boxed(in_column({form, in_row({heading(tr("Parameters")), modified_, room(1), reset_}),
+                       presets_, form_place_, sections_, room()},
+                      8),
+            {12, 10, 12, 8});
   form->setHorizontalSpacing(10);
   form->setVerticalSpacing(6);
-  form->addRow(make_heading(tr("Planner")));
+  form->addRow(heading(tr("Planner")));
   form->addRow(planners_);
   form->addRow(description_);
   form->addRow(tr("Seed"), seed_);
@@ -206,31 +178,20 @@ QWidget* PlanPanel::make_settings() {
 
 QWidget* PlanPanel::make_seeds() {
   constexpr int kMostSeeds = 1000;
-  seeds_->setObjectName(QStringLiteral("seeds"));
   seeds_->setRange(1, kMostSeeds);
   seeds_->setToolTip(
       tr("Plan with so many seeds, from the one above on, and show the best path of all"));
-  merit_->setObjectName(QStringLiteral("merit"));
   merit_->setToolTip(tr("Which of their paths is shown"));
   merit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   merit_->setMinimumContentsLength(6);
   for (const PathMerit merit : kPathMerits) {
     merit_->addItem(tr("the %1").arg(superlative(merit)), static_cast<int>(merit));
   }
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(seeds_, 1);
-  layout->addWidget(merit_, 2);
-  return row;
+  return boxed(in_row({{seeds_, 1}, {merit_, 2}}, 8));
 }
 
 QWidget* PlanPanel::make_actions() {
-  plan_->setObjectName(QStringLiteral("plan"));
   plan_->setProperty("role", "primary");
-  cancel_->setObjectName(QStringLiteral("cancel"));
-  progress_->setObjectName(QStringLiteral("progress"));
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
@@ -239,50 +200,28 @@ QWidget* PlanPanel::make_actions() {
     keeps_room.setRetainSizeWhenHidden(true);
     shown_at_times->setSizePolicy(keeps_room);
   }
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(12, 12, 12, 0);
-  layout->setSpacing(8);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addWidget(plan_, 2);
-  buttons->addWidget(cancel_, 1);
-  layout->addLayout(buttons);
-  layout->addWidget(make_optimizing());
-  layout->addWidget(progress_);
-  return box;
+  return boxed(in_column({in_row({{plan_, 2}, {cancel_, 1}}, 8), make_optimizing(), progress_}, 8),
+               {12, 12, 12, 0});
 }
 
 QWidget* PlanPanel::make_results() {
-  result_->setObjectName(QStringLiteral("result"));
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  validity_->setObjectName(QStringLiteral("path_validity"));
   validity_->setWordWrap(true);
   validity_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   validity_->hide();
-  all_runs_->setObjectName(QStringLiteral("all_runs"));
   all_runs_->setProperty("role", "link");
   all_runs_->setToolTip(tr("Compare the runs of this scene, and put one back"));
   all_runs_->setVisible(false);
   connect(all_runs_, &QPushButton::clicked, this, &PlanPanel::runs_requested);
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(12, 0, 12, 12);
-  layout->setSpacing(8);
-  layout->addWidget(validity_);
-  layout->addWidget(result_);
-  layout->addWidget(all_runs_, 0, Qt::AlignLeft);
-  return box;
+  return boxed(in_column({validity_, result_, {all_runs_, 0, Qt::AlignLeft}}, 8), {12, 0, 12, 12});
 }
 
 QWidget* PlanPanel::make_optimizing() {
-  optimize_->setObjectName(QStringLiteral("optimize"));
   optimize_->setToolTip(
       tr("Make the path better for the objective above, until nothing more is to be gained, it is "
          "stopped, or the time is over. The path before stays among the runs."));
-  optimize_limit_->setObjectName(QStringLiteral("optimize_limit"));
   optimize_limit_->setRange(0.0, 86400.0);
   optimize_limit_->setDecimals(1);
   optimize_limit_->setPrefix(tr("for "));
@@ -290,11 +229,7 @@ QWidget* PlanPanel::make_optimizing() {
   optimize_limit_->setSpecialValueText(tr("until stopped"));
   optimize_limit_->setToolTip(tr("For how long at most; 0: until it is stopped"));
   connect(optimize_, &QPushButton::clicked, this, &PlanPanel::optimize_requested);
-  auto* layout = new QHBoxLayout(optimizing_);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(optimize_, 2);
-  layout->addWidget(optimize_limit_, 1);
+  lay_out(*optimizing_, in_row({{optimize_, 2}, {optimize_limit_, 1}}, 8));
   optimizing_->hide();
   return optimizing_;
 }

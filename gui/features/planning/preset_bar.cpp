@@ -1,10 +1,10 @@
 #include "features/planning/preset_bar.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "widgets/forms/arrangement.h"
 
 #include <QAction>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -36,11 +36,7 @@ PresetBar::PresetBar(const planning::PlannerRegistry& registry, QWidget* parent)
     attempt(tr("The preset was not deleted"), [this] { remove(); });
   });
   more_->setMenu(menu);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(list_, 1);
-  layout->addWidget(more_);
+  lay_out(*this, in_row({{list_, 1}, more_}, 6));
   connect(list_, qOverload<int>(&QComboBox::activated), this,
           [this](int row) { apply(list_->itemData(row).toString()); });
 }

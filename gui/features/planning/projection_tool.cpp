@@ -3,20 +3,21 @@
 #include "model/document/document.h"
 #include "model/planning/planning_session.h"
 #include "view3d/overlay.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/plots/projection_plot.h"
 #include "widgets/style/theme.h"
 
 #include <QColor>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QObject>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <exception>
@@ -106,17 +107,13 @@ QString legend(const PalmRoadmap& roadmap) {
 
 ProjectionPanel::ProjectionPanel(QWidget* parent)
     : QWidget(parent),
-      x_(new QComboBox),
-      y_(new QComboBox),
+      x_(named("projection_x", new QComboBox)),
+      y_(named("projection_y", new QComboBox)),
       pages_(new QStackedWidget),
       plot_(new ProjectionPlot),
-      note_(new QLabel) {
-  x_->setObjectName(QStringLiteral("projection_x"));
-  y_->setObjectName(QStringLiteral("projection_y"));
+      note_(named("projection_note", note())) {
   x_->setToolTip(tr("What goes from left to right"));
   y_->setToolTip(tr("What goes upwards"));
-  note_->setObjectName(QStringLiteral("projection_note"));
-  note_->setProperty("role", "note");
   note_->setContentsMargins(12, 0, 12, 6);
   note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   for (QComboBox* axis : {x_, y_}) {
@@ -125,36 +122,20 @@ ProjectionPanel::ProjectionPanel(QWidget* parent)
   auto* all = new QToolButton;
   all->setText(tr("Show all"));
   all->setToolTip(tr("Look at the whole roadmap (double click beside the nodes)"));
-  auto* row = new QHBoxLayout;
+  auto* row = in_row({new QLabel(tr("Across")), x_, new QLabel(tr("Up")), y_, all, room()}, 8);
   row->setContentsMargins(12, 6, 12, 0);
-  row->setSpacing(8);
-  row->addWidget(new QLabel(tr("Across")));
-  row->addWidget(x_);
-  row->addWidget(new QLabel(tr("Up")));
-  row->addWidget(y_);
-  row->addWidget(all);
-  row->addStretch();
-  auto* empty = new QLabel(
+  QLabel* empty = named("projection_empty", note());
+  empty->setText(
       tr("The nodes that a planner finds appear here, seen along two of their coordinates: how "
          "far the arm is, and what the hand does.\nPlan a path, then click a node to see the robot "
          "there."));
-  empty->setObjectName(QStringLiteral("projection_empty"));
   empty->setAlignment(Qt::AlignCenter);
   empty->setWordWrap(true);
-  empty->setProperty("role", "note");
-  auto* page = new QWidget;
-  auto* page_layout = new QVBoxLayout(page);
-  page_layout->setContentsMargins(0, 0, 0, 0);
-  page_layout->setSpacing(2);
-  page_layout->addLayout(row);
   plot_->setContentsMargins(4, 0, 12, 4);
-  page_layout->addWidget(plot_, 1);
-  page_layout->addWidget(note_);
+  auto* page = boxed(in_column({row, {plot_, 1}, note_}, 2));
   pages_->addWidget(empty);
   pages_->addWidget(page);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(pages_);
+  lay_out(*this, in_column({pages_}));
   note_->setWordWrap(true);
   setMinimumHeight(180);
   take_theme();

@@ -5,6 +5,9 @@
 #include "model/document/document.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
@@ -18,7 +21,6 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QTimer>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -55,25 +57,20 @@ QString bullet(const geometric::Color& color, const QString& name) {
 
 RegionPreviewBox::RegionPreviewBox(QWidget* parent)
     : QWidget(parent),
-      on_(new QCheckBox(tr("Show the sampling region"))),
+      on_(named("preview_region", new QCheckBox(tr("Show the sampling region")))),
       sliders_(new QWidget),
-      rho_(new QSlider(Qt::Horizontal)),
-      pmds_(new QSlider(Qt::Horizontal)),
+      rho_(named("preview_rho", new QSlider(Qt::Horizontal))),
+      pmds_(named("preview_pmds", new QSlider(Qt::Horizontal))),
       rho_value_(new QLabel),
       pmds_value_(new QLabel),
-      note_(new QLabel),
+      note_(named("preview_note", note())),
       legend_(new QLabel) {
-  on_->setObjectName(QStringLiteral("preview_region"));
   on_->setToolTip(
       tr("Shows in the view where palm and fingertips are in configurations that the "
          "planner may draw, free or not"));
-  rho_->setObjectName(QStringLiteral("preview_rho"));
   rho_->setRange(0, kRhoSteps);
   rho_->setPageStep(kRhoSteps / 20);
-  pmds_->setObjectName(QStringLiteral("preview_pmds"));
   pmds_->setPageStep(1);
-  note_->setObjectName(QStringLiteral("preview_note"));
-  note_->setProperty("role", "note");
   note_->setWordWrap(true);
   legend_->setText(bullet(kPalmColor, tr("palm")) + QStringLiteral(" &nbsp; ") +
                    bullet(kFingertipColor, tr("fingertips")) + QStringLiteral(" &nbsp; ") +
@@ -93,15 +90,7 @@ RegionPreviewBox::RegionPreviewBox(QWidget* parent)
     value->setMinimumWidth(scaled(48));
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  auto* heading = new QLabel(tr("Sampling region"));
-  heading->setProperty("role", "heading");
-  layout->addWidget(heading);
-  layout->addWidget(on_);
-  layout->addWidget(sliders_);
-  layout->addWidget(note_);
+  lay_out(*this, in_column({heading(tr("Sampling region")), on_, sliders_, note_}, 6));
   sliders_->hide();
   note_->hide();
   connect(on_, &QCheckBox::toggled, this, [this](bool on) {

@@ -6,19 +6,20 @@
 #include "model/settings/options.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QColor>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QStringList>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -148,34 +149,16 @@ QString note_of(const PalmRoadmap& roadmap, int most, bool goes_on) {
 
 RoadmapLegend::RoadmapLegend(QAction& hypercubes, QWidget* host)
     : FloatingCard(host),
-      title_(new QLabel),
+      title_(named("roadmap_title", heading())),
       details_(new QWidget),
       fold_(make_fold(QStringLiteral("roadmap_fold"), *details_)),
-      note_(new QLabel),
-      counts_(new QLabel),
-      boxes_(new QCheckBox) {
+      note_(named("roadmap_note", note())),
+      counts_(named("roadmap_counts", new QLabel)),
+      boxes_(named("roadmap_boxes", new QCheckBox)) {
   setProperty("role", "legend");
   setObjectName(QStringLiteral("roadmap_legend"));
-  title_->setProperty("role", "heading");
-  title_->setObjectName(QStringLiteral("roadmap_title"));
-  note_->setProperty("role", "note");
-  note_->setObjectName(QStringLiteral("roadmap_note"));
-  counts_->setObjectName(QStringLiteral("roadmap_counts"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 8, 12, 8);
-  layout->setSpacing(3);
-  auto* head = new QHBoxLayout;
-  head->addWidget(title_, 1);
-  head->addWidget(fold_);
-  layout->addLayout(head);
-  layout->addWidget(details_);
-  auto* rows = new QVBoxLayout(details_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(3);
-  rows->addWidget(note_);
-  rows->addWidget(counts_);
-  rows->addWidget(boxes_);
-  boxes_->setObjectName(QStringLiteral("roadmap_boxes"));
+  lay_out(*this, in_column({in_row({{title_, 1}, fold_}), details_}, 3), {12, 8, 12, 8});
+  lay_out(*details_, in_column({note_, counts_, boxes_}, 3));
   boxes_->setFocusPolicy(Qt::NoFocus);
   boxes_->setChecked(hypercubes.isChecked());
   boxes_->setToolTip(
@@ -290,32 +273,25 @@ QString colliding_text(const std::vector<std::string>& bodies) {
 }  // namespace
 
 FrontierLegend::FrontierLegend(QWidget* host)
-    : FloatingCard(host), from_start_(nullptr), from_goal_(nullptr), colliding_(new QLabel) {
+    : FloatingCard(host),
+      from_start_(nullptr),
+      from_goal_(nullptr),
+      colliding_(named("frontier_colliding", new QLabel)) {
   setProperty("role", "legend");
   setObjectName(QStringLiteral("frontier_legend"));
-  auto* title = new QLabel(tr("No path: how far the search came"));
-  title->setProperty("role", "heading");
-  auto* close = new QToolButton;
-  close->setObjectName(QStringLiteral("frontier_close"));
+  auto* title = heading(tr("No path: how far the search came"));
+  auto* close = named("frontier_close", new QToolButton);
   close->setText(QStringLiteral("×"));
   close->setAutoRaise(true);
   close->setToolTip(tr("Hide these ghosts"));
   connect(close, &QToolButton::clicked, this, &FrontierLegend::closed);
-  colliding_->setObjectName(QStringLiteral("frontier_colliding"));
-  auto* head = new QHBoxLayout;
-  head->addWidget(title, 1);
-  head->addWidget(close);
   auto* rows = new QGridLayout;
   rows->setHorizontalSpacing(14);
   rows->setVerticalSpacing(3);
   from_start_ = add_row(*rows, "frontier_from_start", true);
   from_goal_ = add_row(*rows, "frontier_from_goal", false);
   rows->addWidget(colliding_, 2, 0, 1, 2);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 6, 8, 10);
-  layout->setSpacing(3);
-  layout->addLayout(head);
-  layout->addLayout(rows);
+  lay_out(*this, in_column({in_row({{title, 1}, close}), rows}, 3), {12, 6, 8, 10});
 }
 
 QLabel* FrontierLegend::add_row(QGridLayout& rows, const char* name, bool from_start) {

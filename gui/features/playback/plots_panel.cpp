@@ -7,6 +7,9 @@
 #include "model/document/document.h"
 #include "model/playback/motion_analysis.h"
 #include "model/playback/path_player.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/plots/cursor_plot.h"
@@ -17,7 +20,6 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QObject>
@@ -27,7 +29,6 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 #include <fmt/format.h>
 
@@ -313,19 +314,18 @@ PlotsPanel::PlotsPanel(Document& document, PathPlayer& player, MotionAnalysis& a
       document_(document),
       player_(player),
       analysis_(analysis),
-      quantities_(new QComboBox),
-      value_(new QLabel),
-      export_(new QPushButton(tr("Export…"))),
+      quantities_(named("plot_quantity", new QComboBox)),
+      value_(named("plot_value", note())),
+      export_(named("plot_export", new QPushButton(tr("Export…")))),
       all_(new QPushButton(tr("Show all"))),
       middle_(new QStackedWidget),
-      note_(new QLabel),
+      note_(note()),
       curves_(new QSplitter),
       joints_(new JointCurveList),
       plot_(new CursorPlot) {
   setAttribute(Qt::WA_StyledBackground);
   note_->setAlignment(Qt::AlignCenter);
   note_->setWordWrap(true);
-  note_->setProperty("role", "note");
   curves_->addWidget(joints_);
   curves_->addWidget(plot_);
   curves_->setStretchFactor(1, 1);
@@ -333,11 +333,7 @@ PlotsPanel::PlotsPanel(Document& document, PathPlayer& player, MotionAnalysis& a
   curves_->setChildrenCollapsible(false);
   middle_->addWidget(note_);
   middle_->addWidget(curves_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(10, 6, 10, 6);
-  layout->setSpacing(4);
-  layout->addWidget(make_top());
-  layout->addWidget(middle_, 1);
+  lay_out(*this, in_column({make_top(), {middle_, 1}}, 4), {10, 6, 10, 6});
   connect(quantities_, qOverload<int>(&QComboBox::currentIndexChanged), this, &PlotsPanel::draw);
   connect(joints_, &JointCurveList::choice_changed, this, &PlotsPanel::draw);
   connect(all_, &QPushButton::clicked, this, [this] { plot_->show_all(); });
@@ -362,28 +358,16 @@ QWidget* PlotsPanel::make_top() {
                                         {tr("Human-likeness"), Quantity::kUnlikeness}}) {
     quantities_->addItem(title, static_cast<int>(quantity));
   }
-  quantities_->setObjectName(QStringLiteral("plot_quantity"));
   quantities_->setItemData(
       static_cast<int>(Quantity::kUnlikeness),
       tr("How far the hand is from the postures that its principal motion directions can reach, "
          "and from the nearest recorded posture, in normalised joints; 0 is as human as can be"),
       Qt::ToolTipRole);
-  value_->setObjectName(QStringLiteral("plot_value"));
-  value_->setProperty("role", "note");
   all_->setToolTip(
       tr("The whole path (double click). The wheel zooms, with Ctrl in values; drag "
          "with the right button to move"));
-  export_->setObjectName(QStringLiteral("plot_export"));
   export_->setToolTip(tr("Write what is drawn as a picture (PNG, SVG) or a table (CSV)"));
-  auto* top = new QWidget;
-  auto* layout = new QHBoxLayout(top);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(10);
-  layout->addWidget(quantities_);
-  layout->addWidget(value_, 1);
-  layout->addWidget(all_);
-  layout->addWidget(export_);
-  return top;
+  return boxed(in_row({quantities_, {value_, 1}, all_, export_}, 10));
 }
 
 PlotQuantity PlotsPanel::quantity() const {

@@ -3,10 +3,10 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/reach_words.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include <cmath>
 #include <numbers>
@@ -27,11 +27,7 @@ ElbowSwing::ElbowSwing(QWidget* parent)
   figures_->setProperty("role", "note");
   figures_->setWordWrap(true);
   figures_->setToolTip(reach_explanation());
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 4, 12, 0);
-  layout->setSpacing(2);
-  layout->addWidget(figures_);
-  layout->addWidget(slider_);
+  lay_out(*this, in_column({figures_, slider_}, 2), {12, 4, 12, 0});
   connect(slider_, &SliderRow::value_edited, this, &ElbowSwing::swing);
 }
 

@@ -3,6 +3,9 @@
 #include "features/postures/likeness_meter.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/normalised_joints.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
@@ -47,14 +50,12 @@ geometric::JointLimits reach(const geometric::RobotModel& model, int link) {
 
 JointPanel::JointPanel(QWidget* parent)
     : QWidget(parent), scroll_(new PanelArea), content_(nullptr), layout_(nullptr) {
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
   content_ = new QWidget;
   layout_ = new QVBoxLayout(content_);
   layout_->setContentsMargins(12, 10, 12, 10);
   layout_->setSpacing(3);
   scroll_->setWidget(content_);
-  outer->addWidget(scroll_);
+  lay_out(*this, in_column({scroll_}));
 }
 
 void JointPanel::set_robot(std::shared_ptr<const geometric::RobotModel> model,
@@ -78,9 +79,7 @@ void JointPanel::add_group(const QString& title, const std::vector<int>& variabl
   if (variables.empty()) {
     return;
   }
-  auto* heading = new QLabel(title);
-  heading->setProperty("role", "heading");
-  layout_->addWidget(heading);
+  layout_->addWidget(heading(title));
   std::vector<int> links;
   for (int link = 1; link < model_->link_count(); ++link) {
     if (std::ranges::count(variables, model_->drive(link).variable) > 0) {
@@ -151,27 +150,19 @@ PmdPanel::PmdPanel(RecordedHand& recorded, QWidget* parent)
     : QWidget(parent),
       axes_(new QWidget),
       axes_layout_(new QVBoxLayout(axes_)),
-      note_(new QLabel),
-      choose_(new QPushButton(tr("Choose a basis…"))),
+      note_(note()),
+      choose_(named("choose_basis", new QPushButton(tr("Choose a basis…")))),
       likeness_(new LikenessMeter(recorded)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 10);
-  layout->setSpacing(8);
   axes_layout_->setContentsMargins(0, 0, 0, 0);
   axes_layout_->setSpacing(3);
   note_->setWordWrap(true);
-  note_->setProperty("role", "note");
   note_->setText(
       tr("This scene names no PMD basis for its hand. Choose one, or make one from postures of a "
          "person, to move the hand along its principal motion directions and to plan "
          "human-like."));
-  choose_->setObjectName(QStringLiteral("choose_basis"));
   choose_->setToolTip(tr("Bases of this hand: that ship, from files, or of captured postures"));
-  layout->addWidget(axes_);
-  layout->addWidget(note_);
-  layout->addWidget(choose_, 0, Qt::AlignLeft);
-  layout->addWidget(likeness_);
-  layout->addStretch();
+  lay_out(*this, in_column({axes_, note_, {choose_, 0, Qt::AlignLeft}, likeness_, room()}, 8),
+          {12, 10, 12, 10});
   connect(likeness_, &LikenessMeter::configuration_edited, this, &PmdPanel::configuration_edited);
   connect(choose_, &QPushButton::clicked, this, &PmdPanel::basis_wanted);
 }
@@ -196,9 +187,7 @@ void PmdPanel::set_hand(std::shared_ptr<const geometric::RobotModel> model,
     return;
   }
   q_ = model_->neutral();
-  auto* heading = new QLabel(tr("Free joints and principal motion directions"));
-  heading->setProperty("role", "heading");
-  axes_layout_->addWidget(heading);
+  axes_layout_->addWidget(heading(tr("Free joints and principal motion directions")));
   for (const sampling::FreeJoint& free : basis_->free_joints) {
     add_axis(QString::fromStdString(basis_->joints[static_cast<std::size_t>(free.joint)]),
              free.half_side, 0.0);
@@ -206,8 +195,7 @@ void PmdPanel::set_hand(std::shared_ptr<const geometric::RobotModel> model,
   for (const sampling::PrincipalDirection& direction : basis_->directions) {
     add_axis(QString::fromStdString(direction.name), direction.half_side, direction.variance);
   }
-  auto* centre = new QPushButton(tr("Mean posture"));
-  centre->setObjectName(QStringLiteral("mean_posture"));
+  auto* centre = named("mean_posture", new QPushButton(tr("Mean posture")));
   centre->setToolTip(tr("All coordinates to zero: the mean of the recorded human postures"));
   connect(centre, &QPushButton::clicked, this, [this] {
     for (SliderRow* row : rows_) {

@@ -2,18 +2,18 @@
 
 #include "handway/geometric/io/resources.h"
 #include "model/document/document.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
 #include "widgets/style/theme.h"
 
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <QVariant>
 
 #include <algorithm>
@@ -72,12 +72,7 @@ DistanceRow::DistanceRow(const QString& name, QWidget* parent)
   label->setFixedWidth(scaled(kNameWidth));
   number_->setMinimumWidth(scaled(kNumberWidth));
   number_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(label);
-  layout->addWidget(bar_, 1);
-  layout->addWidget(number_);
+  lay_out(*this, in_row({label, {bar_, 1}, number_}, 8));
   show_distance(std::nullopt);
 }
 
@@ -96,9 +91,8 @@ LikenessMeter::LikenessMeter(RecordedHand& recorded, QWidget* parent)
       note_(new QLabel),
       take_(new QPushButton(tr("Take the nearest"))),
       choose_(new QPushButton(tr("Postures"))) {
-  auto* heading = new QLabel(tr("Human-likeness"));
-  heading->setProperty("role", "heading");
-  heading->setToolTip(tr("Distances in normalised joints; 0 is as human as can be"));
+  QLabel* title = heading(tr("Human-likeness"));
+  title->setToolTip(tr("Distances in normalised joints; 0 is as human as can be"));
   to_subspace_->setObjectName(QStringLiteral("likeness_subspace"));
   to_subspace_->setToolTip(
       tr("How far the hand is from the postures that its free joints and principal motion "
@@ -114,19 +108,9 @@ LikenessMeter::LikenessMeter(RecordedHand& recorded, QWidget* parent)
   take_->setToolTip(tr("Move the hand to the recorded posture that is nearest"));
   choose_->setObjectName(QStringLiteral("likeness_choose"));
   choose_->setToolTip(tr("Compare with other postures, as handway pca --postures writes them"));
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addWidget(take_);
-  buttons->addWidget(choose_);
-  buttons->addStretch();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(5);
-  layout->addWidget(heading);
-  layout->addWidget(to_subspace_);
-  layout->addWidget(to_recorded_);
-  layout->addWidget(note_);
-  layout->addLayout(buttons);
+  lay_out(*this,
+          in_column({title, to_subspace_, to_recorded_, note_, in_row({take_, choose_, room()}, 8)},
+                    5));
   connect(&recorded_, &RecordedHand::changed, this, &LikenessMeter::compare);
   choose_->setMenu(make_choices());
   connect(take_, &QPushButton::clicked, this, [this] {
@@ -163,7 +147,7 @@ void LikenessMeter::compare() {
   const auto postures = recorded_.basis() == basis_ ? recorded_.postures() : nullptr;
   likeness_.emplace(*model_, hand_, *basis_, postures);
   take_->setEnabled(postures != nullptr);
-  note_->setText(note());
+  note_->setText(note_text());
   show_distances();
 }
 
@@ -179,7 +163,7 @@ void LikenessMeter::show_distances() {
   to_recorded_->show_distance(here.to_recorded);
 }
 
-QString LikenessMeter::note() const {
+QString LikenessMeter::note_text() const {
   switch (recorded_.state()) {
     case RecordedHand::State::kNone:
       return tr("The basis keeps no recorded postures: choose some to compare with.");

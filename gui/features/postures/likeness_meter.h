@@ -57,7 +57,7 @@ class LikenessMeter : public QWidget {
   void show_distances();
   [[nodiscard]] QMenu* make_choices();
   void ask_for_file();
-  [[nodiscard]] QString note() const;
+  [[nodiscard]] QString note_text() const;
 
   RecordedHand& recorded_;
   std::shared_ptr<const geometric::RobotModel> model_;

@@ -8,6 +8,9 @@
 #include "model/document/selection.h"
 #include "model/playback/path_player.h"
 #include "model/settings/options.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 
@@ -15,12 +18,10 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
@@ -36,22 +37,18 @@ QColor to_qcolor(const geometric::Color& color) {
 
 PostureBar::PostureBar(QWidget* parent)
     : QWidget(parent),
-      start_(new QPushButton(icon("start", to_qcolor(kStartColor)), tr("Go to start"))),
-      goal_(new QPushButton(icon("goal", to_qcolor(kGoalColor)), tr("Go to goal"))),
-      postures_(new QPushButton(tr("Postures"))),
+      start_(named("go_to_start",
+                   new QPushButton(icon("start", to_qcolor(kStartColor)), tr("Go to start")))),
+      goal_(named("go_to_goal",
+                  new QPushButton(icon("goal", to_qcolor(kGoalColor)), tr("Go to goal")))),
+      postures_(named("postures", new QPushButton(tr("Postures")))),
       menu_(new QMenu(this)) {
   postures_->setToolTip(tr("Go to a posture that has a name, or save this one under a name"));
-  start_->setObjectName(QStringLiteral("go_to_start"));
-  goal_->setObjectName(QStringLiteral("go_to_goal"));
-  postures_->setObjectName(QStringLiteral("postures"));
   postures_->setMenu(menu_);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 2);
-  layout->setSpacing(8);
   for (QPushButton* button : {start_, goal_, postures_}) {
     button->setProperty("role", "compact");
-    layout->addWidget(button, 1);
   }
+  lay_out(*this, in_row({{start_, 1}, {goal_, 1}, {postures_, 1}}, 8), {12, 10, 12, 2});
   connect(start_, &QPushButton::clicked, this, &PostureBar::start_requested);
   connect(goal_, &QPushButton::clicked, this, &PostureBar::goal_requested);
   set_scene(nullptr);
@@ -101,8 +98,9 @@ PosturePanels::PosturePanels(Workbench& workbench)
       swing_(new ElbowSwing),
       joints_(new JointPanel),
       hand_(new PmdPanel(document_.recorded_hand())) {
-  workbench_.add_dock(DockArea::kControl, 1,
-                      {"joints", tr("Joints"), stacked({postures_, swing_, joints_}, 2)});
+  workbench_.add_dock(
+      DockArea::kControl, 1,
+      {"joints", tr("Joints"), boxed(in_column({postures_, swing_, {joints_, 1}}, 0))});
   workbench_.add_dock(DockArea::kControl, 2, {"hand", tr("Hand"), hand_});
   connect_panels();
   add_commands();
@@ -188,15 +186,13 @@ KeepPostureDialog::KeepPostureDialog(const JointGroups& groups, const QStringLis
                                      QWidget* parent)
     : QDialog(parent),
       taken_(taken),
-      name_(new QLineEdit),
-      part_(new QComboBox),
-      note_(new QLabel),
+      name_(named("posture_name", new QLineEdit)),
+      part_(named("posture_part", new QComboBox)),
+      note_(note()),
       keep_(nullptr) {
   setWindowTitle(tr("Save posture"));
   setMinimumWidth(scaled(kLeastWidth));
-  name_->setObjectName(QStringLiteral("posture_name"));
   name_->setPlaceholderText(tr("for example: above the table"));
-  part_->setObjectName(QStringLiteral("posture_part"));
   std::vector<int> all = groups.arm;
   all.insert(all.end(), groups.hand.begin(), groups.hand.end());
   all.insert(all.end(), groups.other.begin(), groups.other.end());
@@ -208,19 +204,13 @@ KeepPostureDialog::KeepPostureDialog(const JointGroups& groups, const QStringLis
   auto* form = new QFormLayout;
   form->addRow(tr("Name"), name_);
   form->addRow(tr("Of"), part_);
-  note_->setProperty("role", "note");
   note_->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   keep_ = buttons->addButton(tr("Save"), QDialogButtonBox::AcceptRole);
   keep_->setObjectName(QStringLiteral("posture_keep"));
   keep_->setProperty("role", "primary");
   keep_->setDefault(true);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 16, 16, 12);
-  layout->setSpacing(10);
-  layout->addLayout(form);
-  layout->addWidget(note_);
-  layout->addWidget(buttons);
+  lay_out(*this, in_column({form, note_, buttons}, 10), {16, 16, 16, 12});
   connect(name_, &QLineEdit::textChanged, this, &KeepPostureDialog::look_at_name);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

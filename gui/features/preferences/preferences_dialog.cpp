@@ -1,6 +1,8 @@
 #include "features/preferences/preferences_dialog.h"
 
 #include "features/workbench.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 
@@ -14,7 +16,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -22,12 +23,6 @@ namespace handway::gui {
 namespace {
 
 constexpr int kFieldWidth = 260;
-
-void add_heading(QFormLayout& form, const QString& text) {
-  auto* heading = new QLabel(text);
-  heading->setProperty("role", "heading");
-  form.addRow(heading);
-}
 
 }  // namespace
 
@@ -54,11 +49,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const QStringList
   restore->setAutoDefault(false);
   connect(restore, &QPushButton::clicked, this, [this] { preferences_.set(Values{}); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(20, 12, 20, 16);
-  layout->setSpacing(16);
-  layout->addWidget(area, 1);
-  layout->addWidget(buttons);
+  lay_out(*this, in_column({{area, 1}, buttons}, 16), {20, 12, 20, 16});
   const auto show_all = [this] {
     for (const std::function<void()>& show : show_) {
       show();
@@ -70,7 +61,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const QStringList
 }
 
 void PreferencesDialog::add_appearance(QFormLayout& form) {
-  add_heading(form, tr("Appearance"));
+  form.addRow(heading(tr("Appearance")));
   add_choice<Theme>(form, "theme", tr("Theme"),
                     {{tr("Light"), Theme::kLight}, {tr("Dark"), Theme::kDark}},
                     [](Values& values) -> Theme& { return values.theme; });
@@ -89,7 +80,7 @@ void PreferencesDialog::add_appearance(QFormLayout& form) {
 }
 
 void PreferencesDialog::add_view(QFormLayout& form) {
-  add_heading(form, tr("3-D view"));
+  form.addRow(heading(tr("3-D view")));
   add_choice<Projection>(form, "projection", tr("Projection"),
                          {{tr("Perspective"), Projection::kPerspective},
                           {tr("Orthographic"), Projection::kOrthographic}},
@@ -120,7 +111,7 @@ void PreferencesDialog::add_view(QFormLayout& form) {
 }
 
 void PreferencesDialog::add_planning(QFormLayout& form, const QStringList& planners) {
-  add_heading(form, tr("Planning"));
+  form.addRow(heading(tr("Planning")));
   std::vector<Choice<QString>> choices;
   for (const QString& planner : planners) {
     choices.push_back({planner, planner == planners.front() ? QString() : planner});
@@ -146,7 +137,7 @@ void PreferencesDialog::add_planning(QFormLayout& form, const QStringList& plann
 }
 
 void PreferencesDialog::add_saving(QFormLayout& form) {
-  add_heading(form, tr("Saving"));
+  form.addRow(heading(tr("Saving")));
   add_switch(form, "autosave", tr("Keep unsaved changes for recovery"),
              [](Values& values) -> bool& { return values.autosave; });
 }

@@ -5,6 +5,9 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"
 #include "model/meshes/shaded_meshes.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
@@ -19,7 +22,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
@@ -93,30 +95,24 @@ AddRobotDialog::AddRobotDialog(std::shared_ptr<const planning::PluginManager> pl
       plugins_(std::move(plugins)),
       editor_(editor),
       free_place_(std::move(free_place)),
-      model_(new QComboBox),
-      note_(new QLabel),
-      search_(new QPushButton(tr("Look for the meshes in a folder…"))),
-      name_(new QLineEdit),
-      on_(new QComboBox),
+      model_(named("add_robot_model", new QComboBox)),
+      note_(named("add_robot_note", note())),
+      search_(named("add_robot_search", new QPushButton(tr("Look for the meshes in a folder…")))),
+      name_(named("add_robot_name", new QLineEdit)),
+      on_(named("add_robot_on", new QComboBox)),
       pose_(new PoseForm),
-      add_(new QPushButton(tr("Add"))),
+      add_(named("add_robot_now", new QPushButton(tr("Add")))),
       X_(geometric::Pose::Identity()) {
   setObjectName(QStringLiteral("add_robot_dialog"));
   setWindowTitle(tr("Add a robot"));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-  add_->setObjectName(QStringLiteral("add_robot_now"));
   add_->setProperty("role", "primary");
   add_->setDefault(true);
   buttons->addButton(add_, QDialogButtonBox::AcceptRole);
   connect(add_, &QPushButton::clicked, this, &AddRobotDialog::add);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 14, 16, 14);
-  layout->setSpacing(12);
-  layout->addWidget(make_form());
-  layout->addStretch(1);
-  layout->addWidget(buttons);
+  lay_out(*this, in_column({make_form(), room(1), buttons}, 12), {16, 14, 16, 14});
   resize(within_window(*this, {scaled(kWidth), scaled(400)}));
   list_library();
   list_links();
@@ -133,28 +129,18 @@ AddRobotDialog::AddRobotDialog(std::shared_ptr<const planning::PluginManager> pl
 }
 
 QWidget* AddRobotDialog::make_form() {
-  model_->setObjectName(QStringLiteral("add_robot_model"));
-  note_->setObjectName(QStringLiteral("add_robot_note"));
   note_->setWordWrap(true);
   note_->setMinimumWidth(scaled(300));  // or a form leaves room for more lines
-  note_->setProperty("role", "note");
   note_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  name_->setObjectName(QStringLiteral("add_robot_name"));
-  on_->setObjectName(QStringLiteral("add_robot_on"));
   on_->setToolTip(tr("Click a link in the view or the tree to choose it here"));
-  auto* browse_button = new QPushButton(tr("From a file…"));
-  browse_button->setObjectName(QStringLiteral("add_robot_browse"));
+  auto* browse_button = named("add_robot_browse", new QPushButton(tr("From a file…")));
   browse_button->setAutoDefault(false);
   for (QComboBox* choice : {model_, on_}) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   }
-  search_->setObjectName(QStringLiteral("add_robot_search"));
   search_->setAutoDefault(false);
   connect(search_, &QPushButton::clicked, this, &AddRobotDialog::search);
-  auto* model_row = new QHBoxLayout;
-  model_row->setSpacing(8);
-  model_row->addWidget(model_, 1);
-  model_row->addWidget(browse_button);
+  auto* model_row = in_row({{model_, 1}, browse_button}, 8);
   auto* form = new QWidget;
   auto* rows = new QFormLayout(form);
   rows->setContentsMargins(0, 0, 0, 0);

@@ -4,6 +4,8 @@
 #include "handway/geometric/formats/srdf.h"
 #include "handway/geometric/io/existing_file.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 
@@ -17,7 +19,6 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <initializer_list>
@@ -73,23 +74,23 @@ SetupDialog::SetupDialog(SceneEditor& editor, const std::string& robot, QWidget*
       editor_(editor),
       robots_(robot_files(*editor.state().scene)),
       view_(new SceneView),
-      robot_(new QComboBox),
-      posture_(new QComboBox),
-      wrist_(new QComboBox),
+      robot_(named("setup_robot", new QComboBox)),
+      posture_(named("setup_posture", new QComboBox)),
+      wrist_(named("setup_wrist", new QComboBox)),
       wrist_label_(new QLabel(tr("Wrist"))),
-      group_text_(new QLabel),
-      list_(new QListWidget),
-      tabs_(new QTabWidget),
-      kind_(new QComboBox),
+      group_text_(named("setup_groups", new QLabel)),
+      list_(named("setup_findings", new QListWidget)),
+      tabs_(named("setup_tabs", new QTabWidget)),
+      kind_(named("setup_pair_kind", new QComboBox)),
       joints_(new GroupTable),
-      as_found_(new QPushButton(tr("As found"))),
+      as_found_(named("setup_as_found", new QPushButton(tr("As found")))),
       pairs_(new PairTable),
       sampling_(new QLabel(tr("Sampling self-collisions"))),
-      progress_(new QProgressBar),
-      cancel_(new QPushButton(tr("Stop"))),
-      again_(new QPushButton(tr("Sample again"))),
-      outcome_(new QLabel),
-      write_(new QPushButton(tr("Write SRDF"))) {
+      progress_(named("setup_progress", new QProgressBar)),
+      cancel_(named("setup_stop", new QPushButton(tr("Stop")))),
+      again_(named("setup_again", new QPushButton(tr("Sample again")))),
+      outcome_(named("setup_outcome", new QLabel)),
+      write_(named("setup_write", new QPushButton(tr("Write SRDF")))) {
   setObjectName(QStringLiteral("setup_dialog"));
   setWindowTitle(tr("Robot setup"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -99,11 +100,7 @@ SetupDialog::SetupDialog(SceneEditor& editor, const std::string& robot, QWidget*
   halves->addWidget(make_panel());
   halves->setStretchFactor(0, 3);
   halves->setStretchFactor(1, 2);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 12, 14, 14);
-  layout->setSpacing(10);
-  layout->addWidget(halves, 1);
-  layout->addWidget(make_buttons());
+  lay_out(*this, in_column({{halves, 1}, make_buttons()}, 10), {14, 12, 14, 14});
   resize(within_window(*this, {scaled(960), scaled(640)}));
   for (const RobotFile& file : robots_) {
     robot_->addItem(icon("robot"), QString::fromStdString(file.name));
@@ -123,23 +120,19 @@ QWidget* SetupDialog::make_view() {
   view_->set_colors(colors_of(current_theme()).view);
   view_->set_cube_visible(false);
   view_->setMinimumSize(scaled(260), scaled(240));
-  posture_->setObjectName(QStringLiteral("setup_posture"));
   posture_->setAccessibleName(tr("Posture"));
   posture_->addItem(tr("At the zero posture"));
   posture_->addItem(tr("In the middle of all ranges"));
   connect(posture_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &SetupDialog::show_posture);
-  return stacked({view_, posture_}, 0);
+  return boxed(in_column({{view_, 1}, posture_}, 0));
 }
 
 QWidget* SetupDialog::make_choices() {
-  robot_->setObjectName(QStringLiteral("setup_robot"));
-  wrist_->setObjectName(QStringLiteral("setup_wrist"));
   wrist_->setToolTip(tr("What the joints between root and palm belong to"));
   wrist_->addItem(tr("Not decided: with the hand"));
   wrist_->addItem(tr("Of the arm"));
   wrist_->addItem(tr("Of the hand"));
-  group_text_->setObjectName(QStringLiteral("setup_groups"));
   group_text_->setWordWrap(true);
   group_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* box = new QWidget;
@@ -155,31 +148,19 @@ QWidget* SetupDialog::make_choices() {
 }
 
 QWidget* SetupDialog::make_sampling() {
-  progress_->setObjectName(QStringLiteral("setup_progress"));
   progress_->setRange(0, kSteps);
   progress_->setTextVisible(false);
   progress_->setAccessibleName(sampling_->text());
-  cancel_->setObjectName(QStringLiteral("setup_stop"));
   cancel_->setToolTip(tr("Go on with the samples that there are"));
-  again_->setObjectName(QStringLiteral("setup_again"));
   for (QPushButton* button : {cancel_, again_}) {
     button->setAutoDefault(false);
   }
   connect(cancel_, &QPushButton::clicked, this, [this] { stop_.request_stop(); });
   connect(again_, &QPushButton::clicked, this, &SetupDialog::sample);
-  auto* box = new QWidget;
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(sampling_);
-  row->addWidget(progress_, 1);
-  row->addWidget(cancel_);
-  row->addStretch();
-  row->addWidget(again_);
-  return box;
+  return boxed(in_row({sampling_, {progress_, 1}, cancel_, room(), again_}));
 }
 
 QWidget* SetupDialog::make_joints() {
-  as_found_->setObjectName(QStringLiteral("setup_as_found"));
   as_found_->setToolTip(tr("Arm and hand as the robot's links suggest them"));
   as_found_->setAutoDefault(false);
   connect(as_found_, &QPushButton::clicked, this, [this] {
@@ -191,17 +172,10 @@ QWidget* SetupDialog::make_joints() {
   connect(joints_, &GroupTable::decided, this, &SetupDialog::move_joints);
   connect(joints_, &GroupTable::looked_at, this,
           [this](const QString& link) { view_->set_collisions({link.toStdString()}); });
-  auto* page = new QWidget;
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, 8, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(joints_, 1);
-  layout->addWidget(as_found_, 0, Qt::AlignLeft);
-  return page;
+  return boxed(in_column({{joints_, 1}, {as_found_, 0, Qt::AlignLeft}}, 6), {0, 8, 0, 0});
 }
 
 QWidget* SetupDialog::make_pairs() {
-  kind_->setObjectName(QStringLiteral("setup_pair_kind"));
   kind_->setAccessibleName(tr("Pairs that are listed"));
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), pairs_, &PairTable::show_kind);
   connect(pairs_, &PairTable::decided, this,
@@ -214,55 +188,31 @@ QWidget* SetupDialog::make_pairs() {
           [this](const geometric::AllowedCollisions::Pair& pair) {
             view_->set_collisions({pair.first, pair.second});
           });
-  auto* page = new QWidget;
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, 8, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(kind_);
-  layout->addWidget(pairs_, 1);
-  return page;
+  return boxed(in_column({kind_, {pairs_, 1}}, 6), {0, 8, 0, 0});
 }
 
 QWidget* SetupDialog::make_panel() {
-  list_->setObjectName(QStringLiteral("setup_findings"));
   list_->setAccessibleName(tr("What looks suspicious"));
   list_->setWordWrap(true);
   list_->setSpacing(3);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  tabs_->setObjectName(QStringLiteral("setup_tabs"));
   tabs_->addTab(list_, tr("Suspicious"));
   tabs_->addTab(make_pairs(), tr("Pairs of links"));
   tabs_->addTab(make_joints(), tr("Joints"));
-  auto* panel = new QWidget;
-  auto* layout = new QVBoxLayout(panel);
-  layout->setContentsMargins(10, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(make_choices());
-  layout->addWidget(make_sampling());
-  layout->addWidget(tabs_, 1);
   connect(list_, &QListWidget::currentRowChanged, this, &SetupDialog::show_finding);
-  return panel;
+  return boxed(in_column({make_choices(), make_sampling(), {tabs_, 1}}, 8), {10, 0, 0, 0});
 }
 
 QWidget* SetupDialog::make_buttons() {
-  outcome_->setObjectName(QStringLiteral("setup_outcome"));
   outcome_->setWordWrap(true);
   outcome_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  write_->setObjectName(QStringLiteral("setup_write"));
   write_->setProperty("role", "primary");
-  auto* close = new QPushButton(tr("Close"));
-  close->setObjectName(QStringLiteral("setup_close"));
+  auto* close = named("setup_close", new QPushButton(tr("Close")));
   close->setAutoDefault(false);
   connect(write_, &QPushButton::clicked, this, &SetupDialog::write);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
-  auto* box = new QWidget;
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(outcome_, 1);
-  row->addWidget(close);
-  row->addWidget(write_);
-  return box;
+  return boxed(in_row({{outcome_, 1}, close, write_}));
 }
 
 const RobotFile& SetupDialog::chosen() const {

@@ -3,16 +3,17 @@
 #include "features/workbench.h"
 #include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 
-#include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -65,9 +66,9 @@ RunsPanel::RunsPanel(PathHistory& history, QWidget* parent)
       table_(new RunTable(this)),
       sorted_(new QSortFilterProxyModel(this)),
       view_(nullptr),
-      state_(new QLabel),
-      restore_(new QPushButton(tr("Restore"))),
-      compare_(new QPushButton(tr("Compare…"))) {
+      state_(named("runs_state", note())),
+      restore_(named("runs_restore", new QPushButton(tr("Restore")))),
+      compare_(named("runs_compare", new QPushButton(tr("Compare…")))) {
   sorted_->setSourceModel(table_);
   view_ = new RunView(*sorted_,
                       {RunTable::kNumber, RunTable::kPlanner, RunTable::kPreset, RunTable::kSeed,
@@ -76,11 +77,7 @@ RunsPanel::RunsPanel(PathHistory& history, QWidget* parent)
   view_->setObjectName(QStringLiteral("runs_table"));
   view_->setAccessibleName(tr("Runs"));
   view_->sortByColumn(RunTable::kNumber, Qt::DescendingOrder);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 8, 12, 8);
-  layout->setSpacing(8);
-  layout->addWidget(make_actions());
-  layout->addWidget(view_, 1);
+  lay_out(*this, in_column({make_actions(), {view_, 1}}, 8), {12, 8, 12, 8});
   connect(&history_, &PathHistory::changed, this, &RunsPanel::refresh);
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &RunsPanel::show_actions);
@@ -89,25 +86,14 @@ RunsPanel::RunsPanel(PathHistory& history, QWidget* parent)
 }
 
 QWidget* RunsPanel::make_actions() {
-  state_->setObjectName(QStringLiteral("runs_state"));
-  state_->setProperty("role", "note");
   state_->setWordWrap(true);
-  restore_->setObjectName(QStringLiteral("runs_restore"));
   restore_->setToolTip(
       tr("Put back the run's planner, parameters, seed, scene, start and goal, and "
          "show its path. Undo takes the scene back."));
-  compare_->setObjectName(QStringLiteral("runs_compare"));
   compare_->setToolTip(tr("Compare two paths side by side"));
   connect(restore_, &QPushButton::clicked, this, &RunsPanel::restore);
   connect(compare_, &QPushButton::clicked, this, &RunsPanel::compare_requested);
-  auto* actions = new QWidget;
-  auto* layout = new QHBoxLayout(actions);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(state_, 1);
-  layout->addWidget(restore_);
-  layout->addWidget(compare_);
-  return actions;
+  return boxed(in_row({{state_, 1}, restore_, compare_}, 8));
 }
 
 void RunsPanel::mark(const std::shared_ptr<const PlanRun>& run) {

@@ -2,6 +2,9 @@
 
 #include "features/workbench.h"
 #include "handway/geometric/math/units.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/link_status.h"
 #include "widgets/style/theme.h"
@@ -11,13 +14,11 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStyle>
-#include <QVBoxLayout>
 #include <QVariant>
 
 #include <algorithm>
@@ -44,42 +45,26 @@ QuantityField* length_field(const QString& name) {
   return field;
 }
 
-QLabel* note(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setProperty("role", "note");
-  return label;
-}
-
-QLabel* heading(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setProperty("role", "heading");
-  return label;
-}
-
 }  // namespace
 
 FollowForm::FollowForm(QWidget* parent)
     : QWidget(parent),
       sensor_(new QSpinBox),
       button_(new QCheckBox(tr("Lead while its button is pressed"))),
-      scale_(new QDoubleSpinBox),
-      turn_(new QCheckBox(tr("Turn with the wrist"))),
+      scale_(named("tracker_scale", new QDoubleSpinBox)),
+      turn_(named("tracker_turn", new QCheckBox(tr("Turn with the wrist")))),
       source_yaw_(
           new QuantityField(QuantityField::Kind::kAngle, -std::numbers::pi, std::numbers::pi)),
       smoothing_(new QSpinBox),
       speed_(
           new QuantityField(QuantityField::Kind::kAngularSpeed, kDegree, 2.0 * std::numbers::pi)),
-      box_(new QCheckBox(tr("Keep the tool within a box"))),
+      box_(named("tracker_box", new QCheckBox(tr("Keep the tool within a box")))),
       box_fields_(new QWidget),
-      limits_reach_(new QCheckBox(tr("Keep it within a reach"))),
+      limits_reach_(named("tracker_limits_reach", new QCheckBox(tr("Keep it within a reach")))),
       reach_(length_field(QStringLiteral("tracker_reach"))) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(heading(tr("Motion")));
-  layout->addWidget(build_motion());
-  layout->addWidget(heading(tr("Workspace")));
-  layout->addWidget(build_workspace());
+  lay_out(*this, in_column({heading(tr("Motion")), build_motion(), heading(tr("Workspace")),
+                            build_workspace()},
+                           8));
 }
 
 QWidget* FollowForm::build_motion() {
@@ -87,13 +72,11 @@ QWidget* FollowForm::build_motion() {
   sensor_->setValue(kAnySensor);
   sensor_->setSpecialValueText(tr("first"));
   sensor_->setToolTip(tr("Polhemus stations count from 1, senders of datagrams from 0"));
-  scale_->setObjectName(QStringLiteral("tracker_scale"));
   scale_->setRange(0.05, 10.0);
   scale_->setSingleStep(0.05);
   scale_->setValue(1.0);
   scale_->setPrefix(QStringLiteral("× "));
   scale_->setToolTip(tr("How far the tool moves for a motion of the wrist"));
-  turn_->setObjectName(QStringLiteral("tracker_turn"));
   turn_->setChecked(true);
   source_yaw_->setToolTip(
       tr("How the tracker's source is turned about the vertical, seen from the robot's base"));
@@ -124,8 +107,6 @@ QWidget* FollowForm::build_motion() {
 }
 
 QWidget* FollowForm::build_workspace() {
-  box_->setObjectName(QStringLiteral("tracker_box"));
-  limits_reach_->setObjectName(QStringLiteral("tracker_limits_reach"));
   reach_->setMinimum(1.0);
   reach_->show_quantity(kDefaultReach);
   const auto tell = [this] { emit settings_edited(); };
@@ -148,18 +129,8 @@ QWidget* FollowForm::build_workspace() {
     connect(most_.at(i), &QuantityField::quantity_edited, this, tell);
   }
   centre_box(Eigen::Vector3d(0.5, 0.0, 0.5));
-  auto* part = new QWidget;
-  auto* layout = new QVBoxLayout(part);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(box_);
-  layout->addWidget(box_fields_);
   limits_reach_->setToolTip(tr("Distance of the tool from the origin of the robot's base"));
   reach_->setMaximumWidth(scaled(90));
-  auto* reach = new QHBoxLayout;
-  reach->addWidget(limits_reach_, 1);
-  reach->addWidget(reach_);
-  layout->addLayout(reach);
   box_fields_->hide();
   reach_->setEnabled(false);
   connect(box_, &QCheckBox::toggled, box_fields_, &QWidget::setVisible);
@@ -167,7 +138,7 @@ QWidget* FollowForm::build_workspace() {
   connect(box_, &QCheckBox::toggled, this, tell);
   connect(limits_reach_, &QCheckBox::toggled, this, tell);
   connect(reach_, &QuantityField::quantity_edited, this, tell);
-  return part;
+  return boxed(in_column({box_, box_fields_, in_row({{limits_reach_, 1}, reach_})}, 6));
 }
 
 void FollowForm::centre_box(const Eigen::Vector3d& p_B) {
@@ -265,21 +236,16 @@ QColor follow_color(const FollowStep& step) {
 
 WristPage::WristPage(QWidget* parent)
     : QWidget(parent),
-      protocol_(new QComboBox),
-      address_(new QLineEdit),
-      connect_(new QPushButton),
+      protocol_(named("tracker_protocol", new QComboBox)),
+      address_(named("tracker_address", new QLineEdit)),
+      connect_(named("tracker_connect", new QPushButton)),
       status_(new LinkStatus(QStringLiteral("tracker"))),
-      clutch_(new QPushButton),
-      follow_(new QLabel),
-      wrist_(new QLabel),
+      clutch_(named("tracker_clutch", new QPushButton)),
+      follow_(named("tracker_follow", new QLabel)),
+      wrist_(named("tracker_wrist", note())),
       form_(new FollowForm) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(kMargin, 12, kMargin, 10);
-  layout->setSpacing(10);
-  layout->addWidget(build_device());
-  layout->addWidget(build_clutch());
-  layout->addWidget(form_);
-  layout->addStretch();
+  lay_out(*this, in_column({build_device(), build_clutch(), form_, room()}, 10),
+          {kMargin, 12, kMargin, 10});
   connect(&session_, &TrackerSession::state_changed, this, &WristPage::show_state);
   connect(&session_, &TrackerSession::sampled, this, &WristPage::show_samples);
   connect(&leader_, &ArmLeader::wanted, this, &WristPage::posture_wanted);
@@ -299,13 +265,10 @@ WristPage::~WristPage() {
 }
 
 QWidget* WristPage::build_device() {
-  protocol_->setObjectName(QStringLiteral("tracker_protocol"));
   protocol_->addItem(tr("Emulator"), QStringLiteral("emulator"));
   protocol_->addItem(tr("Polhemus Fastrak"), QStringLiteral("fastrak"));
   protocol_->addItem(tr("Polhemus Liberty"), QStringLiteral("liberty"));
   protocol_->addItem(tr("Datagrams (UDP)"), QStringLiteral("udp"));
-  address_->setObjectName(QStringLiteral("tracker_address"));
-  connect_->setObjectName(QStringLiteral("tracker_connect"));
   const auto show_address = [this] {
     const QString protocol = protocol_->currentData().toString();
     address_->setVisible(protocol != QLatin1String("emulator"));
@@ -317,41 +280,19 @@ QWidget* WristPage::build_device() {
   connect(connect_, &QPushButton::clicked, this, &WristPage::toggle_connection);
   connect(address_, &QLineEdit::returnPressed, this, &WristPage::toggle_connection);
   show_address();
-  auto* part = new QWidget;
-  auto* layout = new QVBoxLayout(part);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  row->addWidget(protocol_, 1);
-  row->addWidget(connect_);
-  layout->addLayout(row);
-  layout->addWidget(address_);
-  layout->addWidget(status_);
-  return part;
+  return boxed(in_column({in_row({{protocol_, 1}, connect_}, 8), address_, status_}, 8));
 }
 
 QWidget* WristPage::build_clutch() {
-  clutch_->setObjectName(QStringLiteral("tracker_clutch"));
   clutch_->setCheckable(true);
   clutch_->setShortcut(QKeySequence(QStringLiteral("Ctrl+K")));
   clutch_->setToolTip(
       tr("While the arm is led, its tool moves as the wrist does, from where both are now. "
          "Release it to bring the hand back to where it is comfortable (Ctrl+K)"));
-  follow_->setObjectName(QStringLiteral("tracker_follow"));
   follow_->setTextFormat(Qt::RichText);
   follow_->setWordWrap(true);
-  wrist_->setObjectName(QStringLiteral("tracker_wrist"));
-  wrist_->setProperty("role", "note");
   connect(clutch_, &QPushButton::clicked, &leader_, &ArmLeader::set_clutch);
-  auto* part = new QWidget;
-  auto* layout = new QVBoxLayout(part);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(clutch_);
-  layout->addWidget(follow_);
-  layout->addWidget(wrist_);
-  return part;
+  return boxed(in_column({clutch_, follow_, wrist_}, 6));
 }
 
 void WristPage::set_robot(const std::shared_ptr<const geometric::RobotModel>& model,

@@ -6,9 +6,10 @@
 #include "model/document/scene_edits.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
@@ -72,21 +73,17 @@ QString difference_text(const Eigen::Vector3d& difference, const UnitText& unit,
 
 }  // namespace
 
-MeasureCard::MeasureCard(QWidget* host) : FloatingCard(host), text_(new QLabel) {
+MeasureCard::MeasureCard(QWidget* host)
+    : FloatingCard(host), text_(named("measure_text", new QLabel)) {
   setProperty("role", "legend");
   setObjectName(QStringLiteral("measure_card"));
-  text_->setObjectName(QStringLiteral("measure_text"));
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* close = new QToolButton;
-  close->setObjectName(QStringLiteral("measure_close"));
+  auto* close = named("measure_close", new QToolButton);
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
   close->setToolTip(tr("Measure no more (Esc)"));
   connect(close, &QToolButton::clicked, this, &MeasureCard::closed);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 8, 8, 8);
-  layout->addWidget(text_, 1);
-  layout->addWidget(close, 0, Qt::AlignTop);
+  lay_out(*this, in_row({{text_, 1}, {close, 0, Qt::AlignTop}}), {12, 8, 8, 8});
 }
 
 void MeasureCard::show_text(const QString& text) {

@@ -5,6 +5,7 @@
 #include "features/workbench.h"
 #include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/named.h"
 
 #include <QInputDialog>
 #include <QMainWindow>
@@ -34,8 +35,7 @@ void SavedViews::fill() {
   if (views.empty()) {
     return;
   }
-  auto* forget = new QMenu(tr("&Delete"), menu_);
-  forget->setObjectName(QStringLiteral("forget_view"));
+  auto* forget = named("forget_view", new QMenu(tr("&Delete"), menu_));
   menu_->addMenu(forget);
   menu_->addSeparator();
   for (const geometric::SavedView& view : views) {

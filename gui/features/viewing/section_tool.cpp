@@ -2,6 +2,7 @@
 
 #include "features/workbench.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 
@@ -11,7 +12,6 @@
 #include <QLabel>
 #include <QSlider>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -48,19 +48,11 @@ SectionCard::SectionCard(QWidget* host)
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
   close->setToolTip(tr("Show objects whole"));
-  auto* head = new QHBoxLayout;
-  head->addWidget(title, 1);
-  head->addWidget(close);
   auto* form = new QFormLayout;
   form->addRow(tr("Across"), axis_);
   form->addRow(tr("At"), field_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 6, 8, 10);
-  layout->setSpacing(6);
-  layout->addLayout(head);
-  layout->addLayout(form);
-  layout->addWidget(slider_);
-  layout->addWidget(other_side_);
+  lay_out(*this, in_column({in_row({{title, 1}, close}), form, slider_, other_side_}, 6),
+          {12, 6, 8, 10});
   connect(close, &QToolButton::clicked, this, &SectionCard::closed);
   connect(axis_, qOverload<int>(&QComboBox::activated), this, &SectionCard::show_axis);
   connect(other_side_, &QCheckBox::toggled, this, &SectionCard::changed);

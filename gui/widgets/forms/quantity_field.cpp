@@ -1,6 +1,8 @@
 #include "widgets/forms/quantity_field.h"
 
 #include "handway/geometric/math/units.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QAbstractSpinBox>
@@ -158,12 +160,6 @@ QuantityField* make_field(QuantityField::Kind kind, double most, const char* nam
   return field;
 }
 
-QLabel* make_label(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setProperty("role", "note");
-  return label;
-}
-
 }  // namespace
 
 PoseForm::PoseForm(QWidget* parent) : QWidget(parent) {
@@ -179,8 +175,8 @@ PoseForm::PoseForm(QWidget* parent) : QWidget(parent) {
     const int row = static_cast<int>(i);
     position_.at(i) = make_field(QuantityField::Kind::kLength, kFarthest, kPositionNames.at(i));
     rotation_.at(i) = make_field(QuantityField::Kind::kAngle, kFullTurn, kRotationNames.at(i));
-    labels_.at(i) = make_label(QLatin1String(kPositions.at(i)));
-    labels_.at(i + 3) = make_label(rotations.at(i));
+    labels_.at(i) = note(QLatin1String(kPositions.at(i)));
+    labels_.at(i + 3) = note(rotations.at(i));
     connect(position_.at(i), &QuantityField::quantity_edited, this, [this, row](double value) {
       geometric::Pose X = X_;
       X.translation()[row] = value;
@@ -269,7 +265,7 @@ SliderRow::SliderRow(const QString& label, const Range& range, QWidget* parent)
     : QWidget(parent),
       range_(range),
       label_(new QLabel(label)),
-      slider_(new QSlider(Qt::Horizontal)),
+      slider_(named("slider", new QSlider(Qt::Horizontal))),
       field_(new QDoubleSpinBox) {
   label_->setToolTip(label);
   slider_->setAccessibleName(label);
@@ -277,7 +273,6 @@ SliderRow::SliderRow(const QString& label, const Range& range, QWidget* parent)
   slider_->setRange(0, kSteps);
   slider_->setPageStep(kSteps / 20);
   slider_->setFocusPolicy(Qt::StrongFocus);
-  slider_->setObjectName(QStringLiteral("slider"));
   field_->setDecimals(range.decimals);
   field_->setRange(range.lower * range.scale, range.upper * range.scale);
   field_->setSingleStep(

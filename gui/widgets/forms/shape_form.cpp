@@ -1,15 +1,16 @@
 #include "widgets/forms/shape_form.h"
 
 #include "model/document/scene_edits.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include <array>
 #include <cmath>
@@ -73,9 +74,7 @@ void ShapeForm::add_field(const QString& label, const char* name) {
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   field->setObjectName(QLatin1String(name));
-  auto* words = new QLabel(label);
-  words->setProperty("role", "note");
-  layout_->addRow(words, field);
+  layout_->addRow(note(label), field);
   fields_.push_back(field);
   connect(field, &QuantityField::quantity_edited, this, &ShapeForm::take_values);
 }
@@ -88,9 +87,7 @@ void ShapeForm::add_scale() {
   scale_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   scale_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   scale_->setToolTip(tr("Of the numbers in the file; 0.001 if these are millimetres"));
-  auto* words = new QLabel(tr("Scale"));
-  words->setProperty("role", "note");
-  layout_->addRow(words, scale_);
+  layout_->addRow(note(tr("Scale")), scale_);
   connect(scale_, &QDoubleSpinBox::editingFinished, this, [this] {
     const auto& mesh = std::get<geometric::Mesh>(shape_);
     const double factor = scale_->value() / std::abs(mesh.scale.x());
@@ -111,13 +108,12 @@ void ShapeForm::rebuild() {
     add_field(tr("Width (y)"), "size_y");
     add_field(tr("Height (z)"), "size_z");
   } else if (const auto* mesh = std::get_if<geometric::Mesh>(&shape_)) {
-    auto* file = new QLabel(tr("%1, %2 triangles")
-                                .arg(mesh->file.empty()
-                                         ? tr("made by an importer")
+    auto* file =
+        note(tr("%1, %2 triangles")
+                 .arg(mesh->file.empty() ? tr("made by an importer")
                                          : QString::fromStdString(mesh->file.filename().string()))
-                                .arg(mesh->triangles ? mesh->triangles->triangles.size() : 0));
+                 .arg(mesh->triangles ? mesh->triangles->triangles.size() : 0));
     file->setWordWrap(true);
-    file->setProperty("role", "note");
     layout_->addRow(file);
     add_scale();
   } else {
@@ -180,12 +176,6 @@ QCheckBox* make_switch(const QString& text, const QString& tip, const char* name
   return box;
 }
 
-QLabel* note(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setProperty("role", "note");
-  return label;
-}
-
 void show_switch(QCheckBox& box, bool on) {
   const QSignalBlocker quiet(&box);
   box.setChecked(on);
@@ -198,32 +188,19 @@ ConstraintForm::ConstraintForm(QWidget* parent)
       upright_on_(make_switch(tr("Upright within"),
                               tr("Paths keep the axis that is up now as near to the vertical"),
                               "keep_upright")),
-      angle_(new QuantityField(QuantityField::Kind::kAngle, kLeastAngle, std::numbers::pi)),
+      angle_(named("upright_angle",
+                   new QuantityField(QuantityField::Kind::kAngle, kLeastAngle, std::numbers::pi))),
       region_on_(make_switch(tr("In a region"), tr("Paths keep its origin inside of a box"),
                              "keep_region")),
       region_box_(new QWidget),
       size_(new ShapeForm),
       centre_(new PoseForm) {
-  angle_->setObjectName(QStringLiteral("upright_angle"));
   angle_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  auto* upright = new QHBoxLayout;
-  upright->addWidget(upright_on_);
-  upright->addWidget(angle_, 1);
-  auto* region = new QVBoxLayout(region_box_);
-  region->setContentsMargins(0, 0, 0, 0);
-  region->setSpacing(5);
-  region->addWidget(size_);
-  region->addWidget(note(tr("Its centre")));
-  region->addWidget(centre_);
+  lay_out(*region_box_, in_column({size_, note(tr("Its centre")), centre_}, 5));
   for (auto* field : region_box_->findChildren<QuantityField*>()) {  // an object has such, too
     field->setObjectName(QStringLiteral("region_") + field->objectName());
   }
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(5);
-  layout->addLayout(upright);
-  layout->addWidget(region_on_);
-  layout->addWidget(region_box_);
+  lay_out(*this, in_column({in_row({upright_on_, {angle_, 1}}), region_on_, region_box_}, 5));
   connect(upright_on_, &QCheckBox::clicked, this, &ConstraintForm::upright_switched);
   connect(region_on_, &QCheckBox::clicked, this, &ConstraintForm::region_switched);
   connect(angle_, &QuantityField::quantity_edited, this, [this](double angle) {

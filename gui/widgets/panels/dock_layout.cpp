@@ -1,5 +1,6 @@
 #include "widgets/panels/dock_layout.h"
 
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QAction>
@@ -10,7 +11,6 @@
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <memory>
@@ -86,8 +86,7 @@ QList<QDockWidget*> make_docks_below(QMainWindow& window,
 }
 
 QTabWidget* make_tabs(const std::vector<DockContent>& contents) {
-  auto* tabs = new QTabWidget;
-  tabs->setObjectName(QStringLiteral("control_tabs"));
+  auto* tabs = named("control_tabs", new QTabWidget);
   tabs->setDocumentMode(true);
   tabs->tabBar()->setDrawBase(false);
   tabs->tabBar()->setExpanding(true);
@@ -197,18 +196,6 @@ QSize within_window(const QWidget& dialog, const QSize& wanted) {
   constexpr int kAround = 40;  // px, of the window's frame and of what is behind
   const QWidget* parent = dialog.parentWidget();
   return parent ? wanted.boundedTo(parent->window()->size() - QSize(kAround, kAround)) : wanted;
-}
-
-QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched) {
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  int index = 0;
-  for (QWidget* part : parts) {
-    layout->addWidget(part, index++ == stretched ? 1 : 0);
-  }
-  return box;
 }
 
 void save_layout(const QMainWindow& window) {

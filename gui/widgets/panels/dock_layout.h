@@ -6,7 +6,6 @@
 #include <QString>
 
 #include <functional>
-#include <initializer_list>
 #include <vector>
 
 class QAction;
@@ -78,9 +77,6 @@ class PanelArea : public ScrollingPage {
 
 /// `wanted`, but no larger than the window that a dialog belongs to.
 [[nodiscard]] QSize within_window(const QWidget& dialog, const QSize& wanted);
-
-/// Widgets above each other without gaps. @param stretched index of the one that takes the rest.
-[[nodiscard]] QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched);
 
 /// Which docks are where, and how large the window is where, kept between runs.
 void save_layout(const QMainWindow& window);

@@ -1,14 +1,13 @@
 #include "widgets/panels/floating_card.h"
 
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
-#include <QVBoxLayout>
-#include <QVariant>
 
 #include <algorithm>
 #include <utility>
@@ -105,29 +104,22 @@ bool FloatingCard::eventFilter(QObject* watched, QEvent* event) {
 Banner::Banner(QWidget* host)
     : FloatingCard(host),
       picture_(new QLabel),
-      text_(new QLabel),
+      text_(named("banner_text", new QLabel)),
       answers_(new QWidget),
-      accept_(new QPushButton),
-      refuse_(new QPushButton) {
+      accept_(named("banner_accept", new QPushButton)),
+      refuse_(named("banner_refuse", new QPushButton)) {
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  text_->setObjectName(QStringLiteral("banner_text"));
   auto* close = new QToolButton;
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
   close->setToolTip(tr("Put this message away"));
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
-  auto* words = new QHBoxLayout;
-  words->setSpacing(12);
-  words->addWidget(picture_, 0, Qt::AlignTop);
-  words->addWidget(text_, 1);
-  words->addWidget(close, 0, Qt::AlignTop);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 10, 8, 10);
-  layout->addLayout(words);
-  layout->addWidget(answers_, 0, Qt::AlignRight);
-  accept_->setObjectName(QStringLiteral("banner_accept"));
-  refuse_->setObjectName(QStringLiteral("banner_refuse"));
+  lay_out(
+      *this,
+      in_column({in_row({{picture_, 0, Qt::AlignTop}, {text_, 1}, {close, 0, Qt::AlignTop}}, 12),
+                 {answers_, 0, Qt::AlignRight}}),
+      {14, 10, 8, 10});
   connect(accept_, &QPushButton::clicked, this, [this] {
     hide();
     on_accept_();
@@ -136,10 +128,7 @@ Banner::Banner(QWidget* host)
     hide();
     on_refuse_();
   });
-  auto* answers = new QHBoxLayout(answers_);
-  answers->setContentsMargins(0, 0, 0, 0);
-  answers->addWidget(accept_);
-  answers->addWidget(refuse_);
+  lay_out(*answers_, in_row({accept_, refuse_}));
 }
 
 void Banner::show_message(const QString& title, const QString& message) {

@@ -1,11 +1,11 @@
 #include "widgets/panels/link_status.h"
 
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
 #include "widgets/style/theme.h"
 
 #include <QFrame>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 #include <QVariant>
 
 namespace handway::gui {
@@ -51,9 +51,8 @@ QColor state_color(StreamState state) {
 }
 
 QLabel* figure(const QString& name) {
-  auto* label = new QLabel;
+  auto* label = note();
   label->setObjectName(name);
-  label->setProperty("role", "note");
   return label;
 }
 
@@ -74,25 +73,12 @@ LinkStatus::LinkStatus(const QString& name, QWidget* parent)
   problem_text_->setObjectName(name + QStringLiteral("_error"));
   problem_text_->setWordWrap(true);
   problem_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* problem_layout = new QVBoxLayout(problem_);
-  problem_layout->setContentsMargins(10, 7, 10, 7);
-  problem_layout->addWidget(problem_text_);
+  lay_out(*problem_, in_column({problem_text_}), {10, 7, 10, 7});
   problem_->hide();
   rate_->setToolTip(tr("Frames that arrived in the last second"));
   delay_->setToolTip(tr("From the arrival of a frame to its picture on the screen"));
   dropouts_->setToolTip(tr("Pauses of more than three and a half frames since connecting"));
-  auto* figures = new QHBoxLayout;
-  figures->setSpacing(14);
-  figures->addWidget(rate_);
-  figures->addWidget(delay_);
-  figures->addWidget(dropouts_);
-  figures->addStretch();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  layout->addWidget(state_);
-  layout->addWidget(problem_);
-  layout->addLayout(figures);
+  lay_out(*this, in_column({state_, problem_, in_row({rate_, delay_, dropouts_, room()}, 14)}, 4));
   show_state(StreamState::kStopped, {}, {}, {});
   clear_statistics();
 }

@@ -1,6 +1,9 @@
 #include "widgets/panels/playback_bar.h"
 
 #include "model/playback/path_player.h"
+#include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
@@ -44,10 +47,10 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
       traces_(new QMenu(this)),
       above_(new QHBoxLayout),
       row_(new QHBoxLayout),
-      scrub_(new QSlider(Qt::Horizontal)),
-      note_(new QLabel),
-      time_(new QLabel),
-      speed_(new QComboBox),
+      scrub_(named("scrub", new QSlider(Qt::Horizontal))),
+      note_(named("playback_note", note())),
+      time_(note()),
+      speed_(named("speed", new QComboBox)),
       space_(new QShortcut(Qt::Key_Space, this)) {
   // A shortcut of the button itself would press it twice where it has the focus.
   connect(space_, &QShortcut::activated, play_, &QAbstractButton::click);
@@ -59,26 +62,17 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   loop_->setCheckable(true);
   loop_->setChecked(true);
   scrub_->setRange(0, kScrubSteps);
-  scrub_->setObjectName(QStringLiteral("scrub"));
   scrub_->setToolTip(tr("Drag along the path"));
   time_->setMinimumWidth(scaled(86));
   time_->setAlignment(Qt::AlignCenter);
-  time_->setProperty("role", "note");
-  note_->setProperty("role", "note");
-  note_->setObjectName(QStringLiteral("playback_note"));
   note_->hide();
   offer_speeds(*speed_);
-  speed_->setObjectName(QStringLiteral("speed"));
   speed_->setToolTip(tr("Speed of playing; 1× is as fast as the robot can go"));
   show_->setPopupMode(QToolButton::InstantPopup);
   show_->setMenu(traces_);
   traces_->setToolTipsVisible(true);
 
-  auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(8, 6, 8, 6);
-  rows->setSpacing(2);
-  rows->addLayout(above_);
-  rows->addLayout(row_);
+  lay_out(*this, in_column({above_, row_}, 2), {8, 6, 8, 6});
   row_->setSpacing(4);
   for (QToolButton* button : buttons()) {
     row_->addWidget(button);

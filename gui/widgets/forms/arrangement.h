@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QBoxLayout>
+#include <QMargins>
+
+#include <initializer_list>
+
+class QWidget;
+
+namespace handway::gui {
+
+/// Something in a row or a column: a widget, or a row, column, grid or form. What is `stretched`
+/// shares the room that is left, beside others in that proportion.
+struct PanelPart {
+  PanelPart(QWidget* which, int stretched = 0, Qt::Alignment where = {})  // NOLINT(*-explicit-*)
+      : widget(which), stretch(stretched), alignment(where) {}
+  PanelPart(QLayout* which, int stretched = 0)  // NOLINT(*-explicit-*)
+      : layout(which), stretch(stretched) {}
+
+  QWidget* widget = nullptr;
+  QLayout* layout = nullptr;  ///< Neither: nothing is there but room.
+  int stretch = 0;
+  Qt::Alignment alignment = {};
+};
+
+/// Room that is left empty.
+[[nodiscard]] PanelPart room(int stretch = 0);
+
+/// The gap of the row or column around, or of the style.
+inline constexpr int kUsualGap = -1;
+
+/// Parts from left to right. @param gap between them, px.
+[[nodiscard]] QBoxLayout* in_row(std::initializer_list<PanelPart> parts, int gap = kUsualGap);
+/// Parts from top to bottom. @param gap between them, px.
+[[nodiscard]] QBoxLayout* in_column(std::initializer_list<PanelPart> parts, int gap = kUsualGap);
+
+/// Puts all of a row, column, grid or form into a widget. @param margins around it, px.
+void lay_out(QWidget& widget, QLayout* content, const QMargins& margins = {});
+/// A widget of its own for it.
+[[nodiscard]] QWidget* boxed(QLayout* content, const QMargins& margins = {});
+
+}  // namespace handway::gui
