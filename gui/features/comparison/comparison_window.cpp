@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 #include <utility>
 #include <vector>
 
@@ -271,6 +270,7 @@ ComparisonWindow::ComparisonWindow(PathHistory& history, Query query, QWidget* p
           {12, 10, 12, 12});
   connect(&player_, &PathPlayer::moved, this, &ComparisonWindow::show_moment);
   connect(&history_, &PathHistory::changed, this, &ComparisonWindow::take_history);
+  connect(&job_, &LatestJob::failed, note_, &QLabel::setText);
   fill_choosers();
   for (std::size_t side = 0; side < choosers_.size(); ++side) {
     views_->view(side).set_scene(query_.scene);
@@ -409,29 +409,25 @@ void ComparisonWindow::ask_for_file(std::size_t side) {
 void ComparisonWindow::open_file(std::size_t side, const QString& file) {
   note_->setText(tr("Timing %1…").arg(QFileInfo(file).fileName()));
   job_.run([this, side, file, query = query_](const std::stop_token& stop) -> LatestJob::Answer {
-    try {
-      const PreparedProblem::Problem problem = query.problem->wait(stop);
-      if (!problem) {
-        return {};
-      }
-      const PathMotion timed =
-          motion_of(*problem, planning::read_path_csv(problem->model(), file.toStdString()));
-      if (!timed.motion) {
-        return [this, fault = timed.fault] { note_->setText(QString::fromStdString(fault)); };
-      }
-      const auto curves = std::make_shared<const MotionCurves>(
-          motion_curves(*problem, query.postures, timed.motion->trajectory, stop));
-      return [this, side,
-              record = PathRecord{QFileInfo(file).fileName(), query.scene, query.palm, timed.motion,
-                                  curves, nullptr, std::nullopt}] {
-        const auto motion = history_.add(record);
-        const std::vector<PathRecord> paths = history_.paths();
-        const auto place = std::ranges::find(paths, motion, &PathRecord::motion);
-        choose(side, static_cast<std::size_t>(place - paths.begin()));
-      };
-    } catch (const std::exception& error) {
-      return [this, message = QString::fromUtf8(error.what())] { note_->setText(message); };
+    const PreparedProblem::Problem problem = query.problem->wait(stop);
+    if (!problem) {
+      return {};
     }
+    const PathMotion timed =
+        motion_of(*problem, planning::read_path_csv(problem->model(), file.toStdString()));
+    if (!timed.motion) {
+      return [this, fault = timed.fault] { note_->setText(QString::fromStdString(fault)); };
+    }
+    const auto curves = std::make_shared<const MotionCurves>(
+        motion_curves(*problem, query.postures, timed.motion->trajectory, stop));
+    return [this, side,
+            record = PathRecord{QFileInfo(file).fileName(), query.scene, query.palm, timed.motion,
+                                curves, nullptr, std::nullopt}] {
+      const auto motion = history_.add(record);
+      const std::vector<PathRecord> paths = history_.paths();
+      const auto place = std::ranges::find(paths, motion, &PathRecord::motion);
+      choose(side, static_cast<std::size_t>(place - paths.begin()));
+    };
   });
 }
 

@@ -31,29 +31,20 @@
 #include <QTabWidget>
 #include <QVariant>
 
-#include <exception>
-#include <functional>
 #include <utility>
 
 namespace handway::gui {
 
 ExportRunner::ExportRunner(std::shared_ptr<const planning::PluginManager> plugins, QObject* parent)
-    : QObject(parent), plugins_(std::move(plugins)) {}
-
-void ExportRunner::run(std::function<LatestJob::Answer()> work) {
-  job_.run([this, work = std::move(work)](const std::stop_token& /*stop*/) -> LatestJob::Answer {
-    try {
-      return work();
-    } catch (const std::exception& error) {
-      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
-    }
-  });
+    : QObject(parent), plugins_(std::move(plugins)) {
+  connect(&job_, &LatestJob::failed, this, &ExportRunner::failed);
 }
 
 void ExportRunner::prepare(const std::string& format,
                            std::shared_ptr<const planning::TimedPath> motion,
                            const planning::ExportOptions& options) {
-  run([this, &exporter = plugins_->exporter(format), motion = std::move(motion), options] {
+  job_.run([this, &exporter = plugins_->exporter(format), motion = std::move(motion),
+            options](const std::stop_token&) {
     const auto files = std::make_shared<const Files>(exporter.files(motion->motion, options));
     return [this, files] { emit prepared(files); };
   });
@@ -62,8 +53,8 @@ void ExportRunner::prepare(const std::string& format,
 void ExportRunner::write(const std::string& format,
                          std::shared_ptr<const planning::TimedPath> motion,
                          std::filesystem::path folder, const planning::ExportOptions& options) {
-  run([this, &exporter = plugins_->exporter(format), motion = std::move(motion),
-       folder = std::move(folder), options] {
+  job_.run([this, &exporter = plugins_->exporter(format), motion = std::move(motion),
+            folder = std::move(folder), options](const std::stop_token&) {
     QStringList files;
     for (const std::filesystem::path& file : exporter.write(motion->motion, folder, options)) {
       files << QString::fromStdString(file.string());

@@ -58,9 +58,6 @@ class ExportRunner : public QObject {
   void failed(const QString& message);
 
  private:
-  /// @param work may throw.
-  void run(std::function<LatestJob::Answer()> work);
-
   std::shared_ptr<const planning::PluginManager> plugins_;
   LatestJob job_;
 };

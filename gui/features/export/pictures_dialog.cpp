@@ -27,11 +27,19 @@
 
 namespace handway::gui {
 
+StripWriter::StripWriter(QObject* parent) : QObject(parent) {
+  connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
+    busy_ = false;
+    writing_ = false;
+    emit failed(message);
+  });
+}
+
 void StripWriter::start(const QString& file, const QString& title,
                         const std::vector<QImage>& pictures) {
   busy_ = true;
   writing_ = false;
-  job_.run([this, file, title, pictures](const std::stop_token&) -> LatestJob::Answer {
+  job_.run([this, file, title, pictures](const std::stop_token&) {
     const std::vector<Strip> strips{{{}, pictures}};
     return
         [this, file, bytes = picture_bytes(file, title, strips_size(strips), draw_strips(strips))] {
@@ -50,21 +58,12 @@ void StripWriter::cancel() {
 void StripWriter::write(const QString& file, const QByteArray& bytes) {
   writing_ = true;
   emit writing();
-  job_.run([this, file, bytes](const std::stop_token&) -> LatestJob::Answer {
-    QString fault;
-    try {
-      write_bytes(file, bytes);
-    } catch (const std::exception& error) {
-      fault = QString::fromUtf8(error.what());
-    }
-    return [this, fault] {
+  job_.run([this, file, bytes](const std::stop_token&) {
+    write_bytes(file, bytes);
+    return [this] {
       busy_ = false;
       writing_ = false;
-      if (fault.isEmpty()) {
-        emit written();
-      } else {
-        emit failed(fault);
-      }
+      emit written();
     };
   });
 }

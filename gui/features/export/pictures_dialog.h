@@ -25,7 +25,7 @@ class StripWriter : public QObject {
   Q_OBJECT
 
  public:
-  explicit StripWriter(QObject* parent = nullptr) : QObject(parent) {}
+  explicit StripWriter(QObject* parent = nullptr);
 
   /// written() or failed() follows.
   void start(const QString& file, const QString& title, const std::vector<QImage>& pictures);

@@ -12,7 +12,6 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 namespace handway::gui {
@@ -193,6 +192,10 @@ BasisReportView::BasisReportView(QWidget* parent)
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::RichText);
   lay_out(*this, in_column({chart_, text_, room()}, 6));
+  connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
+    chart_->set_errors({});
+    text_->setText(message.toHtmlEscaped());
+  });
   set_input(std::nullopt, {});
 }
 
@@ -219,16 +222,10 @@ void BasisReportView::make() {
   if (!input_ || !std::exchange(is_due_, false)) {
     return;
   }
-  job_.run([this, input = *input_](const std::stop_token&) -> LatestJob::Answer {
-    BasisStudy study;
-    QString text;
-    try {
-      study = sampling::study_basis(input.recordings, input.fingertips, input.settings);
-      text = study_text(study, input.settings.confidence);
-    } catch (const std::exception& error) {
-      text = QString::fromUtf8(error.what()).toHtmlEscaped();
-    }
-    return [this, study, text] {
+  job_.run([this, input = *input_](const std::stop_token&) {
+    const BasisStudy study =
+        sampling::study_basis(input.recordings, input.fingertips, input.settings);
+    return [this, study, text = study_text(study, input.settings.confidence)] {
       chart_->set_errors(study.reconstruction);
       text_->setText(text);
     };

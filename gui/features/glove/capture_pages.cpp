@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 namespace handway::gui {
 namespace {
@@ -211,6 +210,11 @@ CapturePages::CapturePages(GloveSession& session, QObject* parent)
     show_again();
   });
   connect(explorer_, &PmdExplorer::failed, this, &CapturePages::failed);
+  connect(&reading_, &LatestJob::failed, this, [this](const QString& message) {
+    files_.clear();
+    explorer_->show_errors({});
+    emit failed(message);
+  });
   connect(explorer_, &PmdExplorer::recording_requested, this, &CapturePages::choose_recordings);
   connect(explorer_, &PmdExplorer::method_chosen, &session_, &GloveSession::set_method);
   connect(explorer_, &PmdExplorer::options_changed, this, &CapturePages::update_report);
@@ -345,17 +349,9 @@ void CapturePages::show_recordings(const QStringList& files) {
   reading_.run(
       [this, paths, kept, calibration = session_.calibration(),
        left_out = no_postures().left_out()](const std::stop_token& stop) -> LatestJob::Answer {
-        try {
-          auto recordings = std::make_shared<PostureRecordings>(
-              read_postures(paths, calibration, *kept, left_out, stop));
-          return [this, recordings] { take_recordings(recordings); };
-        } catch (const std::exception& error) {
-          return [this, message = QString::fromUtf8(error.what())] {
-            files_.clear();
-            explorer_->show_errors({});
-            emit failed(message);
-          };
-        }
+        auto recordings = std::make_shared<PostureRecordings>(
+            read_postures(paths, calibration, *kept, left_out, stop));
+        return [this, recordings] { take_recordings(recordings); };
       });
 }
 

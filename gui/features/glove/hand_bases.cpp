@@ -17,7 +17,6 @@
 #include <QVariant>
 
 #include <algorithm>
-#include <exception>
 
 namespace handway::gui {
 
@@ -144,6 +143,8 @@ BasisComparisonView::BasisComparisonView(QWidget* parent)
   layout->addWidget(table_, 1, 0, 1, 2);
   layout->setColumnStretch(1, 1);
   connect(other_, qOverload<int>(&QComboBox::activated), this, &BasisComparisonView::compare);
+  connect(&job_, &LatestJob::failed, table_,
+          [this](const QString& message) { table_->setText(message.toHtmlEscaped()); });
   set_bases(nullptr, std::nullopt, {});
 }
 
@@ -174,15 +175,9 @@ void BasisComparisonView::compare() {
   if (!shown_ || other < 0) {
     return;
   }
-  job_.run([this, model = model_, a = *shown_, b = others_[static_cast<std::size_t>(other)]](
-               const std::stop_token&) -> LatestJob::Answer {
-    QString text;
-    try {
-      text = comparison_text(*model, a, b);
-    } catch (const std::exception& error) {
-      text = QString::fromUtf8(error.what()).toHtmlEscaped();
-    }
-    return [this, text] { table_->setText(text); };
+  job_.run([this, model = model_, a = *shown_,
+            b = others_[static_cast<std::size_t>(other)]](const std::stop_token&) {
+    return [this, text = comparison_text(*model, a, b)] { table_->setText(text); };
   });
 }
 

@@ -344,6 +344,7 @@ MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget
     wire.left_to_arm = false;
     change(tr("Wire %1").arg(QString::fromStdString(wire.joint)), mapping);
   });
+  connect(&fitting_, &LatestJob::failed, this, &MappingEditor::failed);
   connect(&fitting_, &LatestJob::ended, this, &MappingEditor::show_fitting);
   connect(form_, &WireForm::edited, this, &MappingEditor::change_wire);
   connect(curve_, &CurveView::edited, this, &MappingEditor::change_wire);
@@ -460,28 +461,24 @@ void MappingEditor::start_fit(std::function<device::Recording()> recording) {
   fitting_.run([this, recording = std::move(recording), model = model_,
                 mapping = session_.mapping(),
                 calibration = session_.calibration()](const std::stop_token&) -> LatestJob::Answer {
-    try {
-      const device::Recording angles = recording();
-      const Eigen::Index frames = angles.values.rows();
-      if (static_cast<std::size_t>(frames) < kLeastFrames) {
-        return [this] {
-          comparison_->setText(tr("Open the hand, make a fist and move the thumb first"));
-        };
-      }
-      const device::MappingFit fitted = device::fit_mapping(mapping, *model, angles, calibration);
-      return [this, fitted, frames, read_with = angles.warnings] {
-        change(tr("Fit the mapping"), fitted.mapping);
-        QStringList lines{tr("Fitted to %L1 frames.").arg(frames)};
-        for (const auto& warnings : {read_with, fitted.warnings}) {
-          for (const std::string& warning : warnings) {
-            lines << QString::fromStdString(warning) + QLatin1Char('.');
-          }
-        }
-        comparison_->setText(lines.join(QLatin1Char('\n')));
+    const device::Recording angles = recording();
+    const Eigen::Index frames = angles.values.rows();
+    if (static_cast<std::size_t>(frames) < kLeastFrames) {
+      return [this] {
+        comparison_->setText(tr("Open the hand, make a fist and move the thumb first"));
       };
-    } catch (const std::exception& error) {
-      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
     }
+    const device::MappingFit fitted = device::fit_mapping(mapping, *model, angles, calibration);
+    return [this, fitted, frames, read_with = angles.warnings] {
+      change(tr("Fit the mapping"), fitted.mapping);
+      QStringList lines{tr("Fitted to %L1 frames.").arg(frames)};
+      for (const auto& warnings : {read_with, fitted.warnings}) {
+        for (const std::string& warning : warnings) {
+          lines << QString::fromStdString(warning) + QLatin1Char('.');
+        }
+      }
+      comparison_->setText(lines.join(QLatin1Char('\n')));
+    };
   });
   show_fitting();
 }

@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <exception>
 #include <limits>
 #include <utility>
 
@@ -195,6 +194,9 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
   });
   connect(card_, &GraspCard::chosen, this, &GraspTool::choose);
   connect(card_, &GraspCard::closed, this, &GraspTool::end);
+  connect(&job_, &LatestJob::failed, this, [this](const QString& reason) {
+    card_->show_failure(QString::fromStdString(object_), reason);
+  });
 }
 
 void GraspTool::begin() {
@@ -209,25 +211,19 @@ void GraspTool::begin() {
   job_.run([this, name = object->name,
             problem = document_.problem()](const std::stop_token& stop) -> LatestJob::Answer {
     const QString title = QString::fromStdString(name);
-    try {
-      const PreparedProblem::Problem prepared = problem->wait(stop);
-      if (!prepared) {
-        return nullptr;
-      }
-      return [this, title, revision = problem->revision(),
-              found = planning::find_pregrasps(*prepared, name, {}, stop)] {
-        grasps_ = {found.found, revision};
-        if (grasps_.value.empty()) {
-          card_->show_failure(title, QString::fromStdString(found.why_none));
-        } else {
-          card_->show_grasps(title, grasps_.value);
-        }
-      };
-    } catch (const std::exception& error) {
-      return [this, title, reason = QString::fromUtf8(error.what())] {
-        card_->show_failure(title, reason);
-      };
+    const PreparedProblem::Problem prepared = problem->wait(stop);
+    if (!prepared) {
+      return nullptr;
     }
+    return [this, title, revision = problem->revision(),
+            found = planning::find_pregrasps(*prepared, name, {}, stop)] {
+      grasps_ = {found.found, revision};
+      if (grasps_.value.empty()) {
+        card_->show_failure(title, QString::fromStdString(found.why_none));
+      } else {
+        card_->show_grasps(title, grasps_.value);
+      }
+    };
   });
 }
 

@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 namespace handway::gui {
@@ -197,6 +196,10 @@ RegionTool::RegionTool(Document& document, PlanSettings& settings, PlanPanel& pa
   connect(&document_, &Document::edited, this, &RegionTool::update);
   connect(&document_, &Document::hand_changed, this, &RegionTool::read_planner);
   connect(box_, &RegionPreviewBox::changed, this, &RegionTool::update);
+  connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
+    clear();
+    box_->show_failure(message);
+  });
   connect(box_, &RegionPreviewBox::rho_edited, this, [this](double rho) {
     const QScopedValueRollback writing(busy_writing_, true);
     panel_.enter("rho_a", rho);
@@ -235,22 +238,15 @@ void RegionTool::update() {
   }
   job_.run([this, problem = document_.problem(), palm = document_.palm(),
             region = *box_->region()](const std::stop_token& stop) -> LatestJob::Answer {
-    try {
-      const PreparedProblem::Problem prepared = problem->wait(stop);
-      if (!prepared) {
-        return {};
-      }
-      return [this, draws = planning::draw_region(*prepared, palm, region, kConfigurations, stop)] {
-        shown_ = true;
-        box_->show_draws(draws);
-        view_.set_overlay(Overlay::kRegion, make_region_node(draws));
-      };
-    } catch (const std::exception& error) {
-      return [this, message = QString::fromUtf8(error.what())] {
-        clear();
-        box_->show_failure(message);
-      };
+    const PreparedProblem::Problem prepared = problem->wait(stop);
+    if (!prepared) {
+      return {};
     }
+    return [this, draws = planning::draw_region(*prepared, palm, region, kConfigurations, stop)] {
+      shown_ = true;
+      box_->show_draws(draws);
+      view_.set_overlay(Overlay::kRegion, make_region_node(draws));
+    };
   });
 }
 

@@ -112,6 +112,8 @@ AddRobotDialog::AddRobotDialog(std::shared_ptr<const planning::PluginManager> pl
   buttons->addButton(add_, QDialogButtonBox::AcceptRole);
   connect(add_, &QPushButton::clicked, this, &AddRobotDialog::add);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(&job_, &LatestJob::failed, this,
+          [this](const QString& message) { show_note(message, true); });
   lay_out(*this, in_column({make_form(), room(1), buttons}, 12), {16, 14, 16, 14});
   resize(within_window(*this, {scaled(kWidth), scaled(400)}));
   list_library();
@@ -249,8 +251,6 @@ void AddRobotDialog::read_chosen() {
         show_note(message, true);
         search_->show();
       };
-    } catch (const std::exception& error) {
-      return [this, message = QString::fromUtf8(error.what())] { show_note(message, true); };
     }
   });
 }

@@ -130,6 +130,8 @@ GloveSession::GloveSession(QObject* parent)
                      }
                      emit sampled(samples);
                    });
+  QObject::connect(&preparing_, &LatestJob::failed, this,
+                   [this](const QString& error) { take_retargeter(nullptr, error); });
 }
 
 GloveSession::~GloveSession() { link_.blockSignals(true); }
@@ -286,16 +288,10 @@ void GloveSession::prepare_retargeting() {
   }
   device::RetargetingSettings settings;
   settings.bones = calibration().bones.value_or(settings.bones);
-  preparing_.run([this, model = model_, settings](const std::stop_token&) -> LatestJob::Answer {
-    std::shared_ptr<const device::FingertipRetargeter> made;
-    QString error;
-    try {
-      made = std::make_shared<const device::FingertipRetargeter>(geometric::hand_alone(model),
-                                                                 settings);
-    } catch (const std::exception& problem) {
-      error = QString::fromUtf8(problem.what());
-    }
-    return [this, made, error] { take_retargeter(made, error); };
+  preparing_.run([this, model = model_, settings](const std::stop_token&) {
+    const auto made =
+        std::make_shared<const device::FingertipRetargeter>(geometric::hand_alone(model), settings);
+    return [this, made] { take_retargeter(made, {}); };
   });
 }
 

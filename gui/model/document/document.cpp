@@ -105,6 +105,14 @@ std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,
   return parts;
 }
 
+RecordedHand::RecordedHand(QObject* parent) : QObject(parent) {
+  connect(&job_, &LatestJob::failed, this, [this](const QString& message) {
+    fault_ = message;
+    state_ = State::kFailed;
+    emit changed();
+  });
+}
+
 void RecordedHand::set_basis(std::shared_ptr<const sampling::PmdBasis> basis) {
   if (basis != basis_) {
     basis_ = std::move(basis);
@@ -129,20 +137,12 @@ void RecordedHand::read() {
       has_choice ? chosen_ : (basis_ ? basis_->postures : std::filesystem::path());
   state_ = file.empty() ? State::kNone : State::kReading;
   if (state_ == State::kReading) {
-    job_.run([this, file, basis = basis_](const std::stop_token&) -> LatestJob::Answer {
-      try {
-        return [this, read = sampling::load_recorded_postures(*basis, file)] {
-          postures_ = read;
-          state_ = State::kReady;
-          emit changed();
-        };
-      } catch (const std::exception& error) {
-        return [this, message = QString::fromUtf8(error.what())] {
-          fault_ = message;
-          state_ = State::kFailed;
-          emit changed();
-        };
-      }
+    job_.run([this, file, basis = basis_](const std::stop_token&) {
+      return [this, read = sampling::load_recorded_postures(*basis, file)] {
+        postures_ = read;
+        state_ = State::kReady;
+        emit changed();
+      };
     });
   }
   emit changed();

@@ -57,7 +57,7 @@ class RecordedHand : public QObject {
     kFailed,
   };
 
-  explicit RecordedHand(QObject* parent = nullptr) : QObject(parent) {}
+  explicit RecordedHand(QObject* parent = nullptr);
 
   /// Of another scene. What was chosen stays for the same hand. @param basis may be null.
   void set_basis(std::shared_ptr<const sampling::PmdBasis> basis);

@@ -49,6 +49,7 @@ SceneEditor::SceneEditor(Document& document, QObject* parent)
   };
   connect(&stack_, &QUndoStack::indexChanged, this, look);
   connect(&stack_, &QUndoStack::cleanChanged, this, look);
+  connect(&composing_, &LatestJob::failed, this, &SceneEditor::end_composing);
 }
 
 bool SceneEditor::is_modified() const {
@@ -219,19 +220,15 @@ void SceneEditor::compose(const QString& text, std::function<SceneState()> make,
   };
   composing_.run([this, text, make = std::move(make), select = std::move(select), kind,
                   from = state()](const std::stop_token&) -> LatestJob::Answer {
-    try {
-      SceneState next = make();
-      shade_meshes(*next.scene);
-      return [this, text, next = std::move(next), select, kind, from] {
-        const bool is_current = state() == from;
-        if (is_current) {
-          push(text, next, select, kind);
-        }
-        end_composing(is_current ? QString() : tr("The scene was edited meanwhile. Try again."));
-      };
-    } catch (const std::exception& error) {
-      return [this, problem = QString::fromUtf8(error.what())] { end_composing(problem); };
-    }
+    SceneState next = make();
+    shade_meshes(*next.scene);
+    return [this, text, next = std::move(next), select, kind, from] {
+      const bool is_current = state() == from;
+      if (is_current) {
+        push(text, next, select, kind);
+      }
+      end_composing(is_current ? QString() : tr("The scene was edited meanwhile. Try again."));
+    };
   });
 }
 

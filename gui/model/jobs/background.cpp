@@ -4,6 +4,7 @@
 #include <QThreadPool>
 
 #include <chrono>
+#include <exception>
 #include <utility>
 
 namespace handway::gui {
@@ -41,6 +42,14 @@ void LatestJob::cancel() {
   emit ended();
 }
 
+LatestJob::Answer LatestJob::answer_of(const Job& job, const std::stop_token& cancelled) {
+  try {
+    return job(cancelled);
+  } catch (const std::exception& error) {
+    return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+  }
+}
+
 void LatestJob::work(const std::stop_token& stop) {
   while (true) {
     Job job;
@@ -61,7 +70,7 @@ void LatestJob::work(const std::stop_token& stop) {
     }
     QMetaObject::invokeMethod(
         this,
-        [this, ticket, answer = job(cancelled)] {
+        [this, ticket, answer = answer_of(job, cancelled)] {
           if (ticket != wanted_) {
             return;
           }

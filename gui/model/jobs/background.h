@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 
 #include <condition_variable>
 #include <functional>
@@ -20,7 +21,7 @@ class LatestJob : public QObject {
  public:
   /// What is to be done on the GUI thread with what a job found; may be empty.
   using Answer = std::function<void()>;
-  /// Runs on the job's thread; must not throw. The token says that nobody waits any more.
+  /// Runs on the job's thread. The token says that nobody waits any more.
   using Job = std::function<Answer(const std::stop_token& stop)>;
 
   explicit LatestJob(QObject* parent = nullptr);
@@ -32,11 +33,14 @@ class LatestJob : public QObject {
   [[nodiscard]] bool is_busy() const { return wanted_ != done_; }
 
  signals:
+  /// The job threw that, and has no answer.
+  void failed(const QString& message);
   /// An answer has arrived, or there is none to wait for any more.
   void ended();
 
  private:
   void work(const std::stop_token& stop);
+  [[nodiscard]] Answer answer_of(const Job& job, const std::stop_token& cancelled);
 
   std::mutex mutex_;
   std::condition_variable_any wake_;

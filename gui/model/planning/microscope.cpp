@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 namespace handway::gui {
@@ -95,35 +94,35 @@ std::vector<std::string> departures_of(planning::Planner& planner) {
 
 }  // namespace
 
+Microscope::Microscope(QObject* parent) : QObject(parent) {
+  connect(&job_, &LatestJob::failed, this, &Microscope::failed);
+}
+
 void Microscope::record(std::shared_ptr<planning::Planner> planner,
                         std::shared_ptr<const PreparedProblem> problem,
                         const planning::PlanRequest& request, int palm) {
   forget();
   job_.run([this, planner = std::move(planner), prepared = std::move(problem), request,
             palm](const std::stop_token& stop) -> LatestJob::Answer {
-    try {
-      const PreparedProblem::Problem ready = prepared->wait(stop);
-      if (!ready) {
-        return {};
-      }
-      RunRecorder recorder(kMostSteps);
-      planning::PlanResult result = planner->plan(*ready, request, stop, &recorder);
-      auto run =
-          std::make_shared<RecordedRun>(recorder.take(std::move(result), ready->checker->world()));
-      run->departures = departures_of(*planner);
-      if (run->steps.empty()) {
-        return [this, reason = QString::fromStdString(run->result.reason)] { emit failed(reason); };
-      }
-      return [this, run, palms = palms_of(*run, *ready, palm)] {
-        run_ = run;
-        palms_ = palms;
-        position_ = 0;
-        emit recorded();
-        emit moved();
-      };
-    } catch (const std::exception& error) {
-      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+    const PreparedProblem::Problem ready = prepared->wait(stop);
+    if (!ready) {
+      return {};
     }
+    RunRecorder recorder(kMostSteps);
+    planning::PlanResult result = planner->plan(*ready, request, stop, &recorder);
+    auto run =
+        std::make_shared<RecordedRun>(recorder.take(std::move(result), ready->checker->world()));
+    run->departures = departures_of(*planner);
+    if (run->steps.empty()) {
+      return [this, reason = QString::fromStdString(run->result.reason)] { emit failed(reason); };
+    }
+    return [this, run, palms = palms_of(*run, *ready, palm)] {
+      run_ = run;
+      palms_ = palms;
+      position_ = 0;
+      emit recorded();
+      emit moved();
+    };
   });
 }
 

@@ -70,7 +70,7 @@ class Microscope : public QObject {
   Q_OBJECT
 
  public:
-  explicit Microscope(QObject* parent = nullptr) : QObject(parent) {}
+  explicit Microscope(QObject* parent = nullptr);
 
   /// recorded() or failed() follows, unless it is forgotten before.
   /// @param palm link whose place stands for a node.

@@ -3,7 +3,6 @@
 #include "handway/planning/paths/path_check.h"
 #include "model/playback/path_player.h"
 
-#include <exception>
 #include <optional>
 #include <utility>
 
@@ -21,6 +20,8 @@ QString text_of(const planning::PathConflict& conflict, const PathTimeline& time
 
 PathValidity::PathValidity(PathPlayer& player, QObject* parent) : QObject(parent), player_(player) {
   connect(&player_, &PathPlayer::timeline_changed, this, &PathValidity::look);
+  connect(&job_, &LatestJob::failed, this,
+          [this](const QString& message) { set(State::kInvalid, message); });
 }
 
 void PathValidity::follow(std::shared_ptr<const PreparedProblem> scene) {
@@ -49,20 +50,15 @@ void PathValidity::look() {
 void PathValidity::check() {
   job_.run([this, prepared = scene_,
             timeline = player_.timeline()](const std::stop_token& stop) -> LatestJob::Answer {
-    QString reason;
-    try {
-      const PreparedProblem::Problem problem = prepared->wait(stop);
-      if (!problem) {
-        return {};
-      }
-      planning::PathConflictSearch search(*problem);
-      const auto conflict =
-          search.run(timeline.path().waypoints, [&stop] { return stop.stop_requested(); });
-      reason = conflict ? text_of(*conflict, timeline) : QString();
-    } catch (const std::exception& error) {
-      reason = QString::fromUtf8(error.what());
+    const PreparedProblem::Problem problem = prepared->wait(stop);
+    if (!problem) {
+      return {};
     }
-    return [this, reason, revision = prepared->revision()] {
+    planning::PathConflictSearch search(*problem);
+    const auto conflict =
+        search.run(timeline.path().waypoints, [&stop] { return stop.stop_requested(); });
+    return [this, reason = conflict ? text_of(*conflict, timeline) : QString(),
+            revision = prepared->revision()] {
       if (reason.isEmpty()) {
         player_.confirm(revision);
       }

@@ -249,7 +249,9 @@ struct OptimizeRunner::Work {
   std::uint64_t checks = 0;
 };
 
-OptimizeRunner::OptimizeRunner(QObject* parent) : QObject(parent) {}
+OptimizeRunner::OptimizeRunner(QObject* parent) : QObject(parent) {
+  connect(&job_, &LatestJob::failed, this, &OptimizeRunner::failed);
+}
 
 OptimizeRunner::~OptimizeRunner() { stop_.request_stop(); }
 
@@ -258,17 +260,13 @@ void OptimizeRunner::start(OptimizeTask task) {
   const int generation = ++generation_;
   job_.run([this, generation, task = std::move(task),
             stop = stop_.get_token()](const std::stop_token& discarded) -> LatestJob::Answer {
-    try {
-      const PreparedProblem::Problem problem = task.problem->wait(discarded);
-      if (!problem) {
-        return nullptr;
-      }
-      take_up(task, problem);
-      OptimizeOutcome outcome = run(task, generation, stop, discarded);
-      return [this, outcome = std::move(outcome)] { emit finished(outcome); };
-    } catch (const std::exception& error) {
-      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+    const PreparedProblem::Problem problem = task.problem->wait(discarded);
+    if (!problem) {
+      return nullptr;
     }
+    take_up(task, problem);
+    OptimizeOutcome outcome = run(task, generation, stop, discarded);
+    return [this, outcome = std::move(outcome)] { emit finished(outcome); };
   });
 }
 
@@ -352,21 +350,21 @@ OptimizeOutcome OptimizeRunner::run(const OptimizeTask& task, int generation,
   return outcome;
 }
 
+TimingRunner::TimingRunner(QObject* parent) : QObject(parent) {
+  connect(&job_, &LatestJob::failed, this, &TimingRunner::failed);
+}
+
 void TimingRunner::start(std::shared_ptr<const PreparedProblem> problem, planning::Path path,
                          const std::string& name, const planning::TimingOptions& options) {
   job_.run([this, problem = std::move(problem), path = std::move(path), name,
             options](const std::stop_token& stop) -> LatestJob::Answer {
-    try {
-      const PreparedProblem::Problem ready = problem->wait(stop);
-      if (!ready) {
-        return {};
-      }
-      const auto motion =
-          std::make_shared<const planning::TimedPath>(time_path(*ready, path, name, options));
-      return [this, motion, revision = problem->revision()] { emit timed({motion, revision}); };
-    } catch (const std::exception& error) {
-      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+    const PreparedProblem::Problem ready = problem->wait(stop);
+    if (!ready) {
+      return {};
     }
+    const auto motion =
+        std::make_shared<const planning::TimedPath>(time_path(*ready, path, name, options));
+    return [this, motion, revision = problem->revision()] { emit timed({motion, revision}); };
   });
 }
 

@@ -188,7 +188,7 @@ class TimingRunner : public QObject {
   Q_OBJECT
 
  public:
-  explicit TimingRunner(QObject* parent = nullptr) : QObject(parent) {}
+  explicit TimingRunner(QObject* parent = nullptr);
 
   /// @param name of the motion. timed(), made from the problem's revision, or failed() follows.
   void start(std::shared_ptr<const PreparedProblem> problem, planning::Path path,
