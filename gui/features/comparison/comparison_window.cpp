@@ -12,7 +12,6 @@
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
@@ -164,7 +163,7 @@ FigureTable::FigureTable(QWidget* parent) : QTableWidget(parent) {
   setFocusPolicy(Qt::TabFocus);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  fill();
+  follow_theme(*this, [this] { fill(); });
 }
 
 void FigureTable::show_figures(const std::optional<PathFigures>& left,
@@ -172,13 +171,6 @@ void FigureTable::show_figures(const std::optional<PathFigures>& left,
   left_ = left;
   right_ = right;
   fill();
-}
-
-void FigureTable::changeEvent(QEvent* event) {
-  QTableWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    fill();
-  }
 }
 
 void FigureTable::fill() {
@@ -221,18 +213,9 @@ LockedViews::LockedViews(QWidget* parent) : QWidget(parent), views_{new SceneVie
   lay_out(*this, in_row({{views_[0], 1}, {views_[1], 1}}, 2));
   for (std::size_t i = 0; i < views_.size(); ++i) {
     SceneView* const view = views_.at(i);
-    view->set_colors(colors_of(current_theme()).view);
+    follow_theme(*view, [view] { view->set_colors(colors_of(current_theme()).view); });
     view->setMinimumSize(240, 200);
     connect(view, &SceneView::frameSwapped, this, [this, i] { follow(i); });
-  }
-}
-
-void LockedViews::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    for (SceneView* const view : views_) {
-      view->set_colors(colors_of(current_theme()).view);
-    }
   }
 }
 

@@ -34,9 +34,6 @@ class FigureTable : public QTableWidget {
   void show_figures(const std::optional<PathFigures>& left,
                     const std::optional<PathFigures>& right);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   void fill();
 
@@ -52,9 +49,6 @@ class LockedViews : public QWidget {
   explicit LockedViews(QWidget* parent = nullptr);
 
   [[nodiscard]] SceneView& view(std::size_t index) const { return *views_.at(index); }
-
- protected:
-  void changeEvent(QEvent* event) override;
 
  private:
   /// The other view has to look as this one does.

@@ -15,7 +15,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QFrame>
 #include <QLabel>
@@ -63,21 +62,11 @@ FollowingPlot::FollowingPlot(QWidget* parent)
   lay_out(*this, in_column({joints_, angles_, difference_}, 4));
   connect(joints_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &FollowingPlot::show_joint);
-  take_theme();
+  follow_theme(*this, [this] {
+    angles_->set_colors(screen_colors());
+    difference_->set_colors(screen_colors());
+  });
   clear();
-}
-
-void FollowingPlot::take_theme() {
-  for (TimePlot* plot : {angles_, difference_}) {
-    plot->set_colors(screen_colors());
-  }
-}
-
-void FollowingPlot::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    take_theme();
-  }
 }
 
 void FollowingPlot::show_motion(std::shared_ptr<const ExecutedMotion> motion,

@@ -30,11 +30,7 @@ class FollowingPlot : public QWidget {
                    const geometric::RobotModel& model);
   void clear();
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
-  void take_theme();
   void show_joint();
 
   std::shared_ptr<const ExecutedMotion> motion_;

@@ -12,7 +12,6 @@
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFontDatabase>
 #include <QLabel>
 #include <QObject>
@@ -155,6 +154,7 @@ ListingView::ListingView(QWidget* parent)
   font.setPixelSize(scaled(12));
   text_->setFont(font);
   lay_out(*this, in_column({title_, {text_, 1}}, 2));
+  follow_theme(*this, [this] { mark(); });
 }
 
 void ListingView::show_line(int algorithm, int line, bool calls) {
@@ -209,13 +209,6 @@ void ListingView::mark() {
        {qMin(line_ - 1 + kLinesAround, last), qMax(line_ - 1 - kLinesAround, 0), line_ - 1}) {
     text_->setTextCursor(QTextCursor(text_->document()->findBlockByNumber(line)));
     text_->ensureCursorVisible();
-  }
-}
-
-void ListingView::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    mark();
   }
 }
 
@@ -355,6 +348,7 @@ MicroscopePanel::MicroscopePanel(Document& document, PlanSettings& planning, Sce
       called_(new ListingView) {
   setAttribute(Qt::WA_StyledBackground);
   lay_out(*this, in_row({make_controls(), {caller_, 1}, {called_, 1}}, 14), {10, 6, 10, 6});
+  follow_theme(*this, [this] { refresh_icons(); });
   connect(record_, &QPushButton::clicked, this, [this] {
     if (microscope_.is_recording()) {
       microscope_.forget();
@@ -440,13 +434,6 @@ void MicroscopePanel::refresh_icons() {
   run_->setProperty("icon_name", clock_.isActive() ? "pause" : "play");
   for (QToolButton* button : {rewind_, back_, run_, forward_}) {
     button->setIcon(icon(button->property("icon_name").toString()));
-  }
-}
-
-void MicroscopePanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    refresh_icons();
   }
 }
 

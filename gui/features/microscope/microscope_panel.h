@@ -46,7 +46,6 @@ class ListingView : public QWidget {
   [[nodiscard]] int line() const { return line_; }
 
  protected:
-  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -84,9 +83,6 @@ class MicroscopePanel : public QWidget {
  signals:
   /// A recorded run takes the robot: nothing else should move it.
   void taken();
-
- protected:
-  void changeEvent(QEvent* event) override;
 
  private:
   [[nodiscard]] QWidget* make_controls();

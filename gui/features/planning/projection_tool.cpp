@@ -11,7 +11,6 @@
 
 #include <QColor>
 #include <QComboBox>
-#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QObject>
@@ -138,7 +137,11 @@ ProjectionPanel::ProjectionPanel(QWidget* parent)
   lay_out(*this, in_column({pages_}));
   note_->setWordWrap(true);
   setMinimumHeight(180);
-  take_theme();
+  follow_theme(*this, [this] {
+    const ThemeColors colors = colors_of(current_theme());
+    plot_->set_colors({colors.surface, colors.text, colors.muted, colors.border, shown(kStartColor),
+                       shown(kGoalColor), colors.accent});
+  });
   for (QComboBox* axis : {x_, y_}) {
     connect(axis, &QComboBox::currentTextChanged, axis, &QWidget::setToolTip);
     connect(axis, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { redraw(false); });
@@ -267,19 +270,6 @@ void ProjectionPanel::showEvent(QShowEvent* event) {
 void ProjectionPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   emit visibility_changed(false);
-}
-
-void ProjectionPanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::StyleChange) {
-    take_theme();
-  }
-}
-
-void ProjectionPanel::take_theme() {
-  const ThemeColors colors = colors_of(current_theme());
-  plot_->set_colors({colors.surface, colors.text, colors.muted, colors.border, shown(kStartColor),
-                     shown(kGoalColor), colors.accent});
 }
 
 namespace {

@@ -73,10 +73,8 @@ class ProjectionPanel : public QWidget {
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
-  void take_theme();
   void name_axes(const planning::HandArmChart& chart);
   void redraw(bool keeps_view);
   void draw_robot();

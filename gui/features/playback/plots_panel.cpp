@@ -17,7 +17,6 @@
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
@@ -345,7 +344,8 @@ PlotsPanel::PlotsPanel(Document& document, PathPlayer& player, MotionAnalysis& a
     player_.pause();
     player_.seek(time / player_.duration());
   });
-  refresh_colors();
+  follow_theme(*this,
+               [this] { plot_->set_colors(screen_colors(), colors_of(current_theme()).accent); });
   take_analysis();
 }
 
@@ -378,20 +378,9 @@ void PlotsPanel::show_quantity(PlotQuantity quantity) {
   quantities_->setCurrentIndex(quantities_->findData(static_cast<int>(quantity)));
 }
 
-void PlotsPanel::refresh_colors() {
-  plot_->set_colors(screen_colors(), colors_of(current_theme()).accent);
-}
-
 void PlotsPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   show_cursor();
-}
-
-void PlotsPanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    refresh_colors();
-  }
 }
 
 void PlotsPanel::take_analysis() {

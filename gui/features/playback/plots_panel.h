@@ -117,12 +117,10 @@ class PlotsPanel : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
   [[nodiscard]] QWidget* make_top();
   [[nodiscard]] PlotQuantity quantity() const;
-  void refresh_colors();
   void take_analysis();
   void draw();
   void show_cursor();

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QEvent>
 #include <QFile>
 #include <QFont>
 #include <QKeySequence>
@@ -223,6 +224,34 @@ void set_text_size(QPainter& painter, int pixels) {
   QFont font = painter.font();
   font.setPixelSize(scaled(pixels));
   painter.setFont(font);
+}
+
+namespace {
+
+class ThemeFollower : public QObject {
+ public:
+  ThemeFollower(QWidget& widget, std::function<void()> take)
+      : QObject(&widget), take_(std::move(take)) {
+    widget.installEventFilter(this);
+    take_();
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::PaletteChange) {
+      take_();
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  std::function<void()> take_;
+};
+
+}  // namespace
+
+void follow_theme(QWidget& widget, std::function<void()> take) {
+  new ThemeFollower(widget, std::move(take));
 }
 
 QString html(const QColor& color) { return color.name(QColor::HexRgb); }

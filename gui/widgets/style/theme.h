@@ -7,6 +7,8 @@
 #include <QIcon>
 #include <QString>
 
+#include <functional>
+
 class QApplication;
 class QWidget;
 
@@ -57,6 +59,9 @@ void set_text_size(QPainter& painter, int pixels);
 
 /// `color`, lighter or darker if it could hardly be distinguished from `background`.
 [[nodiscard]] QColor seen_on(const QColor& background, const QColor& color);
+
+/// Calls `take`, at once and whenever the widget gets another theme.
+void follow_theme(QWidget& widget, std::function<void()> take);
 
 /// Gives a widget that is shown already another role in the style sheet; empty: none.
 void set_role(QWidget& widget, const QString& role);
