@@ -343,8 +343,7 @@ void DevicesPanel::show_state(State state, bool robot) {
   }
   state_ = state;
   robot_ = robot;
-  state_text_->setText(QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
-                           .arg(html(state_color(state)), state_text(state).toHtmlEscaped()));
+  state_text_->setText(dotted(state_text(state), state_color(state)));
   update_buttons();
 }
 
@@ -354,8 +353,7 @@ void DevicesPanel::show_problem(const QString& message) {
 }
 
 void DevicesPanel::show_no_motion(const QString& why) {
-  motion_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")
-                       .arg(html(colors_of(current_theme()).muted), why.toHtmlEscaped()));
+  motion_->setText(colored(why, colors_of(current_theme()).muted));
   cleared_ = false;
   start_here_->hide();
   update_buttons();

@@ -39,27 +39,18 @@ double roomy(double size) { return std::ceil((size + 0.05) / 0.01) * 0.01; }
 }  // namespace
 
 ArrayCard::ArrayCard(QWidget* host)
-    : FloatingCard(host),
-      title_(new QLabel),
-      kind_(new QComboBox),
+    : FloatingCard(host, "array_card", "offer"),
+      title_(heading()),
+      kind_(named("array_kind", new QComboBox)),
       pages_(new QStackedWidget),
-      group_(new QCheckBox(tr("Put all into a group"))),
+      group_(named("array_group", new QCheckBox(tr("Put all into a group")))),
       note_(note({})),
-      make_(new QPushButton(tr("Make copies"))) {
-  setProperty("role", "offer");
-  setObjectName(QStringLiteral("array_card"));
-  title_->setProperty("role", "heading");
-  kind_->setObjectName(QStringLiteral("array_kind"));
+      make_(named("array_make", new QPushButton(tr("Make copies")))) {
   kind_->addItems({tr("In rows"), tr("Around an axis")});
   pages_->addWidget(make_rows());
   pages_->addWidget(make_circle());
-  group_->setObjectName(QStringLiteral("array_group"));
-  make_->setObjectName(QStringLiteral("array_make"));
   make_->setProperty("role", "primary");
-  auto* close_button = named("array_close", new QToolButton);
-  close_button->setIcon(icon("close"));
-  close_button->setAutoRaise(true);
-  close_button->setToolTip(tr("Make no copies (Esc)"));
+  QToolButton* close_button = make_close("array_close", tr("Make no copies (Esc)"));
   lay_out(*this,
           in_column({in_row({{title_, 1}, {close_button, 0, Qt::AlignTop}}), kind_, pages_, group_,
                      note_, make_},

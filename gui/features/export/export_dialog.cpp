@@ -128,8 +128,7 @@ MotionPreview::MotionPreview(QWidget* parent)
 }
 
 void MotionPreview::show_waiting(const QString& text) {
-  report_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")
-                       .arg(html(colors_of(current_theme()).muted), text.toHtmlEscaped()));
+  report_->setText(colored(text, colors_of(current_theme()).muted));
   arm_->clear();
   hand_->clear();
   show_files({});
@@ -378,8 +377,7 @@ void ExportDialog::export_now() {
 planning::ExportOptions ExportDialog::options() const { return {any_robot_->isChecked()}; }
 
 void ExportDialog::show_problem(const QString& message) {
-  problem_text_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")
-                             .arg(html(colors_of(current_theme()).bad), message.toHtmlEscaped()));
+  problem_text_->setText(colored(message, colors_of(current_theme()).bad));
   problem_text_->show();
   setEnabled(true);
   export_button_->setEnabled(motion_.value && motion_.value->cleared());

@@ -299,8 +299,7 @@ void PicturesDialog::show_busy(bool busy) {
 }
 
 void PicturesDialog::show_problem(const QString& message) {
-  note_->setText(QStringLiteral("<span style='color:%1'>%2</span>")
-                     .arg(html(colors_of(current_theme()).bad), message.toHtmlEscaped()));
+  note_->setText(colored(message, colors_of(current_theme()).bad));
 }
 
 }  // namespace handway::gui

@@ -430,11 +430,6 @@ constexpr double kFirstHint = 5.0;  // s
 constexpr double kHintEvery = 1.0;  // s
 constexpr int kHintLines = 3;
 
-QString dotted(const QColor& color, const QString& text) {
-  return QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
-      .arg(html(color), text.toHtmlEscaped());
-}
-
 }  // namespace
 
 CaptureCoach::CaptureCoach(QWidget* parent)
@@ -499,29 +494,29 @@ void CaptureCoach::show_progress(const CapturedPostures& postures) {
 
 void CaptureCoach::show_advice(const CapturedPostures& postures) {
   const ThemeColors colors = colors_of(current_theme());
+  const auto advise = [this](const QString& text, const QColor& color) {
+    advice_->setText(dotted(text, color));
+  };
   if (postures.count() == 0) {
-    advice_->setText(dotted(colors.muted, tr("Connect a glove, then move your hand freely")));
+    advise(tr("Connect a glove, then move your hand freely"), colors.muted);
     return;
   }
   if (!postures.turn()) {
-    advice_->setText(dotted(attention_color(), tr("Keep moving: too early to tell")));
+    advise(tr("Keep moving: too early to tell"), attention_color());
     return;
   }
   const QString turn = tr("%1° in %2 s")
                            .arg(*postures.turn() / geometric::kDegree, 0, 'f', 1)
                            .arg(CapturedPostures::kWindow, 0, 'f', 0);
   if (!postures.has_settled()) {
-    advice_->setText(dotted(attention_color(),
-                            tr("Keep moving: the main motion directions turned by %1").arg(turn)));
+    advise(tr("Keep moving: the main motion directions turned by %1").arg(turn), attention_color());
   } else if (!hints_.isEmpty()) {
-    advice_->setText(dotted(
-        colors.good, tr("The main motion directions have settled (%1). Some joints can still go "
-                        "further:")
-                         .arg(turn)));
+    advise(tr("The main motion directions have settled (%1). Some joints can still go further:")
+               .arg(turn),
+           colors.good);
   } else {
-    advice_->setText(dotted(
-        colors.good,
-        tr("Enough: the main motion directions have settled (%1). You can stop.").arg(turn)));
+    advise(tr("Enough: the main motion directions have settled (%1). You can stop.").arg(turn),
+           colors.good);
   }
 }
 

@@ -52,7 +52,7 @@ QString row_tip(const planning::Pregrasp& grasp) {
 }  // namespace
 
 GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen)
-    : FloatingCard(host),
+    : FloatingCard(host, "grasps", "offer"),
       to_be_seen_(std::move(to_be_seen)),
       title_(heading()),
       details_(new QWidget),
@@ -60,8 +60,6 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
       note_(named("grasp_note", note())),
       list_(named("grasp_list", new QTreeWidget)),
       plan_(named("grasp_plan", new QPushButton(tr("Plan to this grasp")))) {
-  setProperty("role", "offer");
-  setObjectName(QStringLiteral("grasps"));
   note_->setWordWrap(true);
   list_->setAccessibleName(tr("Grasps"));
   list_->setFrameShape(QFrame::NoFrame);
@@ -82,10 +80,7 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
   }
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Take it for the goal and plan"));
-  auto* close = named("grasp_close", new QToolButton);
-  close->setIcon(icon("close"));
-  close->setAutoRaise(true);
-  close->setToolTip(tr("Leave the goal as it is"));
+  QToolButton* close = make_close("grasp_close", tr("Leave the goal as it is"));
   connect(close, &QToolButton::clicked, this, [this] {
     hide();
     emit closed();

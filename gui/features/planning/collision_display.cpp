@@ -25,10 +25,6 @@ namespace {
 
 constexpr int kBesideText = 8;  // px
 
-QString dotted(const QColor& color, const QString& text) {
-  return QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2").arg(html(color), text);
-}
-
 QString pair_text(const geometric::NamedPair& pair) {
   return QObject::tr("%1 with %2")
       .arg(QString::fromStdString(pair.a), QString::fromStdString(pair.b));
@@ -52,11 +48,10 @@ void CollisionLabel::show_words(const QColor& color, const QString& words, const
 void CollisionLabel::elide() {
   const int dot = fontMetrics().horizontalAdvance(QStringLiteral("●   "));
   const int room = width() - 2 * kBesideText - dot;
-  setText(words_.isEmpty()
-              ? QString()
-              : dotted(color_, fontMetrics()
-                                   .elidedText(words_, Qt::ElideRight, std::max(room, 0))
-                                   .toHtmlEscaped()));
+  setText(
+      words_.isEmpty()
+          ? QString()
+          : dotted(fontMetrics().elidedText(words_, Qt::ElideRight, std::max(room, 0)), color_));
 }
 
 void CollisionLabel::resizeEvent(QResizeEvent* event) {
@@ -96,8 +91,7 @@ CollisionDisplay::CollisionDisplay(CollisionMonitor& monitor, SceneView& view, Q
     : QObject(parent),
       view_(view),
       label_(new CollisionLabel),
-      closest_shown_(new QAction(tr("C&losest points"), &view)) {
-  closest_shown_->setObjectName(QStringLiteral("closest_points"));
+      closest_shown_(named("closest_points", new QAction(tr("C&losest points"), &view))) {
   closest_shown_->setStatusTip(tr("Show where the robot is closest to something"));
   closest_shown_->setShortcut(QKeySequence(Qt::Key_C));
   closest_shown_->setCheckable(true);
@@ -187,15 +181,13 @@ QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& e
 }
 
 DoctorCard::DoctorCard(QWidget* host)
-    : FloatingCard(host),
+    : FloatingCard(host, "doctor", "banner"),
       picture_(new QLabel),
       text_(named("doctor_text", new QLabel)),
       area_(new PanelArea),
-      close_(new QToolButton),
+      close_(make_close("doctor_close", tr("Put this message away"))),
       show_(named("doctor_show", new QPushButton(tr("Show")))),
       use_(named("doctor_use", new QPushButton(tr("Use posture")))) {
-  setProperty("role", "banner");
-  setObjectName(QStringLiteral("doctor"));
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   show_->setToolTip(tr("Move the robot to the free posture"));
@@ -203,9 +195,6 @@ DoctorCard::DoctorCard(QWidget* host)
   use_->setProperty("role", "primary");
   area_->setWidget(text_);
   area_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-  close_->setIcon(icon("close"));
-  close_->setAutoRaise(true);
-  close_->setToolTip(tr("Put this message away"));
   connect(close_, &QToolButton::clicked, this, &QWidget::hide);
   connect(show_, &QPushButton::clicked, this, [this] { emit shown(*end_.nearest.q); });
   connect(use_, &QPushButton::clicked, this,

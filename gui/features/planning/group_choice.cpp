@@ -2,6 +2,7 @@
 
 #include "handway/geometric/setup/moving_group.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 
 #include <QLabel>
 #include <QMenu>
@@ -13,8 +14,10 @@
 namespace handway::gui {
 
 GroupChoice::GroupChoice(SceneEditor& editor, QWidget* parent)
-    : QWidget(parent), editor_(editor), button_(new QPushButton), menu_(new QMenu(this)) {
-  button_->setObjectName(QStringLiteral("moving_group"));
+    : QWidget(parent),
+      editor_(editor),
+      button_(named("moving_group", new QPushButton)),
+      menu_(new QMenu(this)) {
   button_->setAccessibleName(tr("What moves"));
   button_->setMenu(menu_);
   button_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

@@ -397,8 +397,7 @@ void PlanPanel::show_replanned(const planning::PlanResult& result, const QString
 }
 
 void PlanPanel::show_validity(const QString& reason) {
-  validity_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")
-                         .arg(html(colors_of(current_theme()).bad), reason.toHtmlEscaped()));
+  validity_->setText(colored(reason, colors_of(current_theme()).bad));
   validity_->setVisible(!reason.isEmpty());
 }
 

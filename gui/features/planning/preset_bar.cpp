@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/named.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -17,13 +18,11 @@ namespace handway::gui {
 PresetBar::PresetBar(const planning::PlannerRegistry& registry, QWidget* parent)
     : QWidget(parent),
       registry_(registry),
-      list_(new QComboBox),
-      more_(new QToolButton),
+      list_(named("presets", new QComboBox)),
+      more_(named("preset_menu", new QToolButton)),
       rename_(nullptr),
       remove_(nullptr) {
-  list_->setObjectName(QStringLiteral("presets"));
   list_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  more_->setObjectName(QStringLiteral("preset_menu"));
   more_->setText(QStringLiteral("⋯"));
   more_->setToolTip(tr("Save these values as a preset of your own"));
   more_->setProperty("role", "more");

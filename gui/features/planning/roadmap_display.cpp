@@ -148,15 +148,13 @@ QString note_of(const PalmRoadmap& roadmap, int most, bool goes_on) {
 }  // namespace
 
 RoadmapLegend::RoadmapLegend(QAction& hypercubes, QWidget* host)
-    : FloatingCard(host),
+    : FloatingCard(host, "roadmap_legend", "legend"),
       title_(named("roadmap_title", heading())),
       details_(new QWidget),
       fold_(make_fold(QStringLiteral("roadmap_fold"), *details_)),
       note_(named("roadmap_note", note())),
       counts_(named("roadmap_counts", new QLabel)),
       boxes_(named("roadmap_boxes", new QCheckBox)) {
-  setProperty("role", "legend");
-  setObjectName(QStringLiteral("roadmap_legend"));
   lay_out(*this, in_column({in_row({{title_, 1}, fold_}), details_}, 3), {12, 8, 12, 8});
   lay_out(*details_, in_column({note_, counts_, boxes_}, 3));
   boxes_->setFocusPolicy(Qt::NoFocus);
@@ -273,13 +271,10 @@ QString colliding_text(const std::vector<std::string>& bodies) {
 }  // namespace
 
 FrontierLegend::FrontierLegend(QWidget* host)
-    : FloatingCard(host),
+    : FloatingCard(host, "frontier_legend", "legend"),
       from_start_(nullptr),
       from_goal_(nullptr),
       colliding_(named("frontier_colliding", new QLabel)) {
-  setProperty("role", "legend");
-  setObjectName(QStringLiteral("frontier_legend"));
-  auto* title = heading(tr("No path: how far the search came"));
   auto* close = named("frontier_close", new QToolButton);
   close->setText(QStringLiteral("×"));
   close->setAutoRaise(true);
@@ -291,7 +286,10 @@ FrontierLegend::FrontierLegend(QWidget* host)
   from_start_ = add_row(*rows, "frontier_from_start", true);
   from_goal_ = add_row(*rows, "frontier_from_goal", false);
   rows->addWidget(colliding_, 2, 0, 1, 2);
-  lay_out(*this, in_column({in_row({{title, 1}, close}), rows}, 3), {12, 6, 8, 10});
+  lay_out(
+      *this,
+      in_column({in_row({{heading(tr("No path: how far the search came")), 1}, close}), rows}, 3),
+      {12, 6, 8, 10});
 }
 
 QLabel* FrontierLegend::add_row(QGridLayout& rows, const char* name, bool from_start) {

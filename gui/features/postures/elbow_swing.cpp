@@ -4,6 +4,8 @@
 #include "handway/geometric/math/units.h"
 #include "model/document/reach_words.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 
 #include <QLabel>
@@ -15,16 +17,15 @@ namespace handway::gui {
 
 ElbowSwing::ElbowSwing(QWidget* parent)
     : QWidget(parent),
-      slider_(new SliderRow(tr("Elbow swing"), {-std::numbers::pi, std::numbers::pi,
-                                                1.0 / geometric::kDegree, QStringLiteral("°"), 1})),
-      figures_(new QLabel) {
-  slider_->setObjectName(QStringLiteral("elbow_swing"));
+      slider_(named(
+          "elbow_swing",
+          new SliderRow(tr("Elbow swing"), {-std::numbers::pi, std::numbers::pi,
+                                            1.0 / geometric::kDegree, QStringLiteral("°"), 1}))),
+      figures_(named("reach_figures", note())) {
   slider_->setToolTip(tr(
       "Moves the arm while the palm stays where it is (null space), from the posture that it has "
       "now"));
   slider_->use_two_lines();
-  figures_->setObjectName(QStringLiteral("reach_figures"));
-  figures_->setProperty("role", "note");
   figures_->setWordWrap(true);
   figures_->setToolTip(reach_explanation());
   lay_out(*this, in_column({figures_, slider_}, 2), {12, 4, 12, 0});

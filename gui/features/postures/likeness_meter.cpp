@@ -4,6 +4,7 @@
 #include "model/document/document.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QDir>
@@ -86,27 +87,21 @@ QString DistanceRow::text() const { return number_->text(); }
 LikenessMeter::LikenessMeter(RecordedHand& recorded, QWidget* parent)
     : QWidget(parent),
       recorded_(recorded),
-      to_subspace_(new DistanceRow(tr("To the PMD subspace"))),
-      to_recorded_(new DistanceRow(tr("To recorded postures"))),
-      note_(new QLabel),
-      take_(new QPushButton(tr("Take the nearest"))),
-      choose_(new QPushButton(tr("Postures"))) {
+      to_subspace_(named("likeness_subspace", new DistanceRow(tr("To the PMD subspace")))),
+      to_recorded_(named("likeness_recorded", new DistanceRow(tr("To recorded postures")))),
+      note_(named("likeness_note", note())),
+      take_(named("likeness_take", new QPushButton(tr("Take the nearest")))),
+      choose_(named("likeness_choose", new QPushButton(tr("Postures")))) {
   QLabel* title = heading(tr("Human-likeness"));
   title->setToolTip(tr("Distances in normalised joints; 0 is as human as can be"));
-  to_subspace_->setObjectName(QStringLiteral("likeness_subspace"));
   to_subspace_->setToolTip(
       tr("How far the hand is from the postures that its free joints and principal motion "
          "directions span, in normalised joints"));
-  to_recorded_->setObjectName(QStringLiteral("likeness_recorded"));
   to_recorded_->setToolTip(
       tr("How far the hand is from the nearest posture that was recorded of a person, in "
          "normalised joints; the basis' free joints don't count"));
-  note_->setObjectName(QStringLiteral("likeness_note"));
   note_->setWordWrap(true);
-  note_->setProperty("role", "note");
-  take_->setObjectName(QStringLiteral("likeness_take"));
   take_->setToolTip(tr("Move the hand to the recorded posture that is nearest"));
-  choose_->setObjectName(QStringLiteral("likeness_choose"));
   choose_->setToolTip(tr("Compare with other postures, as handway pca --postures writes them"));
   lay_out(*this,
           in_column({title, to_subspace_, to_recorded_, note_, in_row({take_, choose_, room()}, 8)},

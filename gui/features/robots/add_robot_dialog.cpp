@@ -275,9 +275,7 @@ void AddRobotDialog::take_robot(RobotInstance robot) {
 }
 
 void AddRobotDialog::show_note(const QString& note, bool is_problem) {
-  note_->setText(is_problem ? QStringLiteral("<span style=\"color:%1\">%2</span>")
-                                  .arg(html(colors_of(current_theme()).bad), note.toHtmlEscaped())
-                            : note.toHtmlEscaped());
+  note_->setText(is_problem ? colored(note, colors_of(current_theme()).bad) : note.toHtmlEscaped());
 }
 
 void AddRobotDialog::show_place() {

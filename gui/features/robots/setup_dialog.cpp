@@ -416,10 +416,8 @@ void SetupDialog::show_posture() {
 }
 
 void SetupDialog::show_outcome(const QString& words, bool is_problem) {
-  outcome_->setText(is_problem
-                        ? QStringLiteral("<span style=\"color:%1\">%2</span>")
-                              .arg(html(colors_of(current_theme()).bad), words.toHtmlEscaped())
-                        : words.toHtmlEscaped());
+  outcome_->setText(is_problem ? colored(words, colors_of(current_theme()).bad)
+                               : words.toHtmlEscaped());
 }
 
 void SetupDialog::write() {

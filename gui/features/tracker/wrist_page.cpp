@@ -413,9 +413,7 @@ void WristPage::refresh() {
   const QString problem = complaint_.isEmpty() ? leader_.problem() : complaint_;
   const FollowStep step = step_.value_or(FollowStep{});
   const QColor color = problem.isEmpty() ? follow_color(step) : colors_of(current_theme()).bad;
-  follow_->setText(
-      QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
-          .arg(html(color), (problem.isEmpty() ? follow_text(step) : problem).toHtmlEscaped()));
+  follow_->setText(dotted(problem.isEmpty() ? follow_text(step) : problem, color));
   QStringList places;
   if (sample_) {
     places << tr("Wrist  %1").arg(place_text(sample_->X_ST.translation()));

@@ -74,14 +74,9 @@ QString difference_text(const Eigen::Vector3d& difference, const UnitText& unit,
 }  // namespace
 
 MeasureCard::MeasureCard(QWidget* host)
-    : FloatingCard(host), text_(named("measure_text", new QLabel)) {
-  setProperty("role", "legend");
-  setObjectName(QStringLiteral("measure_card"));
+    : FloatingCard(host, "measure_card", "legend"), text_(named("measure_text", new QLabel)) {
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* close = named("measure_close", new QToolButton);
-  close->setIcon(icon("close"));
-  close->setAutoRaise(true);
-  close->setToolTip(tr("Measure no more (Esc)"));
+  QToolButton* close = make_close("measure_close", tr("Measure no more (Esc)"));
   connect(close, &QToolButton::clicked, this, &MeasureCard::closed);
   lay_out(*this, in_row({{text_, 1}, {close, 0, Qt::AlignTop}}), {12, 8, 8, 8});
 }

@@ -16,8 +16,8 @@
 namespace handway::gui {
 
 SavedViews::SavedViews(Workbench& workbench)
-    : workbench_(workbench), menu_(new QMenu(tr("Saved v&iews"), &workbench.window)) {
-  menu_->setObjectName(QStringLiteral("saved_views"));
+    : workbench_(workbench),
+      menu_(named("saved_views", new QMenu(tr("Saved v&iews"), &workbench.window))) {
   workbench_.add_to_menu(MainMenu::kView, {0, 10}, menu_->menuAction());
   connect(menu_, &QMenu::aboutToShow, this, &SavedViews::fill);
   const auto follow_scene = [this] {

@@ -3,6 +3,8 @@
 #include "features/workbench.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/labels.h"
+#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 
@@ -25,33 +27,24 @@ constexpr double kFarthest = 100.0;  // m
 }  // namespace
 
 SectionCard::SectionCard(QWidget* host)
-    : FloatingCard(host),
-      axis_(new QComboBox),
-      slider_(new QSlider(Qt::Horizontal)),
-      field_(new QuantityField(QuantityField::Kind::kLength, -kFarthest, kFarthest)),
-      other_side_(new QCheckBox(tr("Other side"))) {
-  setProperty("role", "legend");
-  setObjectName(QStringLiteral("section_card"));
-  axis_->setObjectName(QStringLiteral("section_axis"));
+    : FloatingCard(host, "section_card", "legend"),
+      axis_(named("section_axis", new QComboBox)),
+      slider_(named("section_slider", new QSlider(Qt::Horizontal))),
+      field_(named("section_place",
+                   new QuantityField(QuantityField::Kind::kLength, -kFarthest, kFarthest))),
+      other_side_(named("section_side", new QCheckBox(tr("Other side")))) {
   axis_->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
-  slider_->setObjectName(QStringLiteral("section_slider"));
   slider_->setAccessibleName(tr("Place of the section"));
   slider_->setRange(0, kSteps);
-  field_->setObjectName(QStringLiteral("section_place"));
   field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  other_side_->setObjectName(QStringLiteral("section_side"));
   other_side_->setToolTip(tr("Cut away the other side of the objects"));
-  auto* title = new QLabel(tr("Section plane"));
-  title->setProperty("role", "heading");
-  auto* close = new QToolButton;
-  close->setObjectName(QStringLiteral("section_close"));
-  close->setIcon(icon("close"));
-  close->setAutoRaise(true);
-  close->setToolTip(tr("Show objects whole"));
+  QToolButton* close = make_close("section_close", tr("Show objects whole"));
   auto* form = new QFormLayout;
   form->addRow(tr("Across"), axis_);
   form->addRow(tr("At"), field_);
-  lay_out(*this, in_column({in_row({{title, 1}, close}), form, slider_, other_side_}, 6),
+  lay_out(*this,
+          in_column(
+              {in_row({{heading(tr("Section plane")), 1}, close}), form, slider_, other_side_}, 6),
           {12, 6, 8, 10});
   connect(close, &QToolButton::clicked, this, &SectionCard::closed);
   connect(axis_, qOverload<int>(&QComboBox::activated), this, &SectionCard::show_axis);

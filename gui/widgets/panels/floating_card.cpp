@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <QVariant>
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +20,9 @@ constexpr int kMargin = 12;  // px
 
 }  // namespace
 
-FloatingCard::FloatingCard(QWidget* host) : QFrame(host) {
+FloatingCard::FloatingCard(QWidget* host, const char* name, const char* role) : QFrame(host) {
+  setObjectName(QLatin1String(name));
+  setProperty("role", role);
   setAttribute(Qt::WA_StyledBackground);
   host->installEventFilter(this);
   hide();
@@ -29,6 +32,14 @@ void FloatingCard::appear() {
   show();
   place();
   raise();
+}
+
+QToolButton* FloatingCard::make_close(const char* name, const QString& tip) {
+  auto* close = named(name, new QToolButton);
+  close->setIcon(icon("close"));
+  close->setAutoRaise(true);
+  close->setToolTip(tip);
+  return close;
 }
 
 QToolButton* FloatingCard::make_fold(const QString& name, QWidget& details) {
@@ -102,7 +113,7 @@ bool FloatingCard::eventFilter(QObject* watched, QEvent* event) {
 }
 
 Banner::Banner(QWidget* host)
-    : FloatingCard(host),
+    : FloatingCard(host, "banner", ""),  // show_text() says of what role
       picture_(new QLabel),
       text_(named("banner_text", new QLabel)),
       answers_(new QWidget),
@@ -110,10 +121,7 @@ Banner::Banner(QWidget* host)
       refuse_(named("banner_refuse", new QPushButton)) {
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* close = new QToolButton;
-  close->setIcon(icon("close"));
-  close->setAutoRaise(true);
-  close->setToolTip(tr("Put this message away"));
+  QToolButton* close = make_close("banner_close", tr("Put this message away"));
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   lay_out(
       *this,

@@ -17,7 +17,8 @@ class FloatingCard : public QFrame {
   Q_OBJECT
 
  public:
-  explicit FloatingCard(QWidget* host);
+  /// @param role in the style sheet.
+  FloatingCard(QWidget* host, const char* name, const char* role);
 
  protected:
   /// Shows it in its place, over the others.
@@ -25,6 +26,8 @@ class FloatingCard : public QFrame {
   /// Sets the geometry in the host's coordinates; called whenever the host is resized, or another
   /// card over it comes, goes or is resized.
   virtual void place() = 0;
+  /// The button that puts it away; without an effect of its own.
+  [[nodiscard]] QToolButton* make_close(const char* name, const QString& tip);
   /// A button that leaves of the card what is not in `details`, and back.
   [[nodiscard]] QToolButton* make_fold(const QString& name, QWidget& details);
   /// Moves it, as large as it has to be, to the lower right, above others that are there.

@@ -85,8 +85,7 @@ LinkStatus::LinkStatus(const QString& name, QWidget* parent)
 
 void LinkStatus::show_state(StreamState state, const QString& what, const QString& device,
                             const QString& error) {
-  state_->setText(QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
-                      .arg(html(state_color(state)), state_text(state, what).toHtmlEscaped()));
+  state_->setText(dotted(state_text(state, what), state_color(state)));
   state_->setToolTip(device);
   problem_text_->setText(error);
   problem_->setVisible(!error.isEmpty());

@@ -134,12 +134,12 @@ constexpr std::size_t kMostJoints = 4;
 
 QString tr(const char* text) { return QObject::tr(text); }
 
-QString colored(const QString& text, const QColor& color) {
+QString strong(const QString& text, const QColor& color) {
   return QStringLiteral("<b style=\"color:%1\">%2</b>").arg(html(color), text.toHtmlEscaped());
 }
 
 QString faults_text(const planning::TimedPath& motion) {
-  QString text = colored(tr("Not cleared to run"), colors_of(current_theme()).bad);
+  QString text = strong(tr("Not cleared to run"), colors_of(current_theme()).bad);
   const auto& faults = motion.preflight.faults;
   for (std::size_t i = 0; i < std::min(faults.size(), kMostFaults); ++i) {
     text += QStringLiteral("<br>") + QString::fromStdString(faults[i].text).toHtmlEscaped();
@@ -160,7 +160,7 @@ QString motion_text(const planning::TimedPath& motion) {
     return faults_text(motion);
   }
   const planning::PreflightReport& report = motion.preflight;
-  QString text = colored(tr("Cleared to run"), colors_of(current_theme()).good);
+  QString text = strong(tr("Cleared to run"), colors_of(current_theme()).good);
   const auto add = [&text](const QString& line) { text += QStringLiteral("<br>") + line; };
   add(tr("The motion takes %1 s.").arg(report.duration, 0, 'f', 2));
   const auto add_share = [&](const QString& line, const planning::LimitShare& share) {
@@ -194,16 +194,16 @@ QString outcome_text(const execution::MotionOutcome& outcome) {
   const ThemeColors colors = colors_of(current_theme());
   QString text;
   if (outcome.done) {
-    text = colored(tr("Done in %1 s").arg(outcome.time, 0, 'f', 2), colors.good);
+    text = strong(tr("Done in %1 s").arg(outcome.time, 0, 'f', 2), colors.good);
   } else {
-    text = colored(tr("Stopped after %1 s").arg(outcome.time, 0, 'f', 2), colors.bad);
+    text = strong(tr("Stopped after %1 s").arg(outcome.time, 0, 'f', 2), colors.bad);
     if (!outcome.fault.empty() || !outcome.collision.empty()) {
       text += QStringLiteral("<br>") + cause_of(outcome).toHtmlEscaped();
     }
     text += QStringLiteral("<br>") +
             (outcome.at_rest_ms >= 0.0
                  ? tr("At rest %1 ms after the stop").arg(outcome.at_rest_ms, 0, 'f', 0)
-                 : colored(tr("Not seen at rest: look at the robot"), colors.bad));
+                 : strong(tr("Not seen at rest: look at the robot"), colors.bad));
   }
   double error = 0.0;
   for (const execution::FollowingError& device : outcome.errors) {

@@ -53,6 +53,11 @@ void set_text_size(QPainter& painter, int pixels);
 /// "#rrggbb", for rich text.
 [[nodiscard]] QString html(const QColor& color);
 
+/// Plain text as rich text in a colour.
+[[nodiscard]] QString colored(const QString& text, const QColor& color);
+/// Plain text as rich text behind a dot in a colour: how something is.
+[[nodiscard]] QString dotted(const QString& text, const QColor& color);
+
 /// The ratio of two colours' luminances, 1 to 21, as the Web Content Accessibility Guidelines 2.1
 /// define it.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);

@@ -64,7 +64,7 @@ TEST_F(RoadmapInTheView, IsThatOfTheRun) {
 class LowCard : public gui::FloatingCard {
  public:
   using gui::FloatingCard::appear;
-  using gui::FloatingCard::FloatingCard;
+  explicit LowCard(QWidget* host) : FloatingCard(host, "low_card", "legend") {}
 
  protected:
   void place() override {
