@@ -7,7 +7,6 @@
 #include "view3d/unlit_nodes.h"
 
 #include <Inventor/nodes/SoAnnotation.h>
-#include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoComplexity.h>
 #include <Inventor/nodes/SoDepthBuffer.h>
 #include <Inventor/nodes/SoLineSet.h>
@@ -23,7 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -99,17 +98,32 @@ void add_cone(SoSeparator& parent, const geometric::OrientationConstraint& uprig
   parent.addChild(make_edges_node(rim, edges, color, kEdgeWidth));
 }
 
-SoSeparator* make_dots(std::span<const Eigen::Vector3d> points, const geometric::Color& color,
-                       float size = kDotSize) {
-  auto* dots = new SoSeparator;
-  add_unlit_style(*dots, 1.0F, size);
-  auto* base = new SoBaseColor;
-  base->rgb = to_coin(color);
-  dots->addChild(base);
-  auto* round = new RoundPoints;
-  round->vertexProperty = make_vertices(points);
-  dots->addChild(round);
-  return dots;
+// Of boxes, whose corners are numbered by their bits: 1 for x, 2 for y, 4 for z.
+constexpr std::array<std::pair<int, int>, 12> kBoxEdges{{{0, 1},
+                                                         {2, 3},
+                                                         {4, 5},
+                                                         {6, 7},
+                                                         {0, 2},
+                                                         {1, 3},
+                                                         {4, 6},
+                                                         {5, 7},
+                                                         {0, 4},
+                                                         {1, 5},
+                                                         {2, 6},
+                                                         {3, 7}}};
+
+std::array<Eigen::Vector3d, 8> box_corners(const geometric::Pose& X_WB,
+                                           const Eigen::Vector3d& half_size) {
+  std::array<Eigen::Vector3d, 8> corners;
+  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+    const auto side = [corner](std::size_t bit) { return (corner & bit) != 0 ? 1.0 : -1.0; };
+    corners[corner] = X_WB * half_size.cwiseProduct(Eigen::Vector3d(side(1), side(2), side(4)));
+  }
+  return corners;
+}
+
+SoSeparator* make_dot(const Eigen::Vector3d& point, const geometric::Color& color) {
+  return make_dots_node(std::array{point}, {color}, kDotSize);
 }
 
 void add_box(SoSeparator& parent, const geometric::PositionConstraint& region,
@@ -119,20 +133,9 @@ void add_box(SoSeparator& parent, const geometric::PositionConstraint& region,
       ((region.X_WR.inverse() * p_W).cwiseAbs().array() <= 0.5 * region.size.array()).all();
   const geometric::Color color = is_kept ? kKeptColor : kViolatedColor;
   add_veil(parent, geometric::Box{region.size}, region.X_WR, color);
-  std::vector<Eigen::Vector3d> corners;
-  Edges edges;
-  for (int corner = 0; corner < 8; ++corner) {  // numbered by their bits: 1 for x, 2 for y, 4 for z
-    const auto side = [corner](int bit) { return (corner & bit) != 0 ? 0.5 : -0.5; };
-    corners.emplace_back(region.X_WR *
-                         region.size.cwiseProduct(Eigen::Vector3d(side(1), side(2), side(4))));
-    for (const int bit : {1, 2, 4}) {
-      if ((corner & bit) == 0) {
-        edges.emplace_back(corner, corner | bit);
-      }
-    }
-  }
-  parent.addChild(make_edges_node(corners, edges, color, kEdgeWidth));
-  parent.addChild(make_dots(std::array{p_W}, color));
+  parent.addChild(
+      make_edges_node(box_corners(region.X_WR, 0.5 * region.size), kBoxEdges, color, kEdgeWidth));
+  parent.addChild(make_dot(p_W, color));
 }
 
 }  // namespace
@@ -178,7 +181,7 @@ Drawing make_goal_poses_node(const geometric::Scene& scene, std::span<const Pose
       add_veil(*separator.get(), geometric::Box{2.0 * goal.position_tolerance.cwiseMax(1e-4)},
                goal.X_WG, color);
     }
-    separator->addChild(make_dots(std::array{Eigen::Vector3d(goal.X_WG.translation())}, color));
+    separator->addChild(make_dot(goal.X_WG.translation(), color));
   }
   return separator;
 }
@@ -190,7 +193,7 @@ Drawing make_reach_node(const Eigen::Vector3d& target, const Eigen::Vector3d& to
     separator->addChild(
         make_edges_node(std::array{target, tool}, Edges{{0, 1}}, color, kAxisWidth));
   }
-  separator->addChild(make_dots(std::array{target}, color));
+  separator->addChild(make_dot(target, color));
   return separator;
 }
 
@@ -210,12 +213,18 @@ Drawing make_constraints_node(const geometric::Scene& scene, const geometric::Co
   return separator;
 }
 
+namespace {
+
+geometric::Color mixed(const geometric::Color& a, const geometric::Color& b, float share) {
+  return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
+          a.blue + share * (b.blue - a.blue), 1.0F};
+}
+
+}  // namespace
+
 geometric::Color color_along(std::size_t i, std::size_t count) {
-  const geometric::Color& a = kStartColor;
-  const geometric::Color& b = kGoalColor;
-  const float t = count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 0.0F;
-  return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
-          a.blue + t * (b.blue - a.blue), 1.0F};
+  return mixed(kStartColor, kGoalColor,
+               count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 0.0F);
 }
 
 namespace {
@@ -225,21 +234,13 @@ constexpr geometric::Color kMeasureColor{0.52F, 0.20F, 0.80F, 1.0F};
 constexpr geometric::Color kExecutedColor{0.80F, 0.12F, 0.46F, 1.0F};
 constexpr geometric::Color kContactColor{0.93F, 0.05F, 0.60F, 1.0F};
 
+// In the colours from start to goal.
 SoSeparator* make_line(std::span<const Eigen::Vector3d> points, float width) {
-  auto* separator = new SoSeparator;
-  add_unlit_style(*separator, width);
-  SoVertexProperty* properties = make_vertices(points);
-  std::vector<std::uint32_t> colors;
-  colors.reserve(points.size());
+  std::vector<geometric::Color> colors;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    colors.push_back(packed_rgba(color_along(i, points.size())));
+    colors.push_back(color_along(i, points.size()));
   }
-  properties->orderedRGBA.setValues(0, static_cast<int>(colors.size()), colors.data());
-  properties->materialBinding = SoVertexProperty::PER_VERTEX;
-  auto* line = new SoLineSet;
-  line->vertexProperty = properties;
-  separator->addChild(line);
-  return separator;
+  return make_line_node(points, colors, width);
 }
 
 // For what is seen through the robot, which would hide most of it.
@@ -255,15 +256,7 @@ CoinRef<SoSeparator> make_seen_through() {
 CoinRef<SoSeparator> make_plain_line(std::span<const Eigen::Vector3d> points,
                                      const geometric::Color& rgb, float width) {
   auto separator = make_seen_through();
-  auto* drawing = new SoSeparator;
-  add_unlit_style(*drawing, width);
-  auto* color = new SoBaseColor;
-  color->rgb = to_coin(rgb);
-  drawing->addChild(color);
-  auto* line = new SoLineSet;
-  line->vertexProperty = make_vertices(points);
-  drawing->addChild(line);
-  separator->addChild(drawing);
+  separator->addChild(make_line_node(points, {rgb}, width));
   return separator;
 }
 
@@ -301,7 +294,7 @@ Drawing make_optimized_node(std::span<const Eigen::Vector3d> points,
 
 Drawing make_measure_node(std::span<const Eigen::Vector3d> points) {
   CoinRef<SoSeparator> separator = make_plain_line(points, kMeasureColor, 2.0F);
-  separator->addChild(make_dots(points, kMeasureColor));
+  separator->addChild(make_dots_node(points, {kMeasureColor}, kDotSize));
   return separator;
 }
 
@@ -328,20 +321,9 @@ Drawing make_clearance_node(const Eigen::Vector3d& a, const Eigen::Vector3d& b) 
   const auto t = static_cast<float>(std::min(1.0, (a - b).norm() / kFar));
   const geometric::Color color{std::min(0.90F, 1.8F * (1.0F - t)), std::min(0.68F, 1.36F * t),
                                0.12F, 1.0F};
-  auto separator = make_seen_through();
-  auto* line = new SoSeparator;
-  add_unlit_style(*line, 2.5F, 7.0F);
-  auto* base = new SoBaseColor;
-  base->rgb = to_coin(color);
-  line->addChild(base);
   const std::array ends{a, b};
-  auto* segment = new SoLineSet;
-  segment->vertexProperty = make_vertices(ends);
-  line->addChild(segment);
-  auto* dots = new RoundPoints;
-  dots->vertexProperty = make_vertices(ends);
-  line->addChild(dots);
-  separator->addChild(line);
+  CoinRef<SoSeparator> separator = make_plain_line(ends, color, 2.5F);
+  separator->addChild(make_dots_node(ends, {color}, 7.0F));
   return separator;
 }
 
@@ -420,41 +402,20 @@ namespace {
 constexpr float kBoxLineWidth = 1.5F;
 constexpr double kRounding = 0.005;  // of the way
 
-// Corners are numbered by their bits: 1 for x, 2 for y, 4 for z.
-constexpr std::array<std::pair<int, int>, 12> kEdges{{{0, 1},
-                                                      {2, 3},
-                                                      {4, 5},
-                                                      {6, 7},
-                                                      {0, 2},
-                                                      {1, 3},
-                                                      {4, 6},
-                                                      {5, 7},
-                                                      {0, 4},
-                                                      {1, 5},
-                                                      {2, 6},
-                                                      {3, 7}}};
-
-Eigen::Vector3d corner(const planning::PalmBox& box, int number) {
-  const auto side = [number](int bit) { return (number & bit) != 0 ? 1.0 : -1.0; };
-  return box.X_WC * box.half_size.cwiseProduct(Eigen::Vector3d(side(1), side(2), side(4)));
-}
-
 }  // namespace
 
 Drawing make_boxes_node(const std::vector<planning::PalmBox>& boxes,
                         std::pair<double, double> range) {
   std::vector<Eigen::Vector3d> corners;
-  std::vector<std::pair<int, int>> searched;
-  std::vector<std::pair<int, int>> given_up;
+  Edges searched;
+  Edges given_up;
   const bool is_joined = range.second - range.first < kRounding;  // nothing is left to search
   for (const planning::PalmBox& box : boxes) {
     const bool is_within =
         is_joined || (box.step >= range.first - kRounding && box.step <= range.second + kRounding);
     const auto first = static_cast<int>(corners.size());
-    for (int number = 0; number < 8; ++number) {
-      corners.push_back(corner(box, number));
-    }
-    for (const auto& [from, to] : kEdges) {
+    std::ranges::copy(box_corners(box.X_WC, box.half_size), std::back_inserter(corners));
+    for (const auto& [from, to] : kBoxEdges) {
       (is_within ? searched : given_up).emplace_back(first + from, first + to);
     }
   }
@@ -487,11 +448,8 @@ geometric::Color pmd_color(int count, int most) {
   const float place = static_cast<float>(std::min(count - 1, steps) * (kScale.size() - 1)) /
                       static_cast<float>(steps);
   const auto below = static_cast<std::size_t>(place);
-  const geometric::Color& a = kScale.at(below);
-  const geometric::Color& b = kScale.at(std::min(below + 1, kScale.size() - 1));
-  const float t = place - static_cast<float>(below);
-  return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
-          a.blue + t * (b.blue - a.blue), 1.0F};
+  return mixed(kScale.at(below), kScale.at(std::min(below + 1, kScale.size() - 1)),
+               place - static_cast<float>(below));
 }
 
 namespace {
@@ -501,20 +459,12 @@ constexpr float kLineWidth = 1.0F;
 constexpr geometric::Color kEdgeColor{0.52F, 0.58F, 0.67F, 1.0F};
 
 SoSeparator* make_dots(const PalmRoadmap& roadmap) {
-  auto* separator = new SoSeparator;
-  add_unlit_style(*separator, kLineWidth, kDotWidth);
   const int most = most_pmds(roadmap);
-  std::vector<std::uint32_t> colors;
+  std::vector<geometric::Color> colors;
   for (const auto& node : roadmap.roadmap.nodes) {
-    colors.push_back(packed_rgba(pmd_color(node.pmd_count, most)));
+    colors.push_back(pmd_color(node.pmd_count, most));
   }
-  SoVertexProperty* vertices = make_vertices(roadmap.palms);
-  vertices->orderedRGBA.setValues(0, static_cast<int>(colors.size()), colors.data());
-  vertices->materialBinding = SoVertexProperty::PER_VERTEX;
-  auto* dots = new RoundPoints;
-  dots->vertexProperty = vertices;
-  separator->addChild(dots);
-  return separator;
+  return make_dots_node(roadmap.palms, colors, kDotWidth);
 }
 
 }  // namespace
@@ -558,7 +508,7 @@ Drawing make_steps_node(const Microscope& microscope) {
   }
   const int nodes = run.nodes_after(done);
   const std::span palms(microscope.palms());
-  all->addChild(make_dots(palms.first(static_cast<std::size_t>(nodes)), kNode, 6.0F));
+  all->addChild(make_dots_node(palms.first(static_cast<std::size_t>(nodes)), {kNode}, 6.0F));
   const planning::AlgorithmStep& step = microscope.step().step;
   if (step.to >= 0 && step.line != lines::kJoined) {
     const std::pair<int, int> edge(step.from, step.to);
@@ -566,7 +516,8 @@ Drawing make_steps_node(const Microscope& microscope) {
                                   step.yes ? kFree : kRefused, 4.0F));
   }
   if (step.from >= 0 && step.to < 0) {
-    all->addChild(make_dots(palms.subspan(static_cast<std::size_t>(step.from), 1), kFree, 11.0F));
+    all->addChild(
+        make_dots_node(palms.subspan(static_cast<std::size_t>(step.from), 1), {kFree}, 11.0F));
   }
   return all;
 }

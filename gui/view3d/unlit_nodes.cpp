@@ -4,7 +4,6 @@
 
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/elements/SoGLLazyElement.h>
-#include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoGroup.h>
 #include <Inventor/nodes/SoLightModel.h>
@@ -29,7 +28,8 @@ void add_unlit_style(SoGroup& group, float line_width, float point_size) {
   group.addChild(style);
 }
 
-SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points) {
+SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points,
+                                const std::vector<geometric::Color>& colors) {
   std::vector<SbVec3f> vertices;
   vertices.reserve(points.size());
   for (const Eigen::Vector3d& point : points) {
@@ -37,6 +37,11 @@ SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points) {
   }
   auto* properties = new SoVertexProperty;
   properties->vertex.setValues(0, static_cast<int>(vertices.size()), vertices.data());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    properties->orderedRGBA.set1Value(static_cast<int>(i), packed_rgba(colors[i]));
+  }
+  properties->materialBinding =
+      colors.size() > 1 ? SoVertexProperty::PER_VERTEX : SoVertexProperty::OVERALL;
   return properties;
 }
 
@@ -64,6 +69,26 @@ void RoundPoints::GLRender(SoGLRenderAction* action) {
       ->reset(action->getState(), SoLazyElement::ALL_MASK);
 }
 
+SoSeparator* make_line_node(std::span<const Eigen::Vector3d> points,
+                            const std::vector<geometric::Color>& colors, float width) {
+  auto* separator = new SoSeparator;
+  add_unlit_style(*separator, width);
+  auto* line = new SoLineSet;
+  line->vertexProperty = make_vertices(points, colors);
+  separator->addChild(line);
+  return separator;
+}
+
+SoSeparator* make_dots_node(std::span<const Eigen::Vector3d> points,
+                            const std::vector<geometric::Color>& colors, float size) {
+  auto* separator = new SoSeparator;
+  add_unlit_style(*separator, 1.0F, size);
+  auto* dots = new RoundPoints;
+  dots->vertexProperty = make_vertices(points, colors);
+  separator->addChild(dots);
+  return separator;
+}
+
 SoSeparator* make_edges_node(std::span<const Eigen::Vector3d> points,
                              std::span<const std::pair<int, int>> edges,
                              const geometric::Color& color, float width) {
@@ -76,11 +101,8 @@ SoSeparator* make_edges_node(std::span<const Eigen::Vector3d> points,
   const std::vector<std::int32_t> two_each(edges.size(), 2);
   auto* separator = new SoSeparator;
   add_unlit_style(*separator, width);
-  auto* base = new SoBaseColor;
-  base->rgb = to_coin(color);
-  separator->addChild(base);
   auto* lines = new SoLineSet;
-  lines->vertexProperty = make_vertices(ends);
+  lines->vertexProperty = make_vertices(ends, {color});
   lines->numVertices.setValues(0, static_cast<int>(two_each.size()), two_each.data());
   separator->addChild(lines);
   return separator;

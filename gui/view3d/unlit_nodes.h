@@ -8,6 +8,7 @@
 
 #include <span>
 #include <utility>
+#include <vector>
 
 class SoGroup;
 class SoSeparator;
@@ -20,7 +21,9 @@ namespace handway::gui {
 void add_unlit_style(SoGroup& group, float line_width, float point_size = 1.0F);
 
 /// Points [m, W] for a Coin line or point set.
-[[nodiscard]] SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points);
+/// @param colors one of all points, or one of each; empty: those of what is drawn before.
+[[nodiscard]] SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points,
+                                              const std::vector<geometric::Color>& colors = {});
 
 /// Points drawn as discs with smooth edges.
 class RoundPoints : public SoPointSet {
@@ -35,6 +38,13 @@ class RoundPoints : public SoPointSet {
  protected:
   ~RoundPoints() override = default;
 };
+
+/// A line through points [m, W]. @param colors as for make_vertices(). @param width [pixels]
+[[nodiscard]] SoSeparator* make_line_node(std::span<const Eigen::Vector3d> points,
+                                          const std::vector<geometric::Color>& colors, float width);
+/// A dot at each of the points [m, W]. @param size [pixels]
+[[nodiscard]] SoSeparator* make_dots_node(std::span<const Eigen::Vector3d> points,
+                                          const std::vector<geometric::Color>& colors, float size);
 
 /// Straight lines between points that are given by their numbers.
 /// @param points [m, W]

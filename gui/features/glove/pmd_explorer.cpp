@@ -241,16 +241,6 @@ geometric::NamedPosture HandAxes::posture(const Eigen::VectorXd& coordinates) co
   return posture;
 }
 
-namespace {
-
-QColor mixed(const QColor& a, const QColor& b, double share) {
-  const auto mix = [share](double from, double to) { return from + share * (to - from); };
-  return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()),
-                          mix(a.blueF(), b.blueF()));
-}
-
-}  // namespace
-
 CorrelationMap::CorrelationMap(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("correlation_map"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

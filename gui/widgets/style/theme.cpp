@@ -40,13 +40,13 @@ double luminance(const QColor& color) {
          0.0722 * linear(color.blueF());
 }
 
+}  // namespace
+
 QColor mixed(const QColor& from, const QColor& to, double share) {
   const auto mix = [share](double a, double b) { return a + share * (b - a); };
   return QColor::fromRgbF(mix(from.redF(), to.redF()), mix(from.greenF(), to.greenF()),
                           mix(from.blueF(), to.blueF()), from.alphaF());
 }
-
-}  // namespace
 
 double contrast(const QColor& a, const QColor& b) {
   const auto [low, high] = std::minmax({luminance(a), luminance(b)});

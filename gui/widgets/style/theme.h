@@ -62,6 +62,9 @@ void set_text_size(QPainter& painter, int pixels);
 /// define it.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);
 
+/// `from`, with a share of its way to `to`.
+[[nodiscard]] QColor mixed(const QColor& from, const QColor& to, double share);
+
 /// `color`, lighter or darker if it could hardly be distinguished from `background`.
 [[nodiscard]] QColor seen_on(const QColor& background, const QColor& color);
 
