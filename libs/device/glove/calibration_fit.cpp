@@ -1,5 +1,6 @@
 #include "handway/device/glove/calibration_fit.h"
 
+#include "glove/sensor_names.h"
 #include "glove/text_files.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording_quality.h"
@@ -33,12 +34,8 @@ PoseInstruction read_pose(const YamlElement& item) {
   }
   const YamlElement degrees = item.need("degrees");
   for (const auto& [name, angle] : degrees.entries()) {
-    const std::optional<int> sensor = find_sensor(name);
-    if (!sensor) {
-      angle.refuse("no sensor of that name", "a sensor of the glove",
-                   geometric::advise_name(name, sensor_names()));
-    }
-    pose.angles.at(static_cast<std::size_t>(*sensor)) = angle.number() * geometric::kDegree;
+    pose.angles.at(static_cast<std::size_t>(named_sensor(angle, name))) =
+        angle.number() * geometric::kDegree;
   }
   return pose;
 }

@@ -1,5 +1,6 @@
 #include "handway/device/glove/glove_calibration.h"
 
+#include "glove/sensor_names.h"
 #include "glove/text_files.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/formats/yaml_element.h"
@@ -225,15 +226,6 @@ SensorCalibration read_sensor(const YamlElement& element) {
   return sensor;
 }
 
-std::size_t sensor_of(const std::string& name, const YamlElement& element) {
-  const std::optional<int> sensor = find_sensor(name);
-  if (!sensor) {
-    element.refuse("no sensor of that name", "a sensor of the glove",
-                   geometric::advise_name(name, sensor_names()));
-  }
-  return static_cast<std::size_t>(*sensor);
-}
-
 PersonRanges read_ranges(const YamlElement& map) {
   PersonRanges ranges;
   for (const auto& [name, element] : map.entries()) {
@@ -241,7 +233,7 @@ PersonRanges read_ranges(const YamlElement& map) {
     if (!(ends[0] < ends[1])) {
       element.refuse(element.found(), "least and most, in degrees");
     }
-    ranges.at(sensor_of(name, element)) = std::pair(ends[0], ends[1]);
+    ranges.at(static_cast<std::size_t>(named_sensor(element, name))) = std::pair(ends[0], ends[1]);
   }
   return ranges;
 }
@@ -280,7 +272,8 @@ GloveCalibration read_yaml(const std::filesystem::path& file) {
     return calibration;
   }
   for (const auto& [name, element] : top.need("sensors").entries()) {
-    calibration.sensors.at(sensor_of(name, element)) = read_sensor(element);
+    calibration.sensors.at(static_cast<std::size_t>(named_sensor(element, name))) =
+        read_sensor(element);
   }
   return calibration;
 }

@@ -1,5 +1,6 @@
 #include "handway/device/glove/hand_mapping.h"
 
+#include "glove/sensor_names.h"
 #include "glove/text_files.h"
 #include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
@@ -40,12 +41,7 @@ std::vector<CurvePoint> read_curve(const YamlElement& element) {
 }
 
 void read_sensor(const YamlElement& item, const YamlElement& sensor, JointWire& wire) {
-  const std::optional<int> found = find_sensor(sensor.text());
-  if (!found) {
-    sensor.refuse(sensor.found(), "a sensor's name or letter",
-                  geometric::advise_name(sensor.text(), sensor_names()));
-  }
-  wire.sensor = *found;
+  wire.sensor = named_sensor(sensor, sensor.text());
   const std::optional<YamlElement> gain = item.find("gain");
   const std::optional<YamlElement> offset = item.find("offset");
   if (const std::optional<YamlElement> curve = item.find("curve")) {

@@ -1,9 +1,9 @@
 #include "glove/recording_readers.h"
 
+#include "glove/sensor_names.h"
 #include "glove/text_files.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
-#include "recording_readers.h"
 
 #include <fmt/format.h>
 
@@ -140,13 +140,9 @@ class CsvReader {
     const std::optional<int> found = find_sensor(name);
     const std::vector<int>& before = recording_.header.sensors;
     if (!found) {
-      std::vector<std::string> known;
-      for (const GloveSensor& each : cyberglove_sensors()) {
-        known.emplace_back(each.name);
-      }
       throw InputError({at_line(file_, line), fmt::format("column \"{}\"", name),
                         "no sensor of the glove", "a sensor's name or letter",
-                        geometric::advise_name(name, known)});
+                        geometric::advise_name(name, sensor_names())});
     }
     if (std::ranges::count(before, *found) > 0) {
       throw InputError({at_line(file_, line), fmt::format("column \"{}\"", name),

@@ -1,7 +1,5 @@
 #include "glove/text_files.h"
 
-#include "handway/device/glove/glove_layout.h"
-
 #include <algorithm>
 #include <optional>
 
@@ -62,14 +60,6 @@ std::string text_field(const std::string& key, const std::string& text) {
     quoted += c == '\n' || c == '\r' ? ' ' : c;
   }
   return key + ": \"" + quoted + "\"\n";
-}
-
-std::vector<std::string> sensor_names() {
-  std::vector<std::string> names;
-  for (const GloveSensor& sensor : cyberglove_sensors()) {
-    names.emplace_back(sensor.name);
-  }
-  return names;
 }
 
 }  // namespace handway::device

@@ -44,9 +44,6 @@ using geometric::trimmed;
 /// `key: "text"` as a line; nothing for an empty text.
 [[nodiscard]] std::string text_field(const std::string& key, const std::string& text);
 
-/// Of all sensors, for advice on misspelt ones.
-[[nodiscard]] std::vector<std::string> sensor_names();
-
 /// What to multiply an angle of VirtualHand with to have flexion positive and abduction positive
 /// when the fingers spread. VirtualHand turns all abductions about the same direction: index and
 /// middle finger spread in its negative, ring and little finger in its positive direction.
