@@ -2,6 +2,7 @@
 
 #include "handway/geometric/math/units.h"
 #include "plan_report.h"
+#include "report_document.h"
 #include "version.h"
 
 #include <fmt/format.h>
@@ -132,18 +133,6 @@ std::string cell(double value) {
   return std::isfinite(value) ? fmt::format(",{:.9g}", value) : std::string(",");
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    return text;
-  }
-  std::string out(1, '"');
-  for (const char c : text) {
-    out.append(c == '"' ? 2 : 1, c);
-  }
-  out.push_back('"');
-  return out;
-}
-
 std::string scene_cells(const SceneBench& scene) {
   std::string cells;
   for (const double value :
@@ -184,7 +173,7 @@ std::string bench_csv(const BenchSettings& settings, const std::vector<SceneBenc
       "ratio,samples,checks,"
       "path_nodes,length,to_subspace,memory_bytes\n";
   for (const SceneBench& scene : scenes) {
-    const std::string begin = fmt::format("{}{}", quoted(scene.name()), scene_cells(scene));
+    const std::string begin = fmt::format("{}{}", csv_field(scene.name()), scene_cells(scene));
     if (scene.plans.empty()) {
       csv += fmt::format("{}{:,>17}\n", begin, "");
     }

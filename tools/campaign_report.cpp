@@ -35,58 +35,49 @@ std::vector<std::string> names(const Campaign& campaign, int problem, int planne
 
 std::string whole(std::uint64_t value) { return fmt::format("{}", value); }
 
+/// What is told of each run, after its problem and planner.
+struct RunColumn {
+  const char* name;
+  std::string (*text)(const RunRecord&);
+};
+
+constexpr std::array kRunColumns = std::to_array<RunColumn>({
+    {"seed", [](const RunRecord& run) { return whole(run.spec.seed); }},
+    {"solved", [](const RunRecord& run) { return std::string(run.solved ? "true" : "false"); }},
+    {"status", [](const RunRecord& run) { return run.status; }},
+    {"time_s", [](const RunRecord& run) { return seconds_field(run.time_s); }},
+    {"smoothing_s", [](const RunRecord& run) { return seconds_field(run.smoothing_s); }},
+    {"sampling_s", [](const RunRecord& run) { return seconds_field(run.sampling_s); }},
+    {"connection_s", [](const RunRecord& run) { return seconds_field(run.connection_s); }},
+    {"samples", [](const RunRecord& run) { return whole(run.samples); }},
+    {"nodes", [](const RunRecord& run) { return whole(run.nodes); }},
+    {"edges", [](const RunRecord& run) { return whole(run.edges); }},
+    {"passes", [](const RunRecord& run) { return whole(run.passes); }},
+    {"max_trials", [](const RunRecord& run) { return whole(run.max_trials); }},
+    {"final_rho_a", [](const RunRecord& run) { return number_field(run.final_rho_a); }},
+    {"nodes_per_pmds",
+     [](const RunRecord& run) { return fmt::format("{}", fmt::join(run.nodes_per_pmds, " ")); }},
+    {"node_checks", [](const RunRecord& run) { return whole(run.node_checks); }},
+    {"edge_checks", [](const RunRecord& run) { return whole(run.edge_checks); }},
+    {"edges_tested", [](const RunRecord& run) { return whole(run.edges_tested); }},
+    {"path_nodes", [](const RunRecord& run) { return whole(run.path_nodes); }},
+    {"path_length", [](const RunRecord& run) { return number_field(run.path_length); }},
+    {"resolution_mm", [](const RunRecord& run) { return number_field(run.resolution_mm); }},
+    {"min_clearance_mm", [](const RunRecord& run) { return number_field(run.min_clearance_mm); }},
+    {"certificate_checks", [](const RunRecord& run) { return whole(run.certificate_checks); }},
+});
+
 /// A row a run.
 ReportTable runs_table(const Campaign& campaign, std::span<const RunRecord> records) {
-  ReportTable table;
-  table.columns = {"problem",
-                   "planner",
-                   "seed",
-                   "solved",
-                   "status",
-                   "time_s",
-                   "smoothing_s",
-                   "sampling_s",
-                   "connection_s",
-                   "samples",
-                   "nodes",
-                   "edges",
-                   "passes",
-                   "max_trials",
-                   "final_rho_a",
-                   "nodes_per_pmds",
-                   "node_checks",
-                   "edge_checks",
-                   "edges_tested",
-                   "path_nodes",
-                   "path_length",
-                   "resolution_mm",
-                   "min_clearance_mm",
-                   "certificate_checks"};
+  ReportTable table{{"problem", "planner"}, {}};
+  for (const RunColumn& column : kRunColumns) {
+    table.columns.emplace_back(column.name);
+  }
   for (const RunRecord& run : records) {
     std::vector<std::string> row = names(campaign, run.spec.problem, run.spec.planner);
-    const std::vector<std::string> rest = {whole(run.spec.seed),
-                                           run.solved ? "true" : "false",
-                                           run.status,
-                                           seconds_field(run.time_s),
-                                           seconds_field(run.smoothing_s),
-                                           seconds_field(run.sampling_s),
-                                           seconds_field(run.connection_s),
-                                           whole(run.samples),
-                                           whole(run.nodes),
-                                           whole(run.edges),
-                                           whole(run.passes),
-                                           whole(run.max_trials),
-                                           number_field(run.final_rho_a),
-                                           fmt::format("{}", fmt::join(run.nodes_per_pmds, " ")),
-                                           whole(run.node_checks),
-                                           whole(run.edge_checks),
-                                           whole(run.edges_tested),
-                                           whole(run.path_nodes),
-                                           number_field(run.path_length),
-                                           number_field(run.resolution_mm),
-                                           number_field(run.min_clearance_mm),
-                                           whole(run.certificate_checks)};
-    row.insert(row.end(), rest.begin(), rest.end());
+    for (const RunColumn& column : kRunColumns) {
+      row.push_back(column.text(run));
+    }
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -344,14 +335,6 @@ using planning::CampaignComparison;
 constexpr std::size_t kMostCompared = 6;  // planners, for a table of pairs people can read
 constexpr std::size_t kMostDrawn = 14;    // planners, for curves people can tell apart
 
-std::string success_text(const CampaignCell& cell) {
-  const planning::Interval interval = planning::wilson_interval(cell.solved(), cell.runs.size());
-  return fmt::format(
-      "{} ({:.1f} to {:.1f})",
-      percent_text(static_cast<double>(cell.solved()) / static_cast<double>(cell.runs.size())),
-      100.0 * interval.lower, 100.0 * interval.upper);
-}
-
 ReportTable overview(const Campaign& campaign, std::span<const CampaignCell> cells) {
   ReportTable table{{"Planner", "runs", "solved", "median [s]", "mean [s]", "95 % [s]", "samples",
                      "nodes", "checks", "path nodes", "path length", "clearance [mm]"},
@@ -509,6 +492,14 @@ std::string file_name_of(const std::string& text) {
 }
 
 }  // namespace
+
+std::string success_text(const CampaignCell& cell) {
+  const planning::Interval interval = planning::wilson_interval(cell.solved(), cell.runs.size());
+  return fmt::format(
+      "{} ({:.1f} to {:.1f})",
+      percent_text(static_cast<double>(cell.solved()) / static_cast<double>(cell.runs.size())),
+      100.0 * interval.lower, 100.0 * interval.upper);
+}
 
 ReportTable machine_table(const CampaignOutcome& outcome) {
   ReportTable table{{"Carried out on", ""}, {}};

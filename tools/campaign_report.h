@@ -45,6 +45,9 @@ struct ParameterGrid {
 void write_campaign_report(const planning::Campaign& campaign, const CampaignOutcome& outcome,
                            const std::filesystem::path& folder);
 
+/// The share of runs that found a path, with Wilson's 95 % interval: "98.0 % (95.0 to 99.2)".
+[[nodiscard]] std::string success_text(const planning::CampaignCell& cell);
+
 /// What the times depend on, and how the runs were carried out.
 [[nodiscard]] ReportTable machine_table(const CampaignOutcome& outcome);
 

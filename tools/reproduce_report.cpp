@@ -145,14 +145,6 @@ std::string mean_text(const std::vector<double>& values) {
                      number_text(interval.lower), number_text(interval.upper));
 }
 
-std::string success_text(const CampaignCell& cell) {
-  const planning::Interval interval = planning::wilson_interval(cell.solved(), cell.runs.size());
-  return fmt::format(
-      "{} ({:.1f} to {:.1f})",
-      percent_text(static_cast<double>(cell.solved()) / static_cast<double>(cell.runs.size())),
-      100.0 * interval.lower, 100.0 * interval.upper);
-}
-
 std::string times_faster(double published, const CampaignCell& cell, const PaperRow& time) {
   const double mean = planning::mean_of(values_of(time, cell));
   return mean > 0.0 ? number_text(published / mean) : "-";
