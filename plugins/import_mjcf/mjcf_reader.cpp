@@ -1,5 +1,7 @@
 #include "mjcf_reader.h"
 
+#include "handway/geometric/formats/mesh_reader.h"
+#include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
@@ -7,11 +9,11 @@
 #include "handway/geometric/robot/base_joint.h"
 #include "handway/geometric/robot/robot_description.h"
 #include "handway/planning/extensions/plugin.h"
+#include "mjcf_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <mujoco/mujoco.h>
-#include <pugixml.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,9 +21,12 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <optional>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -38,7 +43,7 @@ using geometric::JointType;
 using geometric::Pose;
 using geometric::RobotDescription;
 
-constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+constexpr const char* kNameInMemory = "handway.xml";
 
 // MuJoCo's own way with errors is to end the program.
 void throw_error(const char* message) { throw std::runtime_error(message); }
@@ -93,49 +98,112 @@ class MemoryFiles {
   std::unique_ptr<mjVFS> files_ = std::make_unique<mjVFS>();
 };
 
-// The file's text as MuJoCo 3 understands it: a joint with a range is limited. A line stays what it
-// was.
-std::string with_limits(const std::filesystem::path& file) {
-  std::string text = geometric::read_text_file(file, "a robot as MJCF", kLargestFile);
-  pugi::xml_document document;
-  if (document.load_buffer(text.data(), text.size())) {
-    if (const pugi::xml_node first = document.child("mujoco").first_child();
-        first.type() == pugi::node_element) {
-      // The offset is that of the name, behind the <.
-      text.insert(static_cast<std::size_t>(first.offset_debug()) - 1,
-                  "<compiler autolimits=\"true\"/>");
-    }
-  }
-  return text;
-}
-
 struct ModelDeleter {
   void operator()(mjModel* model) const { mj_deleteModel(model); }
 };
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 
+/// What MuJoCo said against a text.
+struct Refusal {
+  std::string reason;
+  std::string element;   ///< May be empty.
+  std::size_t line = 0;  ///< Of the text; 0: none is named.
+};
+
+Refusal refusal_of(const std::string& message) {
+  Refusal refusal{message.substr(0, message.find('\n')), "", 0};
+  std::smatch match;
+  static const std::regex kLine(R"(line(?: =)? (\d+))");
+  if (std::regex_search(message, match, kLine)) {
+    refusal.line = std::stoul(match[1]);
+  }
+  static const std::regex kElement(R"(Element '(.*)',)");
+  if (std::regex_search(message, match, kElement)) {
+    refusal.element = match[1];
+  }
+  return refusal;
+}
+
+ModelPointer compile_text(const fs::path& file, const std::string& text, Refusal& refusal) {
+  MemoryFiles files;
+  // MuJoCo looks for the other files from where this one seems to be.
+  if (!files.add(kNameInMemory, text)) {
+    refusal.reason = "no room for it";
+    return nullptr;
+  }
+  const std::string place = (fs::absolute(file).parent_path() / kNameInMemory).string();
+  std::array<char, 1024> message{};
+  try {
+    ModelPointer model(
+        mj_loadXML(place.c_str(), files.get(), message.data(), static_cast<int>(message.size())));
+    refusal = refusal_of(message.data());
+    return model;
+  } catch (const std::exception& error) {
+    refusal = refusal_of(error.what());
+    return nullptr;
+  }
+}
+
+/// A model, and what of the file isn't in it.
+struct Compiled {
+  ModelPointer model;
+  MjcfText text;
+  MjcfOmissions omissions;
+  std::map<std::string, std::string> faulty_meshes;  ///< By name, with MuJoCo's reason.
+};
+
+// What would change the robot if it were left out for a slip of the pen.
+bool is_slip(const std::string& attribute) {
+  static const std::vector<std::string> kNeeded = {
+      "range",    "axis",      "pos",         "quat",    "euler",      "fromto",   "xyaxes",
+      "zaxis",    "axisangle", "type",        "size",    "mesh",       "file",     "scale",
+      "limited",  "contype",   "conaffinity", "class",   "childclass", "joint1",   "joint2",
+      "polycoef", "coef",      "refpos",      "refquat", "angle",      "eulerseq", "meshdir"};
+  return geometric::slip_of(attribute, kNeeded).has_value();
+}
+
+// Leaves out what MuJoCo refused if planning does without it, or if we can read it ourselves.
+bool omit(const Refusal& refusal, Compiled& compiled) {
+  std::smatch match;
+  static const std::regex kAttribute("unrecognized attribute: '(.*)'");
+  if (std::regex_search(refusal.reason, match, kAttribute)) {
+    return !is_slip(match[1]) &&
+           compiled.omissions.attributes.insert({refusal.element, match[1]}).second;
+  }
+  if (refusal.line == 0 || refusal.line > compiled.text.places.size()) {
+    return false;
+  }
+  for (const auto& [name, mesh] : compiled.text.meshes) {
+    if (mesh.place == compiled.text.places[refusal.line - 1]) {
+      compiled.faulty_meshes[name] = refusal.reason;
+      return compiled.omissions.meshes.insert(name).second;
+    }
+  }
+  return false;
+}
+
 // What MuJoCo's compiler makes of an MJCF file, and in `warnings` what it said about it. One file
 // at a time; any thread.
-ModelPointer compile_mjcf(const fs::path& file, std::vector<std::string>& warnings) {
+Compiled compile_mjcf(const fs::path& file, std::vector<std::string>& warnings) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
-  const Handlers handlers(warnings);
-  MemoryFiles files;
-  const bool in_memory = files.add(file.filename().string(), with_limits(file));
-  std::array<char, 1024> message{};
-  std::string reason;
-  try {
-    ModelPointer model(mj_loadXML(file.c_str(), in_memory ? files.get() : nullptr, message.data(),
-                                  static_cast<int>(message.size())));
-    if (model) {
-      return model;
+  Compiled compiled;
+  Refusal refusal;
+  do {
+    std::vector<std::string> said;
+    const Handlers handlers(said);
+    compiled.text = mjcf_text(file, compiled.omissions);
+    compiled.model = compile_text(file, compiled.text.text, refusal);
+    if (compiled.model) {
+      warnings.insert(warnings.end(), said.begin(), said.end());
+      return compiled;
     }
-    reason = message.data();
-  } catch (const std::exception& error) {
-    reason = error.what();
-  }
-  throw geometric::InputError(
-      {file.string(), "", "a file that MuJoCo does not take: " + reason, "a robot as MJCF", ""});
+  } while (omit(refusal, compiled));
+  const bool placed = refusal.line > 0 && refusal.line <= compiled.text.places.size();
+  throw geometric::InputError({placed ? compiled.text.places[refusal.line - 1] : file.string(),
+                               refusal.element.empty() ? "" : "<" + refusal.element + ">",
+                               "a file that MuJoCo does not take: " + refusal.reason,
+                               "a robot as MJCF", ""});
 }
 
 // The name of an object, or KIND_NUMBER if it has none.
@@ -164,7 +232,8 @@ Pose pose_at(const mjtNum* positions, const mjtNum* quaternions, int index) {
 
 class Reader {
  public:
-  explicit Reader(const fs::path& file) : model_(compile_mjcf(file, robot_.warnings)) {
+  explicit Reader(const fs::path& file)
+      : compiled_(compile_mjcf(file, robot_.warnings)), model_(std::move(compiled_.model)) {
     robot_.file = file;
     const std::string name = model_->names;  // that of the model comes first
     robot_.name = name.empty() || name == "MuJoCo Model" ? file.stem().string() : name;
@@ -177,6 +246,7 @@ class Reader {
     for (int geom = 0; geom < model_->ngeom; ++geom) {
       add_geometry(geom);
     }
+    settle_meshes();
     allow_collisions();
     for (int equality = 0; equality < model_->neq; ++equality) {
       if (model_->eq_active[equality] != 0) {
@@ -187,6 +257,9 @@ class Reader {
       add_posture(key);
     }
     note(left_out_, "what is not read");
+    note(unread_attributes(), "attributes that MuJoCo 2.2 does not know");
+    note(compiled_.text.loops, "loops that are not kept closed, as joints in a loop move freely");
+    note(undrawn_, "meshes that can't be read and are not drawn");
     note(unbounded_, "slides without a range, which go ±2 m");
     return std::move(robot_);
   }
@@ -291,6 +364,7 @@ class Reader {
 
   void add_geometry(int geom) {
     const mjtNum* size = model_->geom_size + 3 * geom;
+    const bool collides = model_->geom_contype[geom] != 0 || model_->geom_conaffinity[geom] != 0;
     std::vector<std::pair<geometric::Shape, Pose>> shapes;
     switch (model_->geom_type[geom]) {
       case mjGEOM_SPHERE:
@@ -311,7 +385,9 @@ class Reader {
                             Pose::Identity());
         break;
       case mjGEOM_MESH:
-        shapes.emplace_back(mesh_of(model_->geom_dataid[geom]), Pose::Identity());
+        if (const auto mesh = mesh_of(model_->geom_dataid[geom], collides)) {
+          shapes.emplace_back(*mesh, Pose::Identity());
+        }
         break;
       default:
         left_out_.push_back(model_->geom_type[geom] == mjGEOM_PLANE ? "a plane" : "a height field");
@@ -322,7 +398,6 @@ class Reader {
     const float* rgba = model_->geom_matid[geom] >= 0
                             ? model_->mat_rgba + 4 * model_->geom_matid[geom]
                             : model_->geom_rgba + 4 * geom;
-    const bool collides = model_->geom_contype[geom] != 0 || model_->geom_conaffinity[geom] != 0;
     const Pose X_LG = pose_at(model_->geom_pos, model_->geom_quat, geom);
     for (auto& [shape, X_GS] : shapes) {
       const geometric::LinkGeometry geometry{
@@ -336,7 +411,90 @@ class Reader {
     }
   }
 
-  [[nodiscard]] geometric::Shape mesh_of(int mesh) {
+  // Nothing where it can't be read, which is noted.
+  [[nodiscard]] std::optional<geometric::Shape> mesh_of(int mesh, bool collides) {
+    const std::string name = name_of(*model_, mjOBJ_MESH, mesh);
+    const auto about = compiled_.text.meshes.find(name);
+    const bool replaced = about != compiled_.text.meshes.end() &&
+                          (about->second.missing || compiled_.omissions.meshes.contains(name));
+    return replaced ? replaced_mesh(mesh, about->second, collides) : compiled_mesh(mesh);
+  }
+
+  // One that MuJoCo does not take, as a surface without volume or one of many triangles.
+  [[nodiscard]] std::optional<geometric::Shape> replaced_mesh(int mesh, const MjcfMesh& about,
+                                                              bool collides) {
+    const std::string name = name_of(*model_, mjOBJ_MESH, mesh);
+    ++replaced_[name];
+    try {
+      if (about.missing) {
+        throw geometric::MissingMeshError({about.place, "mesh " + name,
+                                           "no such file: " + about.file.string(), "a mesh",
+                                           "Check the path"});
+      }
+      const auto read = geometric::read_mesh(about.file, Eigen::Vector3d::Ones(), about.place);
+      auto triangles = std::make_shared<geometric::TriangleMesh>(*read);
+      const Eigen::Matrix3d scale = scale_of(mesh);
+      for (Eigen::Vector3d& vertex : triangles->vertices) {
+        vertex = scale * vertex;
+      }
+      return geometric::Mesh{{}, Eigen::Vector3d::Ones(), std::move(triangles)};
+    } catch (const geometric::InputError& fault) {
+      if (collides) {
+        lost_ = lost_.value_or(fault.problem());
+        all_lost_.insert(name);
+      } else {
+        undrawn_.push_back(about.file.filename().string());
+      }
+      return std::nullopt;
+    }
+  }
+
+  // What MuJoCo made of the box that stands in for a mesh: what it would have made of the mesh.
+  [[nodiscard]] Eigen::Matrix3d scale_of(int mesh) const {
+    const float* vertex = model_->mesh_vert + 3 * model_->mesh_vertadr[mesh];
+    Eigen::Matrix3d scale;
+    for (int axis = 0; axis < 3; ++axis) {
+      // Corners 0 and 1, 0 and 2, 0 and 4 are the ends of an edge along x, y and z.
+      const float* corner = vertex + 3 * (1 << axis);
+      scale.col(axis) =
+          Eigen::Vector3d(corner[0] - vertex[0], corner[1] - vertex[1], corner[2] - vertex[2]) /
+          (2.0 * kStandIn.at(static_cast<std::size_t>(axis)));
+    }
+    return scale;
+  }
+
+  // @throws InputError if what collides has no shape.
+  void settle_meshes() const {
+    for (const auto& [name, mesh] : compiled_.text.meshes) {
+      const auto counted = replaced_.find(name);
+      const bool replaced = mesh.missing || compiled_.omissions.meshes.contains(name);
+      if (replaced && mesh.geometries > (counted == replaced_.end() ? 0 : counted->second)) {
+        const auto reason = compiled_.faulty_meshes.find(name);
+        throw geometric::MissingMeshError({mesh.place, "mesh " + name,
+                                           reason == compiled_.faulty_meshes.end()
+                                               ? "no such file: " + mesh.file.string()
+                                               : reason->second,
+                                           "a mesh, as a shape is fitted to it", "Check the path"});
+      }
+    }
+    if (lost_) {
+      geometric::InputProblem problem = *lost_;
+      if (all_lost_.size() > 1) {
+        problem.found += fmt::format(" ({} collision meshes are missing in all)", all_lost_.size());
+      }
+      throw geometric::MissingMeshError(problem);
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> unread_attributes() const {
+    std::vector<std::string> names;
+    for (const auto& [element, attribute] : compiled_.omissions.attributes) {
+      names.push_back(fmt::format("{} of <{}>", attribute, element));
+    }
+    return names;
+  }
+
+  [[nodiscard]] geometric::Shape compiled_mesh(int mesh) {
     if (mesh >= static_cast<int>(meshes_.size())) {
       meshes_.resize(static_cast<std::size_t>(mesh) + 1);
     }
@@ -508,10 +666,15 @@ class Reader {
   }
 
   RobotDescription robot_;
+  Compiled compiled_;
   ModelPointer model_;
   std::vector<std::shared_ptr<const geometric::TriangleMesh>> meshes_;
   std::vector<std::string> left_out_;
   std::vector<std::string> unbounded_;
+  std::vector<std::string> undrawn_;     ///< Files of meshes.
+  std::map<std::string, int> replaced_;  ///< Geometries of replaced meshes, by the meshes' names.
+  std::optional<geometric::InputProblem> lost_;  ///< The first collision mesh that can't be read.
+  std::set<std::string> all_lost_;               ///< The names of all.
 };
 
 }  // namespace

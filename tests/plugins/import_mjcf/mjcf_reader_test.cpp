@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 
@@ -176,6 +177,126 @@ TEST(MjcfReader, HasKeyFramesAsPostures) {
   ASSERT_EQ(robot.postures.size(), 1U);
   EXPECT_EQ(robot.postures.front().name, "bent");
   EXPECT_EQ(robot.postures.front().values.at("push"), 0.05);
+}
+
+/// A file of its own, among others.
+class MjcfFile {
+ public:
+  explicit MjcfFile(const std::string& body) { write("arm.xml", "<mujoco>" + body + "</mujoco>"); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    const std::filesystem::path path = folder_.path() / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+    return path;
+  }
+  [[nodiscard]] RobotDescription read() const { return read_mjcf(folder_.path() / "arm.xml"); }
+  [[nodiscard]] std::string refusal() const {
+    return test::refusal_of([&] { static_cast<void>(read()); });
+  }
+
+ private:
+  test::ScratchFolder folder_;
+};
+
+constexpr const char* kBody = R"(<worldbody><light mode="newer"/><body name="a">
+  <joint name="j" type="hinge" range="-1 1"/><geom type="box" size="0.1 0.1 0.1"/></body></worldbody>)";
+
+// Files for later versions of MuJoCo name what 2.2 does not know.
+TEST(MjcfReader, DoesWithoutWhatPlanningDoesNotNeed) {
+  const MjcfFile file(std::string(R"(<compiler angle="radian"/><option integrator="implicitfast"/>
+<asset><texture name="wood" type="2d" file="wood.png"/><material name="m" texture="wood"/></asset>
+<default><position dampratio="1"/><intvelocity kp="1"/></default>)") +
+                      kBody + R"(<sensor><clock/></sensor>
+<actuator><position joint="j" inheritrange="1"/></actuator>
+<keyframe><key name="home" qpos="0.5" ctrl="0.5"/></keyframe>)");
+  const RobotDescription robot = file.read();
+  EXPECT_EQ(robot.joints.back().limits.upper, 1.0);
+  EXPECT_EQ(robot.postures.front().values.at("j"), 0.5);
+  EXPECT_THAT(robot.warnings, testing::IsEmpty());
+}
+
+TEST(MjcfReader, TellsOfAttributesThatMujocoDoesNotKnow) {
+  std::string body = kBody;
+  body.replace(body.find("range="), 0, "actuatorfrcrange=\"-1 1\" ");
+  EXPECT_THAT(MjcfFile(body).read().warnings,
+              testing::ElementsAre(HasSubstr("actuatorfrcrange of <joint>")));
+  body = kBody;
+  body.replace(body.find("range="), 5, "rnage");
+  EXPECT_THAT(MjcfFile(body).refusal(),
+              testing::AllOf(HasSubstr("arm.xml:2"), HasSubstr("<joint>"), HasSubstr("rnage")));
+}
+
+TEST(MjcfReader, NamesTheLineInAnIncludedFile) {
+  const MjcfFile file("<include file=\"parts/a.xml\"/>");
+  file.write("parts/a.xml",
+             "<mujoco>\n<worldbody><body><geom type=\"bx\"/></body>\n</worldbody></mujoco>");
+  EXPECT_THAT(file.refusal(), testing::AllOf(HasSubstr("parts/a.xml:2"), HasSubstr("bx")));
+  EXPECT_THAT(
+      MjcfFile("\n<include file=\"b.xml\"/>").refusal(),
+      testing::AllOf(HasSubstr("arm.xml:2"), HasSubstr("b.xml"), HasSubstr("no such file")));
+  EXPECT_THAT(MjcfFile("<include file=\"arm.xml\"/>").refusal(), HasSubstr("includes this one"));
+}
+
+std::string two_meshes(const std::string& seen, const std::string& solid) {
+  return "<asset><mesh name=\"seen\" file=\"" + seen + "\" scale=\"2 2 2\"/><mesh file=\"" + solid +
+         "\"/></asset><worldbody><body name=\"a\"><geom type=\"mesh\" mesh=\"seen\" contype=\"0\" "
+         "conaffinity=\"0\"/><geom type=\"mesh\" mesh=\"solid\"/></body></worldbody>";
+}
+
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
+TEST(MjcfReader, DoesWithoutMissingMeshesThatAreOnlySeen) {
+  const MjcfFile file(two_meshes("seen.stl", "solid.obj"));
+  EXPECT_THAT(file.refusal(), testing::AllOf(HasSubstr("arm.xml:1"), HasSubstr("solid.obj"),
+                                             HasSubstr("no such file")));
+  file.write("solid.obj", kTetrahedron);
+  const RobotDescription robot = file.read();
+  EXPECT_EQ(robot.links.back().collision.size(), 1U);
+  EXPECT_EQ(robot.links.back().visual.size(), 1U);
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("not drawn: seen.stl")));
+}
+
+// MuJoCo refuses a surface without volume, and files of other kinds than STL, OBJ and its own.
+TEST(MjcfReader, ReadsMeshesThatMujocoDoesNotTake) {
+  const MjcfFile file(two_meshes("sheet.obj", "solid.obj"));
+  file.write("solid.obj", kTetrahedron);
+  file.write("sheet.obj", "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 2 3\nf 1 3 4\n");
+  const RobotDescription robot = file.read();
+  ASSERT_EQ(robot.links.back().visual.size(), 2U);
+  const auto box = [](const geometric::LinkGeometry& part) {
+    geometric::TriangleMesh placed = *std::get<geometric::Mesh>(part.shape).triangles;
+    for (Eigen::Vector3d& vertex : placed.vertices) {
+      vertex = part.X_LG * vertex;
+    }
+    return geometric::bounding_box(placed);
+  };
+  const auto sheet = box(robot.links.back().visual[0]);
+  EXPECT_LT((sheet.lower - Eigen::Vector3d(0, 0, 2)).norm(), 1e-6) << "scaled, and in its place";
+  EXPECT_LT((sheet.upper - Eigen::Vector3d(2, 2, 2)).norm(), 1e-6);
+  const auto solid = box(robot.links.back().visual[1]);
+  EXPECT_LT((solid.upper - Eigen::Vector3d(0.1, 0.1, 0.1)).norm(), 1e-6);
+}
+
+TEST(MjcfReader, TakesFramesForBodies) {
+  const RobotModel model(
+      MjcfFile(R"(<worldbody><body name="a"><joint name="j" range="-1 1"/><geom size="0.1"/>
+<frame pos="0 0 1" euler="0 90 0"><body name="b" pos="0 0 1"><geom size="0.1"/></body></frame>
+</body></worldbody>)")
+          .read());
+  EXPECT_LT(
+      (link_pose(model, Eigen::VectorXd::Zero(1), "b").translation() - Eigen::Vector3d(1, 0, 1))
+          .norm(),
+      1e-9);
+}
+
+TEST(MjcfReader, NamesLoopsThatItOpens) {
+  EXPECT_THAT(MjcfRobot("<connect body1=\"distal\" body2=\"pin\" anchor=\"0 0 0\"/>")
+                  .model()
+                  .description()
+                  .warnings,
+              Contains(testing::AllOf(HasSubstr("loops"), HasSubstr("distal with pin"))));
 }
 
 TEST(MjcfReader, RefusesInMujocosWords) {
