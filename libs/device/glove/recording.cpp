@@ -1,5 +1,6 @@
 #include "handway/device/glove/recording.h"
 
+#include "glove/landmark_dump.h"
 #include "glove/matlab_file.h"
 #include "glove/table_reader.h"
 #include "glove/text_files.h"
@@ -147,6 +148,9 @@ Recording read_recording(const std::filesystem::path& file) {
   const std::vector<TextLine> lines = text_lines(text);
   const auto first =
       std::ranges::find_if(lines, [](const TextLine& line) { return !trimmed(line.text).empty(); });
+  if (first != lines.end() && is_landmark_document(text)) {
+    return read_landmark_document(file, text, lines);
+  }
   if (first != lines.end() && is_landmark_row(*first)) {
     return read_landmark_recording(file, lines);
   }

@@ -72,9 +72,9 @@ const std::map<std::string, int>& other_names() {
       }
     }
     add("ThumbRotate", {"thumb"}, {"rotation", "tmj", "tm", "cmc", "cmcflexion"});
-    add("ThumbMPJ", {"thumb"}, {"mpj", "mcp", "mp"});
-    add("ThumbIJ", {"thumb"}, {"ij", "ip"});
-    add("ThumbAbduct", {"thumb"}, {"abduction", "abd", "ab"});
+    add("ThumbMPJ", {"thumb"}, {"mpj", "mcp", "mp", "pip"});
+    add("ThumbIJ", {"thumb"}, {"ij", "ip", "dip"});
+    add("ThumbAbduct", {"thumb"}, {"abduction", "abd", "ab", "cmcspread", "cmcabduction"});
     add("IndexMPJ", {"index"}, {"mcp", "mp"});
     add("IndexPIJ", {"index"}, {"pip"});
     add("IndexDIJ", {"index"}, {"dip"});
@@ -128,14 +128,20 @@ std::optional<int> sensor_by_any_name(const std::string& name) {
     return exact;
   }
   std::string joined;
+  std::string plain;  // the joint alone, where bending goes without saying
   for (const std::string& word : words_of_name(name)) {
     if (!has_word({word}, {"g", "deg", "degree", "degrees", "rad", "raw", "counts", "angle",
                            "joint", "right", "left", "hand", "rh", "lh"})) {
       joined += word;
+      plain += has_word({word}, {"flex", "flexion", "bend", "stretch"}) ? "" : word;
     }
   }
-  const auto found = other_names().find(joined);
-  return found == other_names().end() ? std::nullopt : std::optional(found->second);
+  for (const std::string& known : {joined, plain}) {
+    if (const auto found = other_names().find(known); found != other_names().end()) {
+      return found->second;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace handway::device

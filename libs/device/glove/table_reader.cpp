@@ -1,5 +1,6 @@
 #include "glove/table_reader.h"
 
+#include "glove/landmark_dump.h"
 #include "glove/matlab_file.h"
 #include "glove/recording_readers.h"
 #include "glove/sensor_names.h"
@@ -20,10 +21,12 @@
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace handway::device {
@@ -265,8 +268,9 @@ std::vector<ColumnUse> virtual_hand_columns(Eigen::Index first, Eigen::Index cou
 /// In s, if a column of that name is times.
 std::optional<double> time_unit(const std::string& name) {
   const std::vector<std::string> words = words_of_name(name);
-  if (words.empty() || !has_word({words.front()}, {"time", "t", "times", "timestamp", "seconds",
-                                                   "sec", "timems", "ms"})) {
+  if (words.empty() ||
+      !(has_word({words.front()}, {"t", "times", "seconds", "sec", "timems", "ms"}) ||
+        has_word(words, {"time", "timestamp"}))) {
     return std::nullopt;
   }
   return has_word(words, {"ms", "msec", "milliseconds", "timems"}) ? 1e-3 : 1.0;
@@ -326,22 +330,33 @@ bool rises(const Eigen::MatrixXd& values, Eigen::Index column) {
          (values.col(column).tail(last).array() > values.col(column).head(last).array()).all();
 }
 
+/// The columns between labels on either side, and whether the first of them is times.
+struct MeasuredColumns {
+  Eigen::Index first = 0;
+  Eigen::Index end = 0;
+  bool timed = false;
+};
+
+MeasuredColumns measured_columns(const Table& table) {
+  const auto is_label = [&](Eigen::Index column) {
+    return table.values.col(column).array().isInf().any();
+  };
+  MeasuredColumns columns{0, table.values.cols(), false};
+  while (columns.end > 0 && is_label(columns.end - 1)) {
+    --columns.end;
+  }
+  while (columns.first < columns.end && is_label(columns.first)) {
+    ++columns.first;
+  }
+  columns.timed = columns.first < columns.end && rises(table.values, columns.first);
+  return columns;
+}
+
 /// Columns without names: 18 or 22 in the order of a glove's records, or VirtualHand's 23 angles,
 /// or its 22 and a label; times before them, if the first column rises all along. Labels may stand
 /// on either side.
 Layout layout_by_number(const std::filesystem::path& file, const Table& table) {
-  const auto is_label = [&](Eigen::Index column) {
-    return table.values.col(column).array().isInf().any();
-  };
-  Eigen::Index first = 0;
-  Eigen::Index end = table.values.cols();
-  while (end > 0 && is_label(end - 1)) {
-    --end;
-  }
-  while (first < end && is_label(first)) {
-    ++first;
-  }
-  const bool timed = first < end && rises(table.values, first);
+  const auto [first, end, timed] = measured_columns(table);
   const Eigen::Index measured = end - first - (timed ? 1 : 0);
   const bool labelled = end < table.values.cols();
   Layout layout;
@@ -354,10 +369,13 @@ Layout layout_by_number(const std::filesystem::path& file, const Table& table) {
     layout.columns = glove_columns(static_cast<int>(measured), first + (timed ? 1 : 0));
     layout.order = fmt::format("a glove of {} sensors", measured);
   } else {
-    throw InputError({file.string(), "", fmt::format("{} columns without names", end - first),
-                      "names of sensors above them; or 18 or 22, in the order of a glove's "
-                      "records, or 23, VirtualHand's",
-                      "Write a map of the table's columns (YAML)."});
+    throw InputError(
+        {file.string(), "",
+         fmt::format("{} columns {}", end - first,
+                     table.names.empty() ? "without names" : "of which none is called as a sensor"),
+         "names of sensors above them; or 18 or 22, in the order of a glove's "
+         "records, or 23, VirtualHand's; or 63, x, y and z of 21 landmarks",
+         "Write a map of the table's columns (YAML)."});
   }
   if (timed) {
     layout.time = ColumnUse{-1, first};
@@ -435,10 +453,47 @@ Recording recording_by_numbers(const std::filesystem::path& file, const Table& t
   return recording;
 }
 
+/// The landmarks of a table that has them: by their names, or 63 columns without names.
+std::vector<SeenHand> hands_in(const Table& table) {
+  std::optional<LandmarkColumns> columns = landmark_columns(table.names);
+  std::optional<ColumnUse> time;
+  constexpr auto kCoordinates = static_cast<Eigen::Index>(std::tuple_size_v<LandmarkColumns>);
+  const MeasuredColumns measured = measured_columns(table);
+  const bool timed = measured.timed && measured.end - measured.first == kCoordinates + 1;
+  const Eigen::Index first = measured.first + (timed ? 1 : 0);
+  if (!columns && table.names.empty() && measured.end - first == kCoordinates) {
+    columns.emplace();
+    std::iota(columns->begin(), columns->end(), static_cast<std::size_t>(first));
+    time = timed ? std::optional(ColumnUse{-1, measured.first}) : std::nullopt;
+  }
+  for (std::size_t c = 0; c < table.names.size() && !time; ++c) {
+    const std::optional<double> unit = time_unit(table.names[c]);
+    const auto column = static_cast<Eigen::Index>(c);
+    if (unit && table.values.col(column).allFinite()) {
+      time = ColumnUse{-1, column, *unit};
+    }
+  }
+  std::vector<SeenHand> hands;
+  for (Eigen::Index row = 0; columns && row < table.values.rows(); ++row) {
+    SeenHand& hand = hands.emplace_back();
+    for (std::size_t i = 0; i < columns->size(); ++i) {
+      hand.points(static_cast<Eigen::Index>(i % 3), static_cast<Eigen::Index>(i / 3)) =
+          table.values(row, static_cast<Eigen::Index>(columns->at(i)));
+    }
+    if (time) {
+      hand.time = cell_of(table, row, *time);
+    }
+  }
+  return hands;
+}
+
 }  // namespace
 
 Recording read_other_table(const std::filesystem::path& file, const std::vector<TextLine>& lines) {
   const Table table = read_text_table(file, lines, 0, {});
+  if (const std::vector<SeenHand> hands = hands_in(table); !hands.empty()) {
+    return recording_of_hands(file, hands);
+  }
   const auto known = std::ranges::count_if(
       table.names, [](const std::string& name) { return sensor_by_any_name(name).has_value(); });
   std::vector<std::string> passed_over;

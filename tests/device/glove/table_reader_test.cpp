@@ -76,6 +76,19 @@ std::string angles(int count, const std::string& separator, double first) {
   return text;
 }
 
+TEST_F(Tables, KnowsJointsWhoseBendingIsNamed) {
+  const Recording recording =
+      read_recording(write("a.csv",
+                           "Frame,Elapsed_Time_In_Milliseconds,Thumb_CMC_Spread,Thumb_PIP_Flex,"
+                           "Index_MCP_Spread,Index_MCP_Flex,Index_PIP_Flex\n"
+                           "0,0,10,20,5,30,40\n1,8,11,21,6,31,41.5\n"));
+  EXPECT_NEAR(value(recording, 0, "ThumbAbduct"), 10 * kDegree, 1e-9);
+  EXPECT_NEAR(value(recording, 0, "ThumbMPJ"), 20 * kDegree, 1e-9);
+  EXPECT_NEAR(value(recording, 1, "IndexPIJ"), 41.5 * kDegree, 1e-9);
+  EXPECT_NEAR(recording.times[1], 0.008, 1e-9);
+  EXPECT_EQ(column_of(recording.header, *find_sensor("MiddleIndexAbduct")), -1);
+}
+
 TEST_F(Tables, ReadVirtualHandsPosturesWithoutTimes) {
   const Recording recording = read_recording(
       write("gesture.txt", angles(23, " ", -0.1) + "\n" + angles(23, " ", -0.5) + "\n"));

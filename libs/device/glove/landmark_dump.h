@@ -1,0 +1,52 @@
+#pragma once
+
+#include "glove/text_files.h"
+#include "handway/device/glove/human_hand.h"
+#include "handway/device/glove/recording.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Landmarks as scripts with MediaPipe and other hand trackers write them: tables with a column for
+/// every coordinate, and JSON of any nesting.
+
+namespace handway::device {
+
+/// A hand in one frame, in the units and the frame of reference of whoever wrote it.
+struct SeenHand {
+  std::optional<double> time;  ///< s.
+  HandLandmarks points;
+};
+
+/// A column (from 0) for each coordinate: x, y and z of the wrist, then of the next landmark.
+using LandmarkColumns = std::array<std::size_t, 63>;
+
+/// The columns of 21 landmarks by the names of a header ("x0", "12_y", "INDEX_FINGER_TIP_z",
+/// "landmark_3_x"); of two hands those of the first. Nothing if it has not all of them.
+[[nodiscard]] std::optional<LandmarkColumns> landmark_columns(
+    const std::vector<std::string>& names);
+
+/// A recording of the angles between landmarks. Coordinates within a picture are taken for those of
+/// one of 4:3 or in pixels; other units than metres are scaled to a hand of usual size; and whether
+/// it is a left hand shows from where its fingers bend. Frames without a hand are left out, and
+/// those without times 1/30 s apart. Warnings say all that.
+/// @throws InputError if there is no hand.
+[[nodiscard]] Recording recording_of_hands(const std::filesystem::path& file,
+                                           const std::vector<SeenHand>& hands);
+
+/// Whether a text is JSON but not of our own landmark lines.
+[[nodiscard]] bool is_landmark_document(std::string_view text);
+
+/// Every array of 21 points in a JSON document, or in lines of JSON, is a hand: the first of each
+/// frame, of its world landmarks if there are some. Times are what a key beside or around is called
+/// so.
+/// @throws InputError if it is no JSON, or has no hand.
+[[nodiscard]] Recording read_landmark_document(const std::filesystem::path& file,
+                                               std::string_view text,
+                                               const std::vector<TextLine>& lines);
+
+}  // namespace handway::device
