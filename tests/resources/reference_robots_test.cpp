@@ -96,7 +96,7 @@ class ReferenceRobot : public testing::TestWithParam<const char*> {
   void SetUp() override {
     HANDWAY_NEED_REFERENCE(reference);
     const fs::path original = reference / "robots" / GetParam();
-    fs::copy(original.parent_path(), folder_, fs::copy_options::recursive);
+    test::copy_folder(original.parent_path(), folder_);
     urdf_ = folder_ / original.filename();
   }
 

@@ -30,4 +30,18 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, ignored);
 }
 
+// Not by fs::copy(): it copies, too, that nothing may be written there.
+void copy_folder(const fs::path& from, const fs::path& to) {
+  fs::create_directories(to);
+  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+    const fs::path copy = to / entry.path().filename();
+    if (entry.is_directory()) {
+      copy_folder(entry, copy);
+    } else {
+      fs::copy_file(entry, copy);
+      fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add);
+    }
+  }
+}
+
 }  // namespace handway::test

@@ -191,8 +191,7 @@ class OwnRobots : public ::testing::Test {
 std::filesystem::path copy_robot(const std::filesystem::path& urdf,
                                  const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  std::filesystem::copy(urdf.parent_path() / "meshes", folder / "meshes",
-                        std::filesystem::copy_options::recursive);
+  copy_folder(urdf.parent_path() / "meshes", folder / "meshes");
   std::filesystem::copy_file(urdf, folder / urdf.filename());
   return folder / urdf.filename();
 }

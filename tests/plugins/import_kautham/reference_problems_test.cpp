@@ -161,7 +161,7 @@ TEST_P(ReferenceProblem, FindsItsFilesInOtherLetters) {
   HANDWAY_NEED_REFERENCE(reference);
   const test::ScratchFolder scratch;
   const fs::path folder = scratch.path() / "auro";
-  fs::copy(reference / "auro", folder, fs::copy_options::recursive);
+  test::copy_folder(reference / "auro", folder);
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_regular_file()) {

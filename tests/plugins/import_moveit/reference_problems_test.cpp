@@ -42,7 +42,7 @@ class ReferencePanda : public testing::Test {
  protected:
   void SetUp() override {
     HANDWAY_NEED_REFERENCE(reference);
-    fs::copy(reference / "moveit/panda", panda_, fs::copy_options::recursive);
+    test::copy_folder(reference / "moveit/panda", panda_);
   }
 
   // Every tenth problem of each kind: its scene and its request.

@@ -28,6 +28,9 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
+/// Copies a folder with all that is in it, to be changed: the original may be for reading only.
+void copy_folder(const std::filesystem::path& from, const std::filesystem::path& to);
+
 }  // namespace handway::test
 
 // NOLINTBEGIN(bugprone-macro-parentheses): `variable` is a name to declare.
