@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -45,6 +46,39 @@ class PathCsv : public testing::Test {
   test::ScratchFolder folder_;
   RobotModel model_{test::planar_hand_arm()};
 };
+
+TEST_F(PathCsv, TakesOtherSeparators) {
+  for (const char separator : {';', '\t', ' '}) {
+    std::string text = std::string(kHeader) + kRow + "1,0.2,0.2,0.3,0.4,0.2,0.6,0.3\n";
+    std::ranges::replace(text, ',', separator);
+    EXPECT_EQ(read(text).waypoints.at(1)[0], 0.2) << separator;
+  }
+}
+
+TEST_F(PathCsv, ReadsJointTrajectories) {
+  const std::string json =
+      R"({"joint_names": ["elbow", "shoulder", "thumb", "left", "left_tip", "right"],
+ "points": [{"positions": [0.2, 0.1, 0.3, 0.4, 0.2, 0.6], "time_from_start": {"secs": 0}},
+            {"positions": [0.3, 0.1, 0.3, 0.4, 0.2, 0.6], "time_from_start": {"secs": 1}}]})";
+  const std::string yaml = "trajectory:\n- joint_trajectory: " + json + "\n";
+  for (const std::string& text : {json, yaml}) {
+    const Path path = read(text);
+    ASSERT_THAT(path.waypoints, SizeIs(2));
+    EXPECT_EQ(path.waypoints[0], planar_configuration(0.1, 0.2, 0.3, 0.4, 0.6));
+    EXPECT_EQ(path.waypoints[1], planar_configuration(0.1, 0.3, 0.3, 0.4, 0.6));
+  }
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = json;
+    text.replace(text.find(from), from.size(), to);
+    return refusal(text);
+  };
+  EXPECT_THAT(changed("\"elbow\"", "\"elbwo\""),
+              AllOf(HasSubstr("path.csv:1"), HasSubstr("elbwo"), HasSubstr("a joint of robot")));
+  EXPECT_THAT(changed(", \"right\"]", "]"), HasSubstr("joint right 0 times"));
+  EXPECT_THAT(changed("0.4, 0.2, 0.6]", "0.4, 0.3, 0.6]"),
+              AllOf(HasSubstr("path.csv:2"), HasSubstr("as coupled to joint left")));
+  EXPECT_THAT(changed("[0.2, 0.1", "[0.1"), HasSubstr("positions"));
+}
 
 TEST_F(PathCsv, ReadsBackTheSameBits) {
   std::mt19937_64 random(5);

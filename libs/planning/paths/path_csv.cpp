@@ -1,5 +1,6 @@
 #include "handway/planning/paths/path_csv.h"
 
+#include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
@@ -24,6 +25,15 @@ using geometric::RobotModel;
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
+
+char separator_of(const std::string& header) {
+  for (const char separator : {',', ';', '\t', ' '}) {
+    if (header.find(separator) != std::string::npos) {
+      return separator;
+    }
+  }
+  return ',';
+}
 
 class Reader {
  public:
@@ -50,7 +60,8 @@ class Reader {
 
  private:
   void read_header(const std::string& line) {
-    const std::vector<std::string_view> names = geometric::cells(line, ',');
+    separator_ = separator_of(line);
+    const std::vector<std::string_view> names = geometric::cells(line, separator_);
     header_.assign(names.begin(), names.end());
     link_of_column_.assign(header_.size(), 0);
     for (std::size_t c = 0; c < header_.size(); ++c) {
@@ -85,7 +96,7 @@ class Reader {
   }
 
   Configuration read_row(const std::string& line) {
-    const std::vector<std::string_view> row = geometric::cells(line, ',');
+    const std::vector<std::string_view> row = geometric::cells(line, separator_);
     if (row.size() != header_.size()) {
       throw InputError({at_line(), "", fmt::format("{} values", row.size()),
                         fmt::format("{} as in the header", header_.size()), ""});
@@ -129,8 +140,79 @@ class Reader {
   const std::filesystem::path& file_;
   std::vector<std::string> header_;
   std::vector<int> link_of_column_;  ///< 0: time or a rate.
+  char separator_ = ',';
   int line_ = 1;
 };
+
+using geometric::YamlElement;
+
+// A JointTrajectory in a file of messages: the top, or what a message around it has of that name.
+YamlElement trajectory_in(const YamlElement& top) {
+  if (top.is_list() && !top.items().empty()) {
+    return trajectory_in(top.items().front());
+  }
+  for (const char* key : {"joint_trajectory", "trajectory", "goal"}) {
+    if (const std::optional<YamlElement> inner = top.find(key)) {
+      return trajectory_in(*inner);
+    }
+  }
+  return top;
+}
+
+bool is_joint_trajectory(const std::filesystem::path& file) {
+  const std::string head = geometric::head_of(file);
+  return head.find("joint_names") != std::string::npos;
+}
+
+Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path& file) {
+  const YamlElement trajectory =
+      trajectory_in(YamlElement::read(file, "a trajectory_msgs/JointTrajectory (YAML or JSON)"));
+  const YamlElement names = trajectory.need("joint_names");
+  std::vector<int> links;  // of the joints; 0: one that the robot has not
+  for (const YamlElement& name : names.items()) {
+    int link = 0;
+    for (int i = 1; i < model.link_count(); ++i) {
+      link = model.joint(i).name == name.text() && model.drive(i).variable >= 0 ? i : link;
+    }
+    if (link == 0) {
+      name.refuse("\"" + name.text() + "\"", "a joint of robot " + model.name() + " that moves");
+    }
+    links.push_back(link);
+  }
+  for (int v = 0; v < model.variable_count(); ++v) {
+    if (std::ranges::count(links, model.variable_link(v)) != 1) {
+      names.refuse(fmt::format("joint {} {} times", model.variable(v).name,
+                               std::ranges::count(links, model.variable_link(v))),
+                   "once");
+    }
+  }
+  Path path;
+  for (const YamlElement& point : trajectory.need("points").items()) {
+    const Eigen::VectorXd positions =
+        point.need("positions").numbers(static_cast<int>(links.size()));
+    Configuration& q = path.waypoints.emplace_back(model.variable_count());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const int variable = model.drive(links[i]).variable;
+      if (model.variable_link(variable) == links[i]) {
+        q[variable] = positions[static_cast<Eigen::Index>(i)];
+      }
+    }
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const double expected = geometric::joint_value(model, links[i], q);
+      if (std::abs(positions[static_cast<Eigen::Index>(i)] - expected) > kCouplingTolerance) {
+        point.refuse(fmt::format("{} for joint {}", positions[static_cast<Eigen::Index>(i)],
+                                 model.joint(links[i]).name),
+                     fmt::format("{:.6f}, as coupled to joint {}", expected,
+                                 model.variable(model.drive(links[i]).variable).name));
+      }
+    }
+  }
+  if (path.waypoints.size() < 2) {
+    trajectory.need("points").refuse(fmt::format("{} waypoints", path.waypoints.size()),
+                                     "at least 2");
+  }
+  return path;
+}
 
 }  // namespace
 
@@ -165,7 +247,8 @@ void write_path_csv(const Path& path, const RobotModel& model, const std::filesy
 }
 
 Path read_path_csv(const RobotModel& model, const std::filesystem::path& file) {
-  return Reader(model, file).read();
+  return is_joint_trajectory(file) ? read_joint_trajectory(model, file)
+                                   : Reader(model, file).read();
 }
 
 }  // namespace handway::planning

@@ -75,18 +75,24 @@ JointKinematicLimits of_variables(const RobotModel& model, const RatesByJoint& r
   return limits;
 }
 
-[[noreturn]] void refuse_unknown(const YamlElement& joint, const std::string& name,
-                                 const RobotModel& model) {
-  std::vector<std::string> joints;
-  joints.reserve(static_cast<std::size_t>(model.variable_count()));
+// Files may be about more than this robot, as about the gripper on it. But a joint that the file
+// leaves out, and nearly names, is meant.
+void refuse_slip(const YamlElement& limits, const YamlElement& joint, const std::string& name,
+                 const RobotModel& model) {
+  std::vector<std::string> left_out;
   for (int v = 0; v < model.variable_count(); ++v) {
-    joints.push_back(model.variable(v).name);
+    if (!limits.find(model.variable(v).name)) {
+      left_out.push_back(model.variable(v).name);
+    }
+  }
+  if (!geometric::slip_of(name, left_out)) {
+    return;
   }
   constexpr std::size_t kFew = 3;
   joint.refuse(fmt::format("\"{}\"", name),
                fmt::format("a joint of the robot \"{}\"", model.name()),
                fmt::format("The nearest are {}.",
-                           fmt::join(geometric::nearest_names(name, joints, kFew), ", ")));
+                           fmt::join(geometric::nearest_names(name, left_out, kFew), ", ")));
 }
 
 // The limit of a rate, if the joint's map has one that counts.
@@ -158,13 +164,18 @@ JointKinematicLimits read_joint_kinematic_limits(const RobotModel& model,
                                                  const std::filesystem::path& file) {
   RatesByJoint rates = rates_of(model);
   const YamlElement top = YamlElement::read(file, "a file of joint limits (YAML)");
-  for (const auto& [name, joint] : top.need("joint_limits").entries()) {
+  const YamlElement limits = top.need("joint_limits");
+  for (const auto& [name, joint] : limits.entries()) {
+    // Of all that ROS has in such files.
     joint.allow_keys({"has_velocity_limits", "max_velocity", "has_acceleration_limits",
                       "max_acceleration", "has_jerk_limits", "max_jerk", "has_position_limits",
-                      "min_position", "max_position"});
+                      "min_position", "max_position", "has_deceleration_limits", "max_deceleration",
+                      "has_effort_limits", "max_effort", "angle_wraparound", "has_soft_limits",
+                      "soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"});
     const auto found = rates.find(name);
     if (found == rates.end()) {
-      refuse_unknown(joint, name, model);
+      refuse_slip(limits, joint, name, model);
+      continue;
     }
     for (std::size_t r = 0; r < kRates.size(); ++r) {
       read(joint, kRates.at(r), found->second.at(r));

@@ -82,6 +82,17 @@ TEST_F(JointLimitsFile, IsRefusedForAJointThatTheRobotHasNot) {
                     HasSubstr("The nearest are elbow, ")));
 }
 
+// MoveIt's file is about arm, gripper and all, and says more than rates.
+TEST_F(JointLimitsFile, MayBeAboutMoreThanTheRobot) {
+  const JointKinematicLimits limits = read(
+      "default_velocity_scaling_factor: 0.1\njoint_limits:\n"
+      "  shoulder:\n    max_velocity: 3\n    angle_wraparound: false\n    max_deceleration: 1\n"
+      "    has_effort_limits: true\n    max_effort: 80\n"
+      "  shoulder2:\n    max_velocity: 1\n"
+      "  gripper_finger:\n    max_velocity: 1\n");
+  EXPECT_EQ(limits.velocity[variable("shoulder")], 3.0);
+}
+
 using Assumed = std::vector<AssumedLimit>;
 
 Assumed of_rate(const JointKinematicLimits& limits, Rate rate) {

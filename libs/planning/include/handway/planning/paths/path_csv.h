@@ -30,8 +30,11 @@ HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::R
 /// coupled joints may be missing, but where they are there they must agree with
 /// the coupling within 1e-4. Columns "JOINT.velocity" and "JOINT.acceleration" of
 /// joints that move on their own, as timed paths have them, must hold finite numbers, and are
-/// otherwise left alone.
-/// @throws InputError naming line and column for anything else.
+/// otherwise left alone. Cells may be separated by semicolons, tabs or blanks, too.
+///
+/// A trajectory_msgs/JointTrajectory as YAML or JSON, also in the messages around one, is a path
+/// through its positions.
+/// @throws InputError naming line and column or element for anything else.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Path read_path_csv(const geometric::RobotModel& model,
                                                          const std::filesystem::path& file);
 
