@@ -55,8 +55,8 @@ Matrix matrix_of(const YamlElement& element) {
   element.refuse_slips(
       {"entry_names", "entry_values", "default_entry_names", "default_entry_values"});
   Matrix matrix;
-  const std::vector<YamlElement> names = items_of(element, "entry_names");
-  const std::vector<YamlElement> rows = items_of(element, "entry_values");
+  const std::vector<YamlElement> names = element.items_of("entry_names");
+  const std::vector<YamlElement> rows = element.items_of("entry_values");
   if (rows.size() != names.size()) {
     element.refuse(fmt::format("{} rows for {} names", rows.size(), names.size()),
                    "a row for each name");
@@ -72,8 +72,8 @@ Matrix matrix_of(const YamlElement& element) {
       matrix.pairs[std::minmax(names[i].text(), names[j].text())] = flag(row[j]);
     }
   }
-  const std::vector<YamlElement> usual = items_of(element, "default_entry_names");
-  const std::vector<YamlElement> values = items_of(element, "default_entry_values");
+  const std::vector<YamlElement> usual = element.items_of("default_entry_names");
+  const std::vector<YamlElement> values = element.items_of("default_entry_values");
   if (usual.size() != values.size()) {
     element.refuse(fmt::format("{} default values for {} names", values.size(), usual.size()),
                    "as many as names");
@@ -127,7 +127,7 @@ void read_paddings(const YamlElement& planning_scene, geometric::Scene& scene) {
   for (const auto& [list, key] :
        {std::pair("link_padding", "padding"), std::pair("link_scale", "scale")}) {
     const bool is_scale = std::string_view(key) == "scale";
-    for (const YamlElement& one : items_of(planning_scene, list)) {
+    for (const YamlElement& one : planning_scene.items_of(list)) {
       one.refuse_slips({"link_name", key});
       const std::string link = one.need("link_name").text();
       const YamlElement element = one.need(key);

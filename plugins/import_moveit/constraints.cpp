@@ -27,7 +27,7 @@ constexpr double kAnywhere = 1e3;   // m
 constexpr double kSameAxes = 1e-6;  // of the cosines of axes in line
 
 std::optional<YamlElement> only_one(const YamlElement& goal, const char* key) {
-  const std::vector<YamlElement> items = items_of(goal, key);
+  const std::vector<YamlElement> items = goal.items_of(key);
   if (items.size() > 1) {
     goal.need(key).refuse(fmt::format("{} constraints", items.size()), "one",
                           "A goal is one pose of one link");
@@ -238,8 +238,8 @@ geometric::PositionConstraint position_of(const YamlElement& constraint, const F
 }  // namespace
 
 bool has_pose(const YamlElement& goal) {
-  return !items_of(goal, "position_constraints").empty() ||
-         !items_of(goal, "orientation_constraints").empty();
+  return !goal.items_of("position_constraints").empty() ||
+         !goal.items_of("orientation_constraints").empty();
 }
 
 std::vector<PoseGoal> read_pose_goals(const YamlElement& goal, const RobotModel& model,
@@ -274,7 +274,7 @@ std::vector<geometric::PathConstraint> read_path_constraints(const YamlElement& 
   path.refuse_slips({"name", "joint_constraints", "position_constraints", "orientation_constraints",
                      "visibility_constraints"});
   for (const char* key : {"joint_constraints", "visibility_constraints"}) {
-    if (!items_of(path, key).empty()) {
+    if (!path.items_of(key).empty()) {
       path.need(key).refuse("constraints along the path that are not planned with",
                             "position and orientation constraints");
     }
@@ -288,14 +288,14 @@ std::vector<geometric::PathConstraint> read_path_constraints(const YamlElement& 
     }
     all.push_back({name, link, constraint});
   };
-  for (const YamlElement& constraint : items_of(path, "orientation_constraints")) {
+  for (const YamlElement& constraint : path.items_of("orientation_constraints")) {
     need_fixed_frame(constraint, model);
     const std::string link = moved_link(constraint, model);
     for (const geometric::OrientationConstraint& one : orientations_of(constraint, frames)) {
       add(link, "orientation", one);
     }
   }
-  for (const YamlElement& constraint : items_of(path, "position_constraints")) {
+  for (const YamlElement& constraint : path.items_of("position_constraints")) {
     need_fixed_frame(constraint, model);
     add(moved_link(constraint, model), "position", position_of(constraint, frames));
   }

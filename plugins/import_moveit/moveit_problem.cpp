@@ -289,9 +289,8 @@ class ProblemReader {
     const YamlElement& goal = goals_.front();
     goal.refuse_slips({"name", "joint_constraints", "position_constraints",
                        "orientation_constraints", "visibility_constraints"});
-    const std::optional<YamlElement> constraints = goal.find("joint_constraints");
     std::map<std::string, double> values;
-    for (const YamlElement& one : constraints ? constraints->items() : std::vector<YamlElement>()) {
+    for (const YamlElement& one : goal.items_of("joint_constraints")) {
       values[one.need("joint_name").text()] = one.need("position").number();
     }
     values = with_angles(model, std::move(values));

@@ -26,17 +26,7 @@ using geometric::YamlElement;
 
 constexpr double kUnitTolerance = 0.01;
 
-double coordinate(const YamlElement& map, const char* key, double missing) {
-  const std::optional<YamlElement> value = map.find(key);
-  return value ? value->number() : missing;
-}
-
 }  // namespace
-
-std::vector<YamlElement> items_of(const YamlElement& message, const char* key) {
-  const std::optional<YamlElement> list = message.find(key);
-  return list ? list->items() : std::vector<YamlElement>();
-}
 
 Eigen::Quaterniond read_rotation(const YamlElement& element) {
   Eigen::Vector4d q;  // x, y, z, w
@@ -44,8 +34,8 @@ Eigen::Quaterniond read_rotation(const YamlElement& element) {
     q = element.numbers(4);
   } else {
     element.allow_keys({"x", "y", "z", "w"});
-    q = {coordinate(element, "x", 0.0), coordinate(element, "y", 0.0),
-         coordinate(element, "z", 0.0), coordinate(element, "w", 0.0)};
+    q = {element.number_or("x", 0.0), element.number_or("y", 0.0), element.number_or("z", 0.0),
+         element.number_or("w", 0.0)};
   }
   if (std::abs(q.norm() - 1.0) > kUnitTolerance) {
     element.refuse(fmt::format("a quaternion of length {:.3g}", q.norm()),
@@ -60,8 +50,7 @@ Eigen::Vector3d read_point(const YamlElement& element) {
     return element.numbers(3);
   }
   element.allow_keys({"x", "y", "z"});
-  return {coordinate(element, "x", 0.0), coordinate(element, "y", 0.0),
-          coordinate(element, "z", 0.0)};
+  return {element.number_or("x", 0.0), element.number_or("y", 0.0), element.number_or("z", 0.0)};
 }
 
 Pose read_pose(const YamlElement& element) {

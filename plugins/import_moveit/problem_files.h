@@ -14,10 +14,6 @@ namespace handway::import_moveit {
 /// Messages of ROS as YAML, the way `rostopic echo` writes them (maps: `{x: 1, y: 2, z: 3}`)
 /// and the way MotionBenchMaker does (lists: `[1, 2, 3]`).
 
-/// The items of a message's list; none if it has no such key.
-[[nodiscard]] std::vector<geometric::YamlElement> items_of(const geometric::YamlElement& message,
-                                                           const char* key);
-
 /// geometry_msgs/Point and Vector3, m. Coordinates that are missing from a map are 0.
 [[nodiscard]] Eigen::Vector3d read_point(const geometric::YamlElement& element);
 

@@ -235,14 +235,14 @@ std::shared_ptr<const TriangleMesh> octomap_mesh(const YamlElement& octomap) {
   if (resolution.number() <= 0.0) {
     resolution.refuse(resolution.found(), "a size of cells above 0 m");
   }
-  const std::optional<YamlElement> id = octomap.find("id");
-  const std::string kind = id ? id->text() : "OcTree";
+  const std::string kind = octomap.text_or("id", "OcTree");
   if (kind == "ColorOcTree") {
     return surface_of<octomap::ColorOcTree>(octomap, resolution.number(), bytes_of(*data),
                                             kValueBytes + kColorBytes);
   }
   if (kind != "OcTree") {
-    id->refuse(id->found(), "OcTree or ColorOcTree");
+    const YamlElement id = octomap.need("id");
+    id.refuse(id.found(), "OcTree or ColorOcTree");
   }
   return surface_of<octomap::OcTree>(octomap, resolution.number(), bytes_of(*data), kValueBytes);
 }
@@ -341,14 +341,11 @@ using PlacedShape = std::pair<Shape, Pose>;
 template <typename Read, typename Placed>
 void read_shapes(const YamlElement& object, const char* key, const char* poses, const Read& read,
                  std::vector<Placed>& shapes) {
-  const std::optional<YamlElement> list = object.find(key);
-  const std::vector<YamlElement> items = list ? list->items() : std::vector<YamlElement>();
-  const std::optional<YamlElement> pose_list = object.find(poses);
-  const std::vector<YamlElement> placed =
-      pose_list ? pose_list->items() : std::vector<YamlElement>();
+  const std::vector<YamlElement> items = object.items_of(key);
+  const std::vector<YamlElement> placed = object.items_of(poses);
   if (!placed.empty() && placed.size() != items.size()) {
-    pose_list->refuse(fmt::format("{} poses", placed.size()),
-                      fmt::format("{}, one for each of {}", items.size(), key));
+    object.need(poses).refuse(fmt::format("{} poses", placed.size()),
+                              fmt::format("{}, one for each of {}", items.size(), key));
   }
   for (std::size_t i = 0; i < items.size(); ++i) {
     shapes.emplace_back(read(items[i]), placed.empty() ? Pose::Identity() : read_pose(placed[i]));

@@ -24,7 +24,7 @@ PoseInstruction read_pose(const YamlElement& item) {
   item.allow_keys({"name", "instruction", "degrees", "motion"});
   PoseInstruction pose;
   pose.name = item.need("name").text();
-  pose.instruction = optional_text(item, "instruction");
+  pose.instruction = item.text_or("instruction", "");
   pose.angles.fill(std::numeric_limits<double>::quiet_NaN());
   if (const auto motion = item.find("motion")) {
     pose.motion = motion->number();

@@ -258,9 +258,9 @@ GloveCalibration read_yaml(const std::filesystem::path& file) {
   const YamlElement top = YamlElement::read(file, kWhat);
   top.allow_keys({"person", "date", "source", "sensors", "ranges", "bones"});
   GloveCalibration calibration;
-  calibration.person = optional_text(top, "person");
-  calibration.date = optional_text(top, "date");
-  calibration.source = optional_text(top, "source");
+  calibration.person = top.text_or("person", "");
+  calibration.date = top.text_or("date", "");
+  calibration.source = top.text_or("source", "");
   if (const auto ranges = top.find("ranges")) {
     calibration.ranges = read_ranges(*ranges);
   }

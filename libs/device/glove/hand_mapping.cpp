@@ -42,16 +42,14 @@ std::vector<CurvePoint> read_curve(const YamlElement& element) {
 
 void read_sensor(const YamlElement& item, const YamlElement& sensor, JointWire& wire) {
   wire.sensor = named_sensor(sensor, sensor.text());
-  const std::optional<YamlElement> gain = item.find("gain");
-  const std::optional<YamlElement> offset = item.find("offset");
   if (const std::optional<YamlElement> curve = item.find("curve")) {
-    if (gain || offset) {
+    if (item.find("gain") || item.find("offset")) {
       curve->refuse("a curve beside gain or offset", "one or the other");
     }
     wire.curve = read_curve(*curve);
   }
-  wire.gain = gain ? gain->number() : 1.0;
-  wire.offset = offset ? offset->number() : 0.0;
+  wire.gain = item.number_or("gain", 1.0);
+  wire.offset = item.number_or("offset", 0.0);
 }
 
 JointWire read_wire(const YamlElement& item) {
@@ -125,7 +123,7 @@ HandMapping read_mapping(const std::filesystem::path& file) {
   top.allow_keys({"hand", "source", "joints"});
   HandMapping mapping;
   mapping.hand = top.need("hand").text();
-  mapping.source = optional_text(top, "source");
+  mapping.source = top.text_or("source", "");
   for (const YamlElement& item : top.need("joints").items()) {
     JointWire wire = read_wire(item);
     if (std::ranges::count(mapping.wires, wire.joint, &JointWire::joint) > 0) {

@@ -597,10 +597,8 @@ ColumnUse column_use(const YamlElement& element, const Table& table) {
   }
   element.allow_keys({"column", "gain", "offset"});
   use.column = column_of(element.need("column"), table);
-  const std::optional<YamlElement> gain = element.find("gain");
-  const std::optional<YamlElement> offset = element.find("offset");
-  use.gain = gain ? gain->number() : 1.0;
-  use.offset = offset ? offset->number() : 0.0;
+  use.gain = element.number_or("gain", 1.0);
+  use.offset = element.number_or("offset", 0.0);
   return use;
 }
 

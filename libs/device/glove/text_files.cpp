@@ -43,11 +43,6 @@ char separator_of(std::string_view line) {
   return line.find(',') != std::string_view::npos && !decimal_commas ? ',' : ' ';
 }
 
-std::string optional_text(const geometric::YamlElement& map, const std::string& key) {
-  const std::optional<geometric::YamlElement> value = map.find(key);
-  return value ? value->text() : "";
-}
-
 std::string text_field(const std::string& key, const std::string& text) {
   if (text.empty()) {
     return "";

@@ -38,9 +38,6 @@ using geometric::trimmed;
 /// As parse_number(), with a decimal comma too unless cells are separated by commas.
 [[nodiscard]] std::optional<double> parse_cell(std::string_view cell, char separator);
 
-/// The text of a key; empty if there is none.
-[[nodiscard]] std::string optional_text(const geometric::YamlElement& map, const std::string& key);
-
 /// `key: "text"` as a line; nothing for an empty text.
 [[nodiscard]] std::string text_field(const std::string& key, const std::string& text);
 

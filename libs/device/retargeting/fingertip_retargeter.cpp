@@ -93,9 +93,7 @@ RetargetingSettings read_retargeting(const std::filesystem::path& file) {
   if (const auto smoothness = map.find("smoothness")) {
     settings.smoothness = positive(*smoothness, 0.0);
   }
-  if (const auto avoid = map.find("self_collision")) {
-    settings.self_collision = avoid->flag();
-  }
+  settings.self_collision = map.flag_or("self_collision", settings.self_collision);
   if (const auto tips = map.find("fingertips")) {
     tips->allow_keys({"thumb", "index", "middle", "ring", "little"});
     for (int f = 0; f < kFingers; ++f) {

@@ -122,11 +122,6 @@ void check_version(const YamlElement& top) {
   }
 }
 
-std::string text_or_empty(const YamlElement& map, const std::string& key) {
-  const std::optional<YamlElement> element = map.find(key);
-  return element ? element->text() : "";
-}
-
 void check_new_name(const YamlElement& element, const Scene& scene, const std::string& name) {
   if (name.empty()) {
     element.refuse("an empty name", "a name");
@@ -170,8 +165,7 @@ void read_collisions(const YamlElement& element, Scene& scene) {
   element.allow_keys({"allowed", "checked"});
   const std::vector<std::string> bodies = names_of_bodies(scene);
   for (const bool allowed : {true, false}) {
-    const std::optional<YamlElement> list = element.find(allowed ? "allowed" : "checked");
-    for (const YamlElement& pair : list ? list->items() : std::vector<YamlElement>()) {
+    for (const YamlElement& pair : element.items_of(allowed ? "allowed" : "checked")) {
       const std::vector<YamlElement> names = pair.items();
       if (names.size() != 2) {
         pair.refuse(pair.found(), "two names of links or objects");
@@ -270,8 +264,8 @@ Scene read_scene(const fs::path& file) {
   const fs::path folder = fs::absolute(file).parent_path();
   Scene scene;
   scene.file = file;
-  scene.name = text_or_empty(top, "name");
-  scene.description = text_or_empty(top, "description");
+  scene.name = top.text_or("name", "");
+  scene.description = top.text_or("description", "");
   std::vector<YamlElement> robots = read_robots(top.need("robots"), folder, scene);
   if (const std::optional<YamlElement> group = top.find("group")) {
     read_group(*group, robots, scene);
@@ -299,10 +293,8 @@ Scene read_scene(const fs::path& file) {
       scene.postures.push_back(posture_of(values, *scene.robots.front().model, name));
     }
   }
-  if (const std::optional<YamlElement> views = top.find("views")) {
-    for (const YamlElement& element : views->items()) {
-      scene.display.views.push_back(view_of(element, scene.display.views));
-    }
+  for (const YamlElement& element : top.items_of("views")) {
+    scene.display.views.push_back(view_of(element, scene.display.views));
   }
   if (const std::optional<YamlElement> basis = top.find("hand_basis")) {
     scene.hand_basis = basis->text();

@@ -42,8 +42,7 @@ std::shared_ptr<const RobotModel> with_couplings(const YamlElement& robot,
   RobotDescription description = model->description();
   for (const auto& [joint, element] : list->entries()) {
     element.allow_keys({"of", "offset"});
-    const std::optional<YamlElement> offset = element.find("offset");
-    JointCoupling coupling{joint, {}, offset ? offset->number() : 0.0, true};
+    JointCoupling coupling{joint, {}, element.number_or("offset", 0.0), true};
     for (const auto& [leader, multiplier] : element.need("of").entries()) {
       coupling.terms.emplace_back(leader, multiplier.number());
     }
@@ -61,8 +60,7 @@ Entry entry_of(const YamlElement& element, const fs::path& folder, Scene& scene)
   entry.part.model = with_bases(
       element,
       with_couplings(element, load_robot(find_noted(ResourceKind::kRobot, model, folder, scene))));
-  const std::optional<YamlElement> name = element.find("name");
-  entry.part.name = name ? name->text() : entry.part.model->name();
+  entry.part.name = element.text_or("name", entry.part.model->name());
   if (const std::optional<YamlElement> base = element.find("base")) {
     entry.X_WB = pose_of(*base);
   }
@@ -191,10 +189,8 @@ Padding padding_of(const YamlElement& element) {
   Padding padding;
   if (element.is_map()) {
     element.allow_keys({"scale", "distance"});
-    const std::optional<YamlElement> scale = element.find("scale");
-    const std::optional<YamlElement> distance = element.find("distance");
-    padding.scale = scale ? scale->number() : 1.0;
-    padding.distance = distance ? distance->number() : 0.0;
+    padding.scale = element.number_or("scale", 1.0);
+    padding.distance = element.number_or("distance", 0.0);
   } else {
     padding.distance = element.number();
   }

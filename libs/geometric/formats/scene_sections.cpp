@@ -238,8 +238,7 @@ PoseGoal pose_goal_of(const YamlElement& element, const RobotModel& model) {
   PoseGoal goal;
   goal.link = moved_link_of(element.need("link"), model);
   const Eigen::Vector3d xyz = element.need("xyz").numbers(3);
-  const std::optional<YamlElement> rpy = element.find("rpy_deg");
-  const Eigen::Vector3d angles = rpy ? rpy->numbers(3) : Eigen::VectorXd::Zero(3);
+  const Eigen::Vector3d angles = element.numbers_or("rpy_deg", Eigen::Vector3d::Zero());
   goal.X_WG = pose_from_rpy(xyz, radians(angles.x()), radians(angles.y()), radians(angles.z()));
   if (const std::optional<YamlElement> tool = element.find("tool")) {
     goal.X_LT = pose_of(*tool);
@@ -417,27 +416,18 @@ Attachment attachment_of(const YamlElement& element, const Scene& scene) {
   const RobotPart* own = part == robot->parts.end() ? nullptr : &*part;
   attachment.robot = robot->name;
   attachment.link = link_of(element.need("link"), *robot->model, own);
-  if (const std::optional<YamlElement> touching = element.find("touching")) {
-    for (const YamlElement& link : touching->items()) {
-      attachment.touching.push_back(link_of(link, *robot->model, own));
-    }
+  for (const YamlElement& link : element.items_of("touching")) {
+    attachment.touching.push_back(link_of(link, *robot->model, own));
   }
   return attachment;
-}
-
-bool flag_of(const YamlElement& object, const char* key, bool usually = false) {
-  const std::optional<YamlElement> flag = object.find(key);
-  return flag ? flag->flag() : usually;
 }
 
 }  // namespace
 
 Pose pose_of(const YamlElement& element) {
   element.allow_keys({"xyz", "rpy_deg"});
-  const std::optional<YamlElement> xyz = element.find("xyz");
-  const std::optional<YamlElement> rpy = element.find("rpy_deg");
-  const Eigen::Vector3d p = xyz ? xyz->numbers(3) : Eigen::VectorXd::Zero(3);
-  const Eigen::Vector3d angles = rpy ? rpy->numbers(3) : Eigen::VectorXd::Zero(3);
+  const Eigen::Vector3d p = element.numbers_or("xyz", Eigen::Vector3d::Zero());
+  const Eigen::Vector3d angles = element.numbers_or("rpy_deg", Eigen::Vector3d::Zero());
   return pose_from_rpy(p, radians(angles.x()), radians(angles.y()), radians(angles.z()));
 }
 
@@ -468,17 +458,15 @@ SceneObject object_of(const YamlElement& element, const Scene& scene,
   if (const std::optional<YamlElement> attach = element.find("attach")) {
     object.attachment = attachment_of(*attach, scene);
   }
-  object.solid = flag_of(element, "solid", true);
+  object.solid = element.flag_or("solid", true);
   return object;
 }
 
 ObjectDisplay display_of(const YamlElement& element) {
   ObjectDisplay display;
-  if (const std::optional<YamlElement> group = element.find("group")) {
-    display.group = group->text();
-  }
-  display.hidden = flag_of(element, "hidden");
-  display.locked = flag_of(element, "locked");
+  display.group = element.text_or("group", "");
+  display.hidden = element.flag_or("hidden", false);
+  display.locked = element.flag_or("locked", false);
   return display;
 }
 

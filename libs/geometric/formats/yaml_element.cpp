@@ -131,6 +131,32 @@ YamlElement YamlElement::need(const std::string& key) const {
   return *value;
 }
 
+std::string YamlElement::text_or(const std::string& key, const std::string& otherwise) const {
+  const std::optional<YamlElement> value = find(key);
+  return value ? value->text() : otherwise;
+}
+
+bool YamlElement::flag_or(const std::string& key, bool otherwise) const {
+  const std::optional<YamlElement> value = find(key);
+  return value ? value->flag() : otherwise;
+}
+
+double YamlElement::number_or(const std::string& key, double otherwise) const {
+  const std::optional<YamlElement> value = find(key);
+  return value ? value->number() : otherwise;
+}
+
+Eigen::VectorXd YamlElement::numbers_or(const std::string& key,
+                                        const Eigen::VectorXd& otherwise) const {
+  const std::optional<YamlElement> value = find(key);
+  return value ? value->numbers(static_cast<int>(otherwise.size())) : otherwise;
+}
+
+std::vector<YamlElement> YamlElement::items_of(const std::string& key) const {
+  const std::optional<YamlElement> value = find(key);
+  return value ? value->items() : std::vector<YamlElement>();
+}
+
 std::vector<std::pair<std::string, YamlElement>> YamlElement::entries() const {
   if (!is_map()) {
     refuse(found(), name_.empty() ? document_->what : "keys and values");

@@ -50,6 +50,15 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   /// The value of a key; nothing if the key is absent or its value empty.
   [[nodiscard]] std::optional<YamlElement> find(const std::string& key) const;
   [[nodiscard]] YamlElement need(const std::string& key) const;
+  /// What is under a key, or `otherwise` if the key is absent or its value empty.
+  [[nodiscard]] std::string text_or(const std::string& key, const std::string& otherwise) const;
+  [[nodiscard]] bool flag_or(const std::string& key, bool otherwise) const;
+  [[nodiscard]] double number_or(const std::string& key, double otherwise) const;
+  /// @param otherwise shape as numbers().
+  [[nodiscard]] Eigen::VectorXd numbers_or(const std::string& key,
+                                           const Eigen::VectorXd& otherwise) const;
+  /// The items of the list under a key; none if the key is absent or its value empty.
+  [[nodiscard]] std::vector<YamlElement> items_of(const std::string& key) const;
   /// Keys and values of a map in file order; keys are text and occur once.
   [[nodiscard]] std::vector<std::pair<std::string, YamlElement>> entries() const;
   [[nodiscard]] std::vector<YamlElement> items() const;
