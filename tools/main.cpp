@@ -60,6 +60,13 @@ int run(int argc, char** argv) {
   add_reproduce_command(app, exit_code);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    if (const std::vector<std::string> words = app.remaining(); !words.empty()) {
+      fmt::print(stderr, "handway: unknown command \"{}\". `handway --help` lists all.\n",
+                 words.front());
+      return kWrongUsage;
+    }
+    return app.exit(error) == 0 ? kDone : kWrongUsage;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kWrongUsage;
   }

@@ -192,7 +192,8 @@ void FileCommands::open() {
   constexpr QSize kPicture{96, 60};
   QFileDialog dialog(&workbench_.window, tr("Open a scene"),
                      QFileInfo(QString::fromStdString(workbench_.document.file().string())).path(),
-                     tr("Scenes, problems and robots (*.yaml *.yml *.xml *.urdf);;All files (*)"));
+                     tr("Scenes, problems and robots (*.yaml *.yml *.xml *.scene *.urdf *.xacro "
+                        "*.sdf *.world *.mjcf);;All files (*)"));
   dialog.setObjectName(QStringLiteral("open_dialog"));
   dialog.setOption(QFileDialog::DontUseNativeDialog);
   dialog.setOption(QFileDialog::HideNameFilterDetails);

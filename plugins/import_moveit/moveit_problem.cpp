@@ -10,6 +10,7 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/planning/extensions/plugin.h"
 #include "problem_files.h"
+#include "scene_text.h"
 #include "world_objects.h"
 
 #include <fmt/format.h>
@@ -146,7 +147,10 @@ class ProblemReader {
   explicit ProblemReader(const ProblemFiles& files)
       : files_(files),
         folder_(files.scene.parent_path()),
-        top_(YamlElement::read(files.scene, "a MoveIt planning scene")) {
+        top_(is_scene_text(files.scene)
+                 ? YamlElement::parse(planning_scene_of(files.scene), files.scene.string(),
+                                      "a MoveIt scene (.scene)")
+                 : YamlElement::read(files.scene, "a MoveIt planning scene")) {
     if (files.request) {
       request_ = YamlElement::read(*files.request, "a MoveIt motion plan request");
     }
@@ -385,15 +389,18 @@ planning::LoadedScene read_moveit_problem(const ProblemFiles& files) {
   return ProblemReader(files).read();
 }
 
-std::string MoveitImporter::name() const { return "a MoveIt scene or request (.yaml)"; }
+std::string MoveitImporter::name() const { return "a MoveIt scene or request (.yaml, .scene)"; }
 
 bool MoveitImporter::can_read(const std::filesystem::path& file) const {
-  return (geometric::has_extension(file, ".yaml") || geometric::has_extension(file, ".yml")) &&
-         is_moveit_file(file);
+  return is_scene_text(file) ||
+         ((geometric::has_extension(file, ".yaml") || geometric::has_extension(file, ".yml")) &&
+          is_moveit_file(file));
 }
 
 planning::LoadedScene MoveitImporter::read(const std::filesystem::path& file) const {
-  return read_moveit_problem(problem_files(std::filesystem::absolute(file)));
+  const std::filesystem::path whole = std::filesystem::absolute(file);
+  return read_moveit_problem(is_scene_text(file) ? ProblemFiles{whole, std::nullopt}
+                                                 : problem_files(whole));
 }
 
 }  // namespace handway::import_moveit

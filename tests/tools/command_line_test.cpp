@@ -49,6 +49,12 @@ TEST_F(Handway, PlansAndChecks) {
   EXPECT_THAT(check.out, HasSubstr("valid"));
 }
 
+TEST_F(Handway, NamesAnUnknownCommand) {
+  const Outcome run = line_.run("grasp post.yaml");
+  EXPECT_EQ(run.exit_code, kWrongUsage);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("unknown command \"grasp\""), HasSubstr("--help")));
+}
+
 // For whoever has to find out what went wrong elsewhere.
 TEST_F(Handway, KeepsTheProblemsThatItPlansWhereAsked) {
   ::setenv("HANDWAY_LOG_PROBLEMS", (line_.folder() / "log").c_str(), 1);

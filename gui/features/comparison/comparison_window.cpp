@@ -382,8 +382,8 @@ void ComparisonWindow::show_figures() {
 }
 
 void ComparisonWindow::ask_for_file(std::size_t side) {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Compare with a path"), {}, tr("Paths (*.csv)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Compare with a path"), {},
+                                                    tr("Paths (*.csv *.yaml *.json)"));
   if (!file.isEmpty()) {
     open_file(side, file);
   }

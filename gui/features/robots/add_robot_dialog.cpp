@@ -67,9 +67,10 @@ RobotInstance read_robot(const std::filesystem::path& file,
 }  // namespace
 
 QString choose_robot_file(QWidget* parent) {
-  const QString file = ask_for(
-      parent, AddRobotDialog::tr("Choose a robot"),
-      AddRobotDialog::tr("Robots (*.urdf *.xacro *.sdf *.mjcf *.xml *.yaml);;All files (*)"));
+  const QString file =
+      ask_for(parent, AddRobotDialog::tr("Choose a robot"),
+              AddRobotDialog::tr(
+                  "Robots (*.urdf *.xacro *.sdf *.world *.mjcf *.xml *.yaml);;All files (*)"));
   if (!file.isEmpty()) {
     QSettings().setValue(folder_key(), QFileInfo(file).absolutePath());
   }

@@ -7,6 +7,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner.h"
+#include "handway_test/input_errors.h"
 #include "ompl_planner.h"
 #include "small_problem.h"
 
@@ -40,6 +41,38 @@ TEST(MoveitProblem, IsKnownByItsKeys) {
   EXPECT_TRUE(importer.can_read(problem.request()));
   EXPECT_FALSE(importer.can_read(test::source_dir() / "scenes" / "can_on_table.yaml"));
   EXPECT_FALSE(importer.can_read(problem.folder() / "robots" / "crane.urdf"));
+}
+
+// As RViz exports them: since Noetic objects have a pose of their own.
+TEST(MoveitProblem, ReadsScenesAsText) {
+  const SmallProblem problem;
+  const std::filesystem::path file = problem.folder() / "kitchen.scene";
+  const auto write = [&](const std::string& pose, const std::string& kind) {
+    std::ofstream(file) << "kitchen\n* the table\n" + pose + "1\nbox\n1.2 0.8 0.05\n0.7 0 0.4\n" +
+                               "0 0 0 1\n0.5 0.4 0.25 1\n* can\n" + pose + "1\n" + kind +
+                               "\n0.03 0.12\n0.6 0.1 0.5\n0 0 0 1\n0 0 0 0\n.\n";
+  };
+  const MoveitImporter importer;
+  EXPECT_TRUE(importer.can_read(file));
+  write("", "cylinder");
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(importer.read(file)); }),
+              testing::AllOf(HasSubstr("kitchen.scene"), HasSubstr("--robot FILE")));
+  ::setenv("HANDWAY_ROBOT", (problem.folder() / "robots" / "crane.urdf").c_str(), 1);
+  for (const double height : {0.0, 1.0}) {
+    write(height > 0.0 ? "0 0 1\n0 0 0 1\n" : "", "cylinder");
+    const auto scene = importer.read(file).scene;
+    ASSERT_EQ(scene->objects.size(), 2U);
+    EXPECT_EQ(scene->objects[0].name, "the table");
+    EXPECT_EQ(std::get<geometric::Box>(scene->objects[0].shape).size.x(), 1.2);
+    const auto& can = std::get<geometric::Cylinder>(scene->objects[1].shape);
+    EXPECT_EQ(can.radius, 0.03);
+    EXPECT_EQ(can.length, 0.12);
+    EXPECT_NEAR(scene->objects[1].X_PO.translation().z(), 0.5 + height, 1e-12);
+  }
+  write("", "tube");
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(importer.read(file)); }),
+              testing::AllOf(HasSubstr("kitchen.scene:11"), HasSubstr("tube"), HasSubstr("cone")));
+  ::unsetenv("HANDWAY_ROBOT");
 }
 
 TEST(MoveitProblem, MovesTheJointsOfItsGroupAlone) {
