@@ -93,11 +93,11 @@ class Writer {
  private:
   template <typename Use>
   void with_document(const fs::path& file, const Use& use) {
-    const std::string text = geometric::read_text_file(file, kWhat, kLargestFile);
+    files_.push_back({file, geometric::read_text_file(file, kWhat, kLargestFile)});
+    const std::string& text = files_.back().text;
     pugi::xml_document document;
     const pugi::xml_parse_result parsed =
         document.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
-    files_.push_back({file, &text});
     if (!parsed) {
       throw InputError({place(parsed.offset), "",
                         std::string("broken XML: ") + parsed.description(), kWhat,
@@ -108,7 +108,7 @@ class Writer {
   }
 
   [[nodiscard]] std::string place(std::ptrdiff_t offset) const {
-    const std::string& text = *files_.back().text;
+    const std::string& text = files_.back().text;
     const auto end = std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text));
     return fmt::format("{}:{}", files_.back().file.string(),
                        1 + std::count(text.begin(), text.begin() + end, '\n'));
@@ -219,7 +219,7 @@ class Writer {
 
   struct Source {
     fs::path file;
-    const std::string* text;
+    std::string text;
   };
 
   fs::path folder_;  ///< Of the first file.
