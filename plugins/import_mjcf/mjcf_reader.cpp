@@ -440,8 +440,7 @@ class Reader {
       return geometric::Mesh{{}, Eigen::Vector3d::Ones(), std::move(triangles)};
     } catch (const geometric::InputError& fault) {
       if (collides) {
-        lost_ = lost_.value_or(fault.problem());
-        all_lost_.insert(name);
+        missing_.add(fault.problem(), name);
       } else {
         undrawn_.push_back(about.file.filename().string());
       }
@@ -477,13 +476,7 @@ class Reader {
                                            "a mesh, as a shape is fitted to it", "Check the path"});
       }
     }
-    if (lost_) {
-      geometric::InputProblem problem = *lost_;
-      if (all_lost_.size() > 1) {
-        problem.found += fmt::format(" ({} collision meshes are missing in all)", all_lost_.size());
-      }
-      throw geometric::MissingMeshError(problem);
-    }
+    missing_.refuse();
   }
 
   [[nodiscard]] std::vector<std::string> unread_attributes() const {
@@ -673,8 +666,7 @@ class Reader {
   std::vector<std::string> unbounded_;
   std::vector<std::string> undrawn_;     ///< Files of meshes.
   std::map<std::string, int> replaced_;  ///< Geometries of replaced meshes, by the meshes' names.
-  std::optional<geometric::InputProblem> lost_;  ///< The first collision mesh that can't be read.
-  std::set<std::string> all_lost_;               ///< The names of all.
+  geometric::MissingMeshes missing_;     ///< Collision meshes that can't be read.
 };
 
 }  // namespace

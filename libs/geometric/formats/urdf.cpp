@@ -273,7 +273,7 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
       robot.links.push_back(read_link(document, node, read->second, *parsed.model, folder, files));
     }
   }
-  files.refuse_missing();
+  files.missing.refuse();
   add_joints(document, *parsed.model, robot);
   note_links_without_collision(document, robot);
   if (const std::string faults = files.drawing.summary(); !faults.empty()) {

@@ -209,20 +209,25 @@ Link link_of(const urdf::Link& link, const std::filesystem::path& folder,
     try {
       std::ranges::move(reader.read(*collision), std::back_inserter(result.collision));
     } catch (const MissingMeshError& fault) {
-      files.lost = files.lost.value_or(fault.problem());
-      files.all_lost.insert(dynamic_cast<const urdf::Mesh&>(*collision->geometry).filename);
+      files.missing.add(fault.problem(),
+                        dynamic_cast<const urdf::Mesh&>(*collision->geometry).filename);
     }
   }
   return result;
 }
 
-void LinkFiles::refuse_missing() const {
-  if (!lost) {
+void MissingMeshes::add(const InputProblem& problem, const std::string& name) {
+  first_ = first_.value_or(problem);
+  names_.insert(name);
+}
+
+void MissingMeshes::refuse() const {
+  if (!first_) {
     return;
   }
-  InputProblem problem = *lost;
-  if (all_lost.size() > 1) {
-    problem.found += fmt::format(" ({} collision meshes are missing in all)", all_lost.size());
+  InputProblem problem = *first_;
+  if (names_.size() > 1) {
+    problem.found += fmt::format(" ({} collision meshes are missing in all)", names_.size());
   }
   throw MissingMeshError(problem);
 }

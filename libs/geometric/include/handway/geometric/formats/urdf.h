@@ -6,6 +6,9 @@
 #include "handway/geometric/robot/robot_model.h"
 
 #include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
 
 namespace handway::geometric {
 
@@ -13,6 +16,20 @@ namespace handway::geometric {
 class HANDWAY_GEOMETRIC_EXPORT MissingMeshError : public InputError {
  public:
   using InputError::InputError;
+};
+
+/// Collision meshes that a robot file names and that can't be had: so that one message says how
+/// many.
+class HANDWAY_GEOMETRIC_EXPORT MissingMeshes {
+ public:
+  /// @param name of the mesh, which counts once.
+  void add(const InputProblem& problem, const std::string& name);
+  /// @throws MissingMeshError with the first problem if there is any.
+  void refuse() const;
+
+ private:
+  std::optional<InputProblem> first_;
+  std::set<std::string> names_;
 };
 
 /// Reads a robot from a URDF file (http://wiki.ros.org/urdf/XML), by urdfdom.
