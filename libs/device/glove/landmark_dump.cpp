@@ -1,5 +1,6 @@
 #include "glove/landmark_dump.h"
 
+#include "glove/recording_readers.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <fmt/format.h>
@@ -261,10 +262,7 @@ Recording recording_of_hands(const std::filesystem::path& file, const std::vecto
   if (timed) {
     settle_times(hands);
   }
-  recording.header.kind = RecordingKind::kAngles;
-  recording.header.device = "landmarks of a hand";
-  recording.header.origin = file.filename().string();
-  recording.header.sensors = landmark_sensors();
+  recording.header = landmark_header(file);
   recording.times.resize(std::ssize(hands));
   recording.values.resize(std::ssize(hands), std::ssize(recording.header.sensors));
   std::vector<HandBones> bones;
@@ -277,11 +275,9 @@ Recording recording_of_hands(const std::filesystem::path& file, const std::vecto
            fmt::format("{} s after {} s", recording.times[row], recording.times[row - 1]),
            "time that doesn't run backwards", "Split the file there"});
     }
-    const GloveAngles angles = glove_angles(in_palm_frame(hand.points, left));
-    for (std::size_t c = 0; c < recording.header.sensors.size(); ++c) {
-      recording.values(row, static_cast<Eigen::Index>(c)) =
-          angles.angles.at(static_cast<std::size_t>(recording.header.sensors[c]));
-    }
+    const std::vector<double> values = landmark_row(recording.header, hand.points, left);
+    recording.values.row(row) =
+        Eigen::Map<const Eigen::RowVectorXd>(values.data(), recording.values.cols());
     bones.push_back(bones_of(hand.points));
   }
   recording.bones = median_bones(bones);

@@ -30,15 +30,31 @@ LandmarkLine read_row(const std::filesystem::path& file, const TextLine& line) {
 
 }  // namespace
 
+RecordingHeader landmark_header(const std::filesystem::path& file) {
+  RecordingHeader header;
+  header.kind = RecordingKind::kAngles;
+  header.device = "landmarks of a hand";
+  header.origin = file.filename().string();
+  header.sensors = landmark_sensors();
+  return header;
+}
+
+std::vector<double> landmark_row(const RecordingHeader& header, const HandLandmarks& points,
+                                 bool left) {
+  const GloveAngles angles = glove_angles(in_palm_frame(points, left));
+  std::vector<double> row;
+  for (const int sensor : header.sensors) {
+    row.push_back(angles.angles.at(static_cast<std::size_t>(sensor)));
+  }
+  return row;
+}
+
 bool is_landmark_row(const TextLine& line) { return trimmed(line.text).starts_with('{'); }
 
 Recording read_landmark_recording(const std::filesystem::path& file,
                                   const std::vector<TextLine>& lines) {
   Recording recording;
-  recording.header.kind = RecordingKind::kAngles;
-  recording.header.device = "landmarks of a hand";
-  recording.header.origin = file.filename().string();
-  recording.header.sensors = landmark_sensors();
+  recording.header = landmark_header(file);
   RecordedRows rows(file, recording.header.sensors.size());
   std::optional<bool> left;
   int others = 0;
@@ -53,13 +69,8 @@ Recording read_landmark_recording(const std::filesystem::path& file,
       ++others;
       return;
     }
-    const GloveAngles angles = glove_angles(in_palm_frame(*row.landmarks, row.left));
     bones.push_back(bones_of(*row.landmarks));
-    std::vector<double> values;
-    for (const int sensor : recording.header.sensors) {
-      values.push_back(angles.angles.at(static_cast<std::size_t>(sensor)));
-    }
-    rows.add(line, *row.time, values);
+    rows.add(line, *row.time, landmark_row(recording.header, *row.landmarks, row.left));
   };
   const auto is_row = [](const TextLine& line) { return nlohmann::json::accept(line.text); };
   take_rows(file, lines, recording.warnings, is_row, take);

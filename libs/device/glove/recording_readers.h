@@ -1,6 +1,7 @@
 #pragma once
 
 #include "glove/text_files.h"
+#include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording.h"
 
 #include <filesystem>
@@ -37,6 +38,13 @@ inline constexpr double kWidestAngle = 2.0 * std::numbers::pi;
 /// Rows of 21 landmarks of a hand, as JSON lines; the recording holds the angles between them.
 [[nodiscard]] Recording read_landmark_recording(const std::filesystem::path& file,
                                                 const std::vector<TextLine>& lines);
+
+/// Of the angles between landmarks of a hand that a file holds.
+[[nodiscard]] RecordingHeader landmark_header(const std::filesystem::path& file);
+
+/// A row of such a recording: rad, shape [header.sensors].
+[[nodiscard]] std::vector<double> landmark_row(const RecordingHeader& header,
+                                               const HandLandmarks& points, bool left);
 
 /// "FILE:LINE".
 [[nodiscard]] std::string at_line(const std::filesystem::path& file, const TextLine& line);
