@@ -7,15 +7,14 @@
 #include "handway/geometric/math/pose.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <yaml-cpp/yaml.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <span>
 #include <sstream>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace handway::import_moveit {
@@ -25,11 +24,36 @@ namespace fs = std::filesystem;
 using geometric::InputError;
 using geometric::Pose;
 
-std::string pose_text(const Pose& X) {
-  const Eigen::Quaterniond q(X.linear());
+// In a row, as short as they read back to the same.
+YAML::Node list_of(std::span<const double> numbers) {
+  YAML::Node list(YAML::NodeType::Sequence);
+  list.SetStyle(YAML::EmitterStyle::Flow);
+  for (const double number : numbers) {
+    list.push_back(fmt::format("{}", number));
+  }
+  return list;
+}
+
+YAML::Node pose_message(const Pose& X) {
   const Eigen::Vector3d p = X.translation();
-  return fmt::format("{{position: [{}, {}, {}], orientation: [{}, {}, {}, {}]}}", p.x(), p.y(),
-                     p.z(), q.x(), q.y(), q.z(), q.w());
+  const Eigen::Quaterniond q(X.linear());
+  YAML::Node pose;
+  pose["position"] = list_of({p.data(), 3});
+  pose["orientation"] = list_of({q.coeffs().data(), 4});  // x, y, z, w
+  return pose;
+}
+
+// A shape of which a list is all that is said.
+YAML::Node with_list(const char* key, std::span<const double> numbers) {
+  YAML::Node shape;
+  shape[key] = list_of(numbers);
+  return shape;
+}
+
+YAML::Node primitive(int type, std::span<const double> dimensions) {
+  YAML::Node shape = with_list("dimensions", dimensions);
+  shape["type"] = type;
+  return shape;
 }
 
 class SceneText {
@@ -42,20 +66,22 @@ class SceneText {
   }
 
   std::string message() {
-    std::string objects;
-    const std::string name = lines_.empty() ? "" : lines_.front();
+    YAML::Node scene;
+    scene["name"] = lines_.empty() ? "" : lines_.front();
+    scene["robot_model_name"] = "robot";
+    YAML::Node objects(YAML::NodeType::Sequence);
     line_ = 1;
     while (line_ < lines_.size() && lines_[line_] != ".") {
       if (lines_[line_].empty()) {
         ++line_;
       } else if (lines_[line_].starts_with('*')) {
-        objects += object(geometric::trimmed(std::string_view(lines_[line_]).substr(1)));
+        objects.push_back(object(lines_[line_].substr(1)));
       } else {
         refuse("\"" + lines_[line_] + "\"", "\"* \" and the name of an object, or \".\"");
       }
     }
-    return fmt::format("name: \"{}\"\nrobot_model_name: robot\nworld:\n  collision_objects:{}\n",
-                       name, objects.empty() ? " []" : "\n" + objects);
+    scene["world"]["collision_objects"] = objects;
+    return YAML::Dump(scene);
   }
 
  private:
@@ -118,62 +144,69 @@ class SceneText {
     return X;
   }
 
-  std::string object(std::string_view id) {
+  YAML::Node object(const std::string& id) {
     words_.clear();
     at_ = 0;
     // Since Noetic an object has a pose of its own before its shapes.
     static_cast<void>(word());
     at_ = 0;
     const Pose X_WO = words_.size() > 1 ? pose() : Pose::Identity();
+    YAML::Node object;
+    object["id"] = std::string(geometric::trimmed(id));
+    for (const char* list :
+         {"primitives", "primitive_poses", "meshes", "mesh_poses", "planes", "plane_poses"}) {
+      object[list] = YAML::Node(YAML::NodeType::Sequence);
+    }
     const std::size_t shapes = count();
-    std::array<std::vector<std::string>, 3> kinds;
-    std::array<std::vector<std::string>, 3> poses;
     for (std::size_t i = 0; i < shapes; ++i) {
-      const auto [kind, text] = shape();
-      kinds.at(kind).push_back(text);
-      poses.at(kind).push_back(pose_text(X_WO * pose()));
+      const std::string kind = word();
+      const bool is_mesh = kind == "mesh";
+      const bool is_plane = kind == "plane";
+      object[is_mesh ? "meshes" : is_plane ? "planes" : "primitives"].push_back(shape(kind));
+      object[is_mesh    ? "mesh_poses"
+             : is_plane ? "plane_poses"
+                        : "primitive_poses"]
+          .push_back(pose_message(X_WO * pose()));
       static_cast<void>(numbers(4));  // colour
     }
     while (++line_ < lines_.size() && lines_[line_] != "." && !lines_[line_].starts_with('*')) {
     }
-    return fmt::format(
-        "    - {{id: \"{}\", primitives: [{}], primitive_poses: [{}], meshes: [{}], mesh_poses: "
-        "[{}], planes: [{}], plane_poses: [{}]}}\n",
-        id, fmt::join(kinds[0], ", "), fmt::join(poses[0], ", "), fmt::join(kinds[1], ", "),
-        fmt::join(poses[1], ", "), fmt::join(kinds[2], ", "), fmt::join(poses[2], ", "));
+    return object;
   }
 
-  // Its list (primitives, meshes, planes) and its message.
-  std::pair<std::size_t, std::string> shape() {
-    const std::string kind = word();
+  // A shape_msgs/SolidPrimitive, Mesh or Plane.
+  YAML::Node shape(const std::string& kind) {
     if (kind == "box") {
-      return {0, fmt::format("{{type: 1, dimensions: {}}}", numbers(3))};
+      return primitive(1, numbers(3));
     }
     if (kind == "sphere") {
-      return {0, fmt::format("{{type: 2, dimensions: {}}}", numbers(1))};
+      return primitive(2, numbers(1));
     }
     if (kind == "cylinder" || kind == "cone") {
-      const std::vector<double> size = numbers(2);  // radius, length
-      return {0, fmt::format("{{type: {}, dimensions: [{}, {}]}}", kind == "cone" ? 4 : 3, size[1],
-                             size[0])};
+      std::vector<double> size = numbers(2);  // radius, length
+      std::ranges::reverse(size);
+      return primitive(kind == "cone" ? 4 : 3, size);
     }
     if (kind == "plane") {
-      return {2, fmt::format("{{coef: {}}}", numbers(4))};
+      return with_list("coef", numbers(4));
     }
     if (kind != "mesh") {
       refuse("\"" + kind + "\"", "box, sphere, cylinder, cone, mesh or plane");
     }
     const std::size_t vertices = count();
     const std::size_t triangles = count();
-    std::string text = "{vertices: [";
-    for (std::size_t i = 0; i < vertices; ++i) {
-      text += fmt::format("{}{}", i == 0 ? "" : ", ", numbers(3));
+    YAML::Node mesh;
+    mesh["vertices"] = triples(vertices);
+    mesh["triangles"] = triples(triangles);
+    return mesh;
+  }
+
+  YAML::Node triples(std::size_t count) {
+    YAML::Node list(YAML::NodeType::Sequence);
+    for (std::size_t i = 0; i < count; ++i) {
+      list.push_back(list_of(numbers(3)));
     }
-    text += "], triangles: [";
-    for (std::size_t i = 0; i < triangles; ++i) {
-      text += fmt::format("{}{}", i == 0 ? "" : ", ", numbers(3));
-    }
-    return {1, text + "]}"};
+    return list;
   }
 
   fs::path file_;
