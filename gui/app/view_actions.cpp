@@ -5,7 +5,7 @@
 #include "model/settings/preferences.h"
 #include "view3d/scene_bodies.h"
 #include "view3d/scene_view.h"
-#include "widgets/forms/named.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 

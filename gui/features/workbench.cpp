@@ -1,7 +1,7 @@
 #include "features/workbench.h"
 
 #include "view3d/scene_view.h"
-#include "widgets/forms/named.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"

@@ -1,8 +1,6 @@
 #include "app/start/command_palette.h"
 
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QKeyEvent>

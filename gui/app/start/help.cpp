@@ -2,7 +2,6 @@
 
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>

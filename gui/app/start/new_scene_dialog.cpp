@@ -4,8 +4,6 @@
 #include "handway/geometric/formats/srdf.h"
 #include "handway/geometric/io/resources.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 

@@ -5,7 +5,6 @@
 #include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/campaigns/run_workers.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/screen_colors.h"

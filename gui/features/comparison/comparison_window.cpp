@@ -6,8 +6,6 @@
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/style/theme.h"
 

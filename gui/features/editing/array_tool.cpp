@@ -4,8 +4,6 @@
 #include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 

@@ -5,7 +5,7 @@
 #include "handway/geometric/io/resources.h"
 #include "model/document/scene_edits.h"
 #include "model/document/selection.h"
-#include "widgets/forms/named.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/style/theme.h"
 
 #include <QClipboard>

@@ -1,7 +1,7 @@
 #include "features/editing/goal_pose_form.h"
 
 #include "handway/geometric/robot/inverse_kinematics.h"
-#include "widgets/forms/named.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 
 #include <QCheckBox>

@@ -4,8 +4,6 @@
 #include "handway/geometric/math/units.h"
 #include "model/document/scene_edits.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/shape_form.h"
 #include "widgets/style/theme.h"

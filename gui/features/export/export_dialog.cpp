@@ -6,7 +6,6 @@
 #include "model/document/document.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/cursor_plot.h"

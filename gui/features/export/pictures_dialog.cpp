@@ -2,8 +2,6 @@
 
 #include "features/export/film_recorder.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/plots/figure_file.h"
 #include "widgets/style/theme.h"

@@ -5,7 +5,6 @@
 #include "handway/device/glove/human_hand.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QLabel>

@@ -11,8 +11,6 @@
 #include "model/document/document.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/link_status.h"
 #include "widgets/style/theme.h"

@@ -6,8 +6,7 @@
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/sampling/postures/basis_study.h"
 #include "handway/sampling/postures/pmd_basis.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
+#include "widgets/forms/arrangement.h"
 
 #include <QComboBox>
 #include <QGridLayout>

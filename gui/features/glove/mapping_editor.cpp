@@ -11,8 +11,6 @@
 #include "handway/sampling/postures/principal_components.h"
 #include "model/document/edit.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QFileDialog>

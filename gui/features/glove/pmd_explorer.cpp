@@ -4,8 +4,6 @@
 #include "features/glove/capture_coach.h"
 #include "features/glove/device_field.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 
 #include <QComboBox>
 #include <QFileDialog>

@@ -2,8 +2,6 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QDateTime>

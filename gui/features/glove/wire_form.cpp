@@ -5,7 +5,6 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

@@ -10,8 +10,6 @@
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QHeaderView>

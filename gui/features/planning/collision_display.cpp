@@ -6,7 +6,6 @@
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 

@@ -2,7 +2,6 @@
 
 #include "handway/geometric/setup/moving_group.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 
 #include <QLabel>
 #include <QMenu>

@@ -3,8 +3,6 @@
 #include "features/planning/preset_bar.h"
 #include "model/planning/planning_session.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/forms/parameter_form.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"

@@ -2,7 +2,6 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 
 #include <QAction>
 #include <QComboBox>

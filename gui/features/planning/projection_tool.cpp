@@ -4,8 +4,6 @@
 #include "model/planning/planning_session.h"
 #include "view3d/overlay.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/plots/projection_plot.h"
 #include "widgets/style/theme.h"
 

@@ -8,8 +8,6 @@
 #include "model/playback/motion_analysis.h"
 #include "model/playback/path_player.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/plots/cursor_plot.h"

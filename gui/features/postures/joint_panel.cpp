@@ -4,8 +4,6 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"

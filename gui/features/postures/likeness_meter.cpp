@@ -3,8 +3,6 @@
 #include "handway/geometric/io/resources.h"
 #include "model/document/document.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QDir>

@@ -9,8 +9,6 @@
 #include "model/playback/path_player.h"
 #include "model/settings/options.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 

@@ -2,7 +2,6 @@
 
 #include "features/workbench.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 

@@ -6,8 +6,6 @@
 #include "handway/planning/extensions/plugin.h"
 #include "model/meshes/shaded_meshes.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"

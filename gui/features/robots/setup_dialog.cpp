@@ -5,7 +5,6 @@
 #include "handway/geometric/io/existing_file.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 

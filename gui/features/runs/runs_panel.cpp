@@ -4,8 +4,6 @@
 #include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 

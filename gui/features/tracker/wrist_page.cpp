@@ -3,8 +3,6 @@
 #include "features/workbench.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/link_status.h"
 #include "widgets/style/theme.h"

@@ -5,7 +5,7 @@
 #include "features/workbench.h"
 #include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
-#include "widgets/forms/named.h"
+#include "widgets/forms/arrangement.h"
 
 #include <QInputDialog>
 #include <QMainWindow>

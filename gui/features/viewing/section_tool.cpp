@@ -3,8 +3,6 @@
 #include "features/workbench.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 

@@ -1,5 +1,7 @@
 #include "widgets/forms/arrangement.h"
 
+#include <QLabel>
+#include <QVariant>
 #include <QWidget>
 
 namespace handway::gui {
@@ -19,6 +21,12 @@ QBoxLayout* arranged(QBoxLayout::Direction direction, std::initializer_list<Pane
     }
   }
   return layout;
+}
+
+QLabel* label(const QString& text, const char* role) {
+  auto* made = new QLabel(text);
+  made->setProperty("role", role);
+  return made;
 }
 
 }  // namespace
@@ -43,5 +51,9 @@ QWidget* boxed(QLayout* content, const QMargins& margins) {
   lay_out(*box, content, margins);
   return box;
 }
+
+QLabel* heading(const QString& text) { return label(text, "heading"); }
+
+QLabel* note(const QString& text) { return label(text, "note"); }
 
 }  // namespace handway::gui

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <QBoxLayout>
+#include <QLatin1String>
 #include <QMargins>
+#include <QString>
 
 #include <initializer_list>
 
+class QLabel;
 class QWidget;
 
 namespace handway::gui {
@@ -38,5 +41,17 @@ inline constexpr int kUsualGap = -1;
 void lay_out(QWidget& widget, QLayout* content, const QMargins& margins = {});
 /// A widget of its own for it.
 [[nodiscard]] QWidget* boxed(QLayout* content, const QMargins& margins = {});
+
+/// Gives an object the name by which tests, scripts and kept settings find it.
+template <typename Object>
+[[nodiscard]] Object* named(const char* name, Object* object) {
+  object->setObjectName(QLatin1String(name));
+  return object;
+}
+
+/// What stands above a part of a panel.
+[[nodiscard]] QLabel* heading(const QString& text = {});
+/// Words that are read after all others: what explains, counts or names.
+[[nodiscard]] QLabel* note(const QString& text = {});
 
 }  // namespace handway::gui

@@ -1,8 +1,7 @@
 #include "widgets/forms/quantity_field.h"
 
 #include "handway/geometric/math/units.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/style/theme.h"
 
 #include <QAbstractSpinBox>

@@ -2,8 +2,6 @@
 
 #include "model/document/scene_edits.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
-#include "widgets/forms/named.h"
 #include "widgets/forms/quantity_field.h"
 
 #include <QCheckBox>

@@ -1,6 +1,6 @@
 #include "widgets/panels/dock_layout.h"
 
-#include "widgets/forms/named.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/style/theme.h"
 
 #include <QAction>

@@ -1,7 +1,6 @@
 #include "widgets/panels/floating_card.h"
 
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/named.h"
 #include "widgets/style/theme.h"
 
 #include <QEvent>

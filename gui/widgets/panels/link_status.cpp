@@ -1,7 +1,6 @@
 #include "widgets/panels/link_status.h"
 
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/labels.h"
 #include "widgets/style/theme.h"
 
 #include <QFrame>
