@@ -75,6 +75,19 @@ TEST(MoveitProblem, ReadsScenesAsText) {
   ::unsetenv("HANDWAY_ROBOT");
 }
 
+TEST(MoveitProblem, ReadsScenesAsTextWhateverNamesAreMadeOf) {
+  const SmallProblem problem;
+  const std::filesystem::path file = problem.folder() / "workshop.scene";
+  std::ofstream(file) << "the \"workshop\"\n* 1\" pipe: #4\n1\nmesh\n4 4\n0 0 0\n1 0 0\n0 1 0\n"
+                      << "0 0 1\n0 2 1\n0 1 3\n0 3 2\n1 2 3\n0.7 0 0.4\n0 0 0 1\n0 0 0 0\n.\n";
+  ::setenv("HANDWAY_ROBOT", (problem.folder() / "robots" / "crane.urdf").c_str(), 1);
+  const auto scene = MoveitImporter().read(file).scene;
+  ::unsetenv("HANDWAY_ROBOT");
+  ASSERT_EQ(scene->objects.size(), 1U);
+  EXPECT_EQ(scene->objects[0].name, "1\" pipe: #4");
+  EXPECT_EQ(std::get<geometric::Mesh>(scene->objects[0].shape).triangles->triangles.size(), 4U);
+}
+
 TEST(MoveitProblem, MovesTheJointsOfItsGroupAlone) {
   const SmallProblem problem;
   const auto scene = problem.read().scene;
