@@ -2,7 +2,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/robot_state.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 #include "planner_model.h"
 #include "scene_questions.h"
 
@@ -95,7 +95,7 @@ planning::PathCheckResult check(const SceneModel& scene, const Array& array, dou
 }
 
 py::array_t<double> read_path(const SceneModel& scene, const py::object& file) {
-  const planning::Path path = planning::read_path_csv(scene.robot(), std::string(py::str(file)));
+  const planning::Path path = planning::read_path(scene.robot(), std::string(py::str(file)));
   return to_array(path.waypoints, scene.robot().variable_count());
 }
 

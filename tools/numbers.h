@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/extensions/plugin.h"
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "numbers.h"
 #include "plan_report.h"

@@ -5,7 +5,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/plugin.h"
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 #include "numbers.h"
 #include "posture_study.h"
 #include "reproduce_report.h"

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/extensions/plugin.h"
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -6,7 +6,7 @@ namespace handway::export_csv {
 
 /// One CSV of the whole robot, NAME.csv: `time` (s), every moving joint (rad or m), coupled
 /// ones included, then JOINT.velocity and JOINT.acceleration of the joints that move on
-/// their own. It is a path file too: see read_path_csv().
+/// their own. It is a path file too: see read_path().
 class CsvExporter final : public planning::Exporter {
  public:
   [[nodiscard]] std::string name() const override { return "csv"; }

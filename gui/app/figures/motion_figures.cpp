@@ -2,7 +2,7 @@
 
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/planning/extensions/plugin.h"
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 #include "model/document/document.h"
 #include "model/playback/path_player.h"
 #include "view3d/scene_pictures.h"
@@ -56,8 +56,8 @@ FilmRow row_of(const YamlElement& element, const fs::path& folder,
   if (row.scene->robots.empty()) {
     element.need("scene").refuse("a scene without a robot", "one with a robot");
   }
-  row.path = planning::read_path_csv(*row.scene->robots.front().model,
-                                     folder / element.need("path").text());
+  row.path =
+      planning::read_path(*row.scene->robots.front().model, folder / element.need("path").text());
   if (row.path.empty()) {
     element.need("path").refuse("a path without waypoints", "at least one");
   }

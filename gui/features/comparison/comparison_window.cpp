@@ -2,7 +2,7 @@
 
 #include "features/workbench.h"
 #include "handway/geometric/math/units.h"
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
@@ -395,7 +395,7 @@ void ComparisonWindow::open_file(std::size_t side, const QString& file) {
       return {};
     }
     const PathMotion timed =
-        motion_of(*problem, planning::read_path_csv(problem->model(), file.toStdString()));
+        motion_of(*problem, planning::read_path(problem->model(), file.toStdString()));
     if (!timed.motion) {
       return [this, fault = timed.fault] { note_->setText(QString::fromStdString(fault)); };
     }

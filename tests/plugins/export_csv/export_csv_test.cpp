@@ -1,5 +1,5 @@
 #include "csv_exporter.h"
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/motions.h"
 #include "handway_test/paths.h"
@@ -84,7 +84,7 @@ TEST(CsvExporter, WritesAPath) {
   const test::ScratchFolder scratch;
   const planning::Motion motion = test::tx90_sah_motion();
   const auto written = CsvExporter().write(motion, scratch.path());
-  const planning::Path path = planning::read_path_csv(*motion.model, written.at(0));
+  const planning::Path path = planning::read_path(*motion.model, written.at(0));
   ASSERT_EQ(path.waypoints.size(), motion.trajectory.points.size());
   EXPECT_EQ(path.waypoints[7], motion.trajectory.points[7].position);
 }

@@ -26,7 +26,7 @@ namespace handway::planning {
 HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::RobotModel& model,
                                             const std::filesystem::path& file);
 
-/// Reads such a file. Columns may come in any order; "time" and the columns of
+/// Reads such a table. Columns may come in any order; "time" and the columns of
 /// coupled joints may be missing, but where they are there they must agree with
 /// the coupling within 1e-4. Columns "JOINT.velocity" and "JOINT.acceleration" of
 /// joints that move on their own, as timed paths have them, must hold finite numbers, and are
@@ -35,7 +35,7 @@ HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::R
 /// A trajectory_msgs/JointTrajectory as YAML or JSON, also in the messages around one, is a path
 /// through its positions.
 /// @throws InputError naming line and column or element for anything else.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT Path read_path_csv(const geometric::RobotModel& model,
-                                                         const std::filesystem::path& file);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Path read_path(const geometric::RobotModel& model,
+                                                     const std::filesystem::path& file);
 
 }  // namespace handway::planning

@@ -1,4 +1,4 @@
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
@@ -36,9 +36,7 @@ class PathCsv : public testing::Test {
     std::ofstream(path, std::ios::binary) << text;
     return path;
   }
-  [[nodiscard]] Path read(const std::string& text) const {
-    return read_path_csv(model_, file(text));
-  }
+  [[nodiscard]] Path read(const std::string& text) const { return read_path(model_, file(text)); }
   [[nodiscard]] std::string refusal(const std::string& text) const {
     return refusal_of([&] { static_cast<void>(read(text)); });
   }
@@ -89,7 +87,7 @@ TEST_F(PathCsv, ReadsBackTheSameBits) {
                                                   angle(random) * 1e-12, std::sqrt(angle(random))));
   }
   write_path_csv(path, model_, folder_.path() / "path.csv");
-  const Path again = read_path_csv(model_, folder_.path() / "path.csv");
+  const Path again = read_path(model_, folder_.path() / "path.csv");
   ASSERT_EQ(again.waypoints.size(), path.waypoints.size());
   for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
     EXPECT_EQ(again.waypoints[i], path.waypoints[i]) << i;  // no tolerance
@@ -197,10 +195,9 @@ TEST_F(PathCsv, NeedsTwoWaypoints) {
 
 TEST_F(PathCsv, NamesAFileThatIsNotThere) {
   EXPECT_THAT(
-      refusal_of([&] { static_cast<void>(read_path_csv(model_, folder_.path() / "none.csv")); }),
+      refusal_of([&] { static_cast<void>(read_path(model_, folder_.path() / "none.csv")); }),
       AllOf(HasSubstr("none.csv"), HasSubstr("no such file")));
-  EXPECT_FALSE(
-      refusal_of([&] { static_cast<void>(read_path_csv(model_, folder_.path())); }).empty());
+  EXPECT_FALSE(refusal_of([&] { static_cast<void>(read_path(model_, folder_.path())); }).empty());
 }
 
 TEST_F(PathCsv, LeavesTheOldFileWhenItCanNotWrite) {

@@ -1,4 +1,4 @@
-#include "handway/planning/paths/path_csv.h"
+#include "handway/planning/paths/path_file.h"
 
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
@@ -14,6 +14,7 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace handway::planning {
@@ -35,9 +36,64 @@ char separator_of(const std::string& header) {
   return ',';
 }
 
-class Reader {
+/// The joints that a file's columns hold values of; what couplings make of them is checked.
+class JointColumns {
  public:
-  Reader(const RobotModel& model, const std::filesystem::path& file) : model_(model), file_(file) {}
+  explicit JointColumns(const RobotModel& model) : model_(model) {}
+
+  /// @returns whether the robot has such a joint, and it moves; a column of something else if not.
+  bool append(std::string_view name) {
+    int link = 0;
+    for (int i = 1; i < model_.link_count(); ++i) {
+      link = model_.joint(i).name == name && model_.drive(i).variable >= 0 ? i : link;
+    }
+    links_.push_back(link);
+    return link > 0;
+  }
+
+  /// A joint that moves on its own, and its number of columns where that isn't 1.
+  [[nodiscard]] std::optional<std::pair<std::string, std::ptrdiff_t>> miscounted() const {
+    for (int v = 0; v < model_.variable_count(); ++v) {
+      if (const auto count = std::ranges::count(links_, model_.variable_link(v)); count != 1) {
+        return std::pair(model_.variable(v).name, count);
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// @param refuse called with a column that does not agree with a coupling, and what would.
+  template <typename Refuse>
+  [[nodiscard]] Configuration configuration(const Eigen::VectorXd& values,
+                                            const Refuse& refuse) const {
+    Configuration q(model_.variable_count());
+    for (Eigen::Index c = 0; c < values.size(); ++c) {
+      const int link = links_[static_cast<std::size_t>(c)];
+      const int variable = model_.drive(link).variable;
+      if (link > 0 && model_.variable_link(variable) == link) {
+        q[variable] = values[c];
+      }
+    }
+    for (Eigen::Index c = 0; c < values.size(); ++c) {
+      const int link = links_[static_cast<std::size_t>(c)];
+      const double coupled = link > 0 ? geometric::joint_value(model_, link, q) : values[c];
+      if (std::abs(values[c] - coupled) > kCouplingTolerance) {
+        refuse(static_cast<std::size_t>(c),
+               fmt::format("{:.6f}, as coupled to joint {}", coupled,
+                           model_.variable(model_.drive(link).variable).name));
+      }
+    }
+    return q;
+  }
+
+ private:
+  const RobotModel& model_;
+  std::vector<int> links_;  ///< 0: of something else.
+};
+
+class TableReader {
+ public:
+  TableReader(const RobotModel& model, const std::filesystem::path& file)
+      : model_(model), file_(file), columns_(model) {}
 
   Path read() {
     std::istringstream in(
@@ -61,29 +117,18 @@ class Reader {
  private:
   void read_header(const std::string& line) {
     separator_ = separator_of(line);
-    const std::vector<std::string_view> names = geometric::cells(line, separator_);
-    header_.assign(names.begin(), names.end());
-    link_of_column_.assign(header_.size(), 0);
-    for (std::size_t c = 0; c < header_.size(); ++c) {
-      for (int i = 1; i < model_.link_count(); ++i) {
-        if (model_.joint(i).name == header_[c] && model_.drive(i).variable >= 0) {
-          link_of_column_[c] = i;
-        }
-      }
-      if (link_of_column_[c] == 0 && header_[c] != "time" && !is_rate(header_[c])) {
-        throw InputError({file_.string() + ":1", "column \"" + header_[c] + "\"",
+    for (const std::string_view name : geometric::cells(line, separator_)) {
+      header_.emplace_back(name);
+      if (!columns_.append(name) && name != "time" && !is_rate(header_.back())) {
+        throw InputError({file_.string() + ":1", "column \"" + header_.back() + "\"",
                           "no joint of robot " + model_.name() + " that moves",
                           "\"time\" or a joint's name", ""});
       }
     }
-    for (int v = 0; v < model_.variable_count(); ++v) {
-      if (std::ranges::count(header_, model_.variable(v).name) != 1) {
-        throw InputError({file_.string() + ":1", "",
-                          fmt::format("{} columns for joint {}",
-                                      std::ranges::count(header_, model_.variable(v).name),
-                                      model_.variable(v).name),
-                          "one", ""});
-      }
+    if (const auto joint = columns_.miscounted()) {
+      throw InputError({file_.string() + ":1", "",
+                        fmt::format("{} columns for joint {}", joint->second, joint->first), "one",
+                        ""});
     }
   }
 
@@ -101,28 +146,14 @@ class Reader {
       throw InputError({at_line(), "", fmt::format("{} values", row.size()),
                         fmt::format("{} as in the header", header_.size()), ""});
     }
-    std::vector<double> values;
+    Eigen::VectorXd values(static_cast<Eigen::Index>(row.size()));
     for (std::size_t c = 0; c < row.size(); ++c) {
-      values.push_back(number(row[c], header_[c]));
+      values[static_cast<Eigen::Index>(c)] = number(row[c], header_[c]);
     }
-    Configuration q(model_.variable_count());
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const int variable = model_.drive(link_of_column_[c]).variable;
-      if (link_of_column_[c] > 0 && model_.variable_link(variable) == link_of_column_[c]) {
-        q[variable] = values[c];
-      }
-    }
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const int link = link_of_column_[c];
-      const double expected = link > 0 ? geometric::joint_value(model_, link, q) : values[c];
-      if (std::abs(values[c] - expected) > kCouplingTolerance) {
-        throw InputError({at_line(), "column " + header_[c], std::string(row[c]),
-                          fmt::format("{:.6f}, as coupled to joint {}", expected,
-                                      model_.variable(model_.drive(link).variable).name),
-                          ""});
-      }
-    }
-    return q;
+    return columns_.configuration(values, [&](std::size_t column, const std::string& expected) {
+      throw InputError(
+          {at_line(), "column " + header_[column], std::string(row[column]), expected, ""});
+    });
   }
 
   [[nodiscard]] double number(std::string_view cell, const std::string& column) const {
@@ -138,8 +169,8 @@ class Reader {
 
   const RobotModel& model_;
   const std::filesystem::path& file_;
+  JointColumns columns_;
   std::vector<std::string> header_;
-  std::vector<int> link_of_column_;  ///< 0: time or a rate.
   char separator_ = ',';
   int line_ = 1;
 };
@@ -168,44 +199,26 @@ Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path&
   const YamlElement trajectory =
       trajectory_in(YamlElement::read(file, "a trajectory_msgs/JointTrajectory (YAML or JSON)"));
   const YamlElement names = trajectory.need("joint_names");
-  std::vector<int> links;  // of the joints; 0: one that the robot has not
-  for (const YamlElement& name : names.items()) {
-    int link = 0;
-    for (int i = 1; i < model.link_count(); ++i) {
-      link = model.joint(i).name == name.text() && model.drive(i).variable >= 0 ? i : link;
-    }
-    if (link == 0) {
+  JointColumns columns(model);
+  const std::vector<YamlElement> joints = names.items();
+  for (const YamlElement& name : joints) {
+    if (!columns.append(name.text())) {
       name.refuse("\"" + name.text() + "\"", "a joint of robot " + model.name() + " that moves");
     }
-    links.push_back(link);
   }
-  for (int v = 0; v < model.variable_count(); ++v) {
-    if (std::ranges::count(links, model.variable_link(v)) != 1) {
-      names.refuse(fmt::format("joint {} {} times", model.variable(v).name,
-                               std::ranges::count(links, model.variable_link(v))),
-                   "once");
-    }
+  if (const auto joint = columns.miscounted()) {
+    names.refuse(fmt::format("joint {} {} times", joint->first, joint->second), "once");
   }
   Path path;
   for (const YamlElement& point : trajectory.need("points").items()) {
     const Eigen::VectorXd positions =
-        point.need("positions").numbers(static_cast<int>(links.size()));
-    Configuration& q = path.waypoints.emplace_back(model.variable_count());
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      const int variable = model.drive(links[i]).variable;
-      if (model.variable_link(variable) == links[i]) {
-        q[variable] = positions[static_cast<Eigen::Index>(i)];
-      }
-    }
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      const double expected = geometric::joint_value(model, links[i], q);
-      if (std::abs(positions[static_cast<Eigen::Index>(i)] - expected) > kCouplingTolerance) {
-        point.refuse(fmt::format("{} for joint {}", positions[static_cast<Eigen::Index>(i)],
-                                 model.joint(links[i]).name),
-                     fmt::format("{:.6f}, as coupled to joint {}", expected,
-                                 model.variable(model.drive(links[i]).variable).name));
-      }
-    }
+        point.need("positions").numbers(static_cast<int>(joints.size()));
+    path.waypoints.push_back(
+        columns.configuration(positions, [&](std::size_t joint, const std::string& expected) {
+          point.refuse(fmt::format("{} for joint {}", positions[static_cast<Eigen::Index>(joint)],
+                                   joints[joint].text()),
+                       expected);
+        }));
   }
   if (path.waypoints.size() < 2) {
     trajectory.need("points").refuse(fmt::format("{} waypoints", path.waypoints.size()),
@@ -246,9 +259,9 @@ void write_path_csv(const Path& path, const RobotModel& model, const std::filesy
   geometric::replace_file(file, to_csv(path, model));
 }
 
-Path read_path_csv(const RobotModel& model, const std::filesystem::path& file) {
+Path read_path(const RobotModel& model, const std::filesystem::path& file) {
   return is_joint_trajectory(file) ? read_joint_trajectory(model, file)
-                                   : Reader(model, file).read();
+                                   : TableReader(model, file).read();
 }
 
 }  // namespace handway::planning
