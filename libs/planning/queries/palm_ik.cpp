@@ -211,12 +211,13 @@ std::optional<ReachFigures> reach_figures(const RobotModel& model, int link,
 
 int palm_link(const RobotModel& model, const std::vector<int>& arm, const std::vector<int>& hand) {
   if (!hand.empty()) {
-    const auto is_moved = [&](int link) { return !that_move(model, link, arm).empty(); };
+    const auto arm_below = [&](const std::vector<int>& chain) {
+      return chain.empty() ? 0 : std::ssize(that_move(model, chain.front(), arm));
+    };
     std::vector<int> common = ancestors(model, model.variable_link(hand.front()));
-    const bool hangs_on_arm = std::ranges::any_of(common, is_moved);
     for (const int variable : hand) {
       std::vector<int> shared = shared_by(common, ancestors(model, model.variable_link(variable)));
-      if (!hangs_on_arm || std::ranges::any_of(shared, is_moved)) {  // else: of another hand
+      if (arm_below(shared) == arm_below(common)) {  // else: of another hand
         common = std::move(shared);
       }
     }

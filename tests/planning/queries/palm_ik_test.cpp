@@ -54,6 +54,20 @@ TEST(PalmIk, TakesThePalmBeyondAWristThatCountsToTheHand) {
   EXPECT_EQ(model.link(palm_link(model, {}, one_finger)).name, "palm");
 }
 
+TEST(PalmIk, TakesTheFirstOfTwoHandsOnArmsThatOneTorsoMoves) {
+  geometric::RobotDescription robot;
+  for (const char* link : {"base", "torso", "left", "jaw", "jaw2", "right", "jaw3", "jaw4"}) {
+    robot.links.emplace_back().name = link;
+  }
+  robot.joints = {turning("bow", "base", "torso"),   turning("arm", "torso", "left"),
+                  turning("finger", "left", "jaw"),  turning("thumb", "left", "jaw2"),
+                  turning("arm2", "torso", "right"), turning("finger2", "right", "jaw3"),
+                  turning("thumb2", "right", "jaw4")};
+  const geometric::RobotModel model(robot);
+  EXPECT_EQ(model.link(palm_link(model, {0, 1, 4}, {2, 3, 5, 6})).name, "left");
+  EXPECT_EQ(model.link(palm_link(model, {0, 1, 4}, {5, 6, 2, 3})).name, "right");
+}
+
 TEST(PalmIk, BringsThePalmThereAndLeavesTheFingersAlone) {
   const PlanningProblem problem = test::tx90_sah_problem();
   const PalmIk ik = palm_ik(problem);
