@@ -64,7 +64,11 @@ void print_robot(const geometric::RobotInstance& robot) {
   }
   fmt::print("robot {}: {} links, {} independent joints, {} visual and {} collision triangles\n",
              robot.name, model.link_count(), model.variable_count(), visual, collision);
-  fmt::print("  {:<18} {:>10} {:>10} {:>10}  {}\n", "joint", "lower", "upper", "max speed",
+  std::size_t widest = 18;
+  for (int i = 1; i < model.link_count(); ++i) {
+    widest = std::max(widest, model.joint(i).name.size());
+  }
+  fmt::print("  {:<{}} {:>10} {:>10} {:>10}  {}\n", "joint", widest, "lower", "upper", "max speed",
              "coupled to");
   for (int i = 1; i < model.link_count(); ++i) {
     const geometric::Joint& joint = model.joint(i);
@@ -78,8 +82,8 @@ void print_robot(const geometric::RobotInstance& robot) {
     const auto limit = [&](double value) {
       return joint.is_continuous() ? "none" : fmt::format("{:.2f}", shown(value));
     };
-    fmt::print("  {:<18} {:>10} {:>10} {:>10.1f}  {} {}\n", joint.name, limit(joint.limits.lower),
-               limit(joint.limits.upper), shown(joint.limits.velocity),
+    fmt::print("  {:<{}} {:>10} {:>10} {:>10.1f}  {} {}\n", joint.name, widest,
+               limit(joint.limits.lower), limit(joint.limits.upper), shown(joint.limits.velocity),
                joint.mimic ? joint.mimic->joint : "", turns ? "(deg)" : "(mm)");
   }
   if (const std::vector<std::string> open = links_with_open_meshes(model); !open.empty()) {
