@@ -73,15 +73,32 @@ class GroupFinder {
     if (link > 0) {
       add(proposal_.arm, link);
     }
-    const std::vector<int> branches = moving_branches(link);
-    const auto fingers = std::ranges::count_if(branches, [&](int b) { return !is_wheel(b); });
+    std::vector<int> branches = moving_branches(link);
     if (branches.empty()) {
       proposal_.tip = last_link(link);
-    } else if (fingers > 1 && reach_[static_cast<std::size_t>(link)] <= kLongestFinger) {
+    } else if (is_palm(link)) {
       add_hand(link, branches);
     } else {
+      keep_if_any(branches, [&](int branch) { return carries_hand(branch); });
+      keep_if_any(branches, [&](int branch) { return !is_wheel(branch); });
       std::ranges::for_each(branches, [&](int branch) { follow(branch); });
     }
+  }
+
+  static void keep_if_any(std::vector<int>& branches, const auto& wanted) {
+    if (std::ranges::any_of(branches, wanted)) {
+      std::erase_if(branches, [&](int branch) { return !wanted(branch); });
+    }
+  }
+
+  [[nodiscard]] bool is_palm(int link) const {
+    return reach_[static_cast<std::size_t>(link)] <= kLongestFinger &&
+           std::ranges::count_if(moving_branches(link), [&](int b) { return !is_wheel(b); }) > 1;
+  }
+
+  [[nodiscard]] bool carries_hand(int link) const {
+    return is_palm(link) ||
+           std::ranges::any_of(moving_branches(link), [&](int b) { return carries_hand(b); });
   }
 
   // Whether all of a branch that moves is one joint that turns without end.
@@ -97,11 +114,21 @@ class GroupFinder {
     if (proposal_.palm.empty()) {
       proposal_.palm = model_.link(palm).name;
     }
+    std::vector<int> grasping = fingers;
+    keep_if_any(grasping, [&](int finger) {
+      return std::ranges::none_of(fingers, [&](int other) { return is_bar_beside(finger, other); });
+    });
+    keep_if_any(grasping, [&](int finger) { return has_shape(finger); });
     for (const int finger : fingers) {
-      const bool grasps =
-          std::ranges::none_of(fingers, [&](int other) { return is_bar_beside(finger, other); });
-      add_finger(finger, grasps);
+      add_finger(finger, std::ranges::count(grasping, finger) > 0);
     }
+  }
+
+  // What a drawing shows; motors and synergies that move fingers are links without.
+  [[nodiscard]] bool has_shape(int link) const {
+    return !model_.link(link).visual.empty() || !model_.link(link).collision.empty() ||
+           std::ranges::any_of(children_[static_cast<std::size_t>(link)],
+                               [&](int child) { return has_shape(child); });
   }
 
   void add_finger(int link, bool grasps) {
@@ -114,13 +141,18 @@ class GroupFinder {
   }
 
   // Whether a branch is but a bar of the linkage that keeps the tip of a finger in line, as
-  // grippers with parallel jaws have them: it begins beside the finger, goes with it and has fewer
-  // joints.
+  // grippers with parallel jaws have them: it begins beside the finger, goes the same way with it
+  // and has fewer joints.
   [[nodiscard]] bool is_bar_beside(int bar, int finger) const {
     const std::vector<int> of_bar = drives(bar);
     const std::vector<int> of_finger = drives(finger);
     const auto base = [&](int link) { return model_.joint(link).X_PJ.translation(); };
+    const auto way = [&](int link) -> Eigen::Vector3d {
+      return model_.joint(link).X_PJ.linear() * model_.joint(link).axis *
+             model_.drive(link).multiplier;
+    };
     return of_bar.size() < of_finger.size() && (base(bar) - base(finger)).norm() < kBesideFinger &&
+           way(bar).dot(way(finger)) >= 0.0 &&
            std::ranges::all_of(of_bar, [&](int variable) { return variable == of_finger.front(); });
   }
 

@@ -52,6 +52,18 @@ class Tree {
     return *this;
   }
 
+  /// The other way round.
+  Tree& follow_against(const std::string& link, const std::string& leader) {
+    follow(link, leader);
+    std::ranges::find(robot_.joints, link, &Joint::child)->mimic->multiplier = -1.0;
+    return *this;
+  }
+
+  Tree& draw(const std::string& link) {
+    std::ranges::find(robot_.links, link, &Link::name)->visual.emplace_back();
+    return *this;
+  }
+
   Tree& add_arm(const std::string& parent, const std::string& name) {
     return add(parent, name + "a", 0.3)
         .add(name + "a", name + "b", 0.3)
@@ -116,6 +128,21 @@ TEST(GroupProposal, TakesNoBarOfALinkageForAFinger) {
   EXPECT_EQ(groups.hand.size(), 6U);
 }
 
+TEST(GroupProposal, TakesAJawThatClosesAgainstALongerOneForAFinger) {
+  Tree tree = Tree().add("root", "one", 0.05).add("one", "a", 0.04).add("a", "b", 0.04);
+  tree.add("root", "other", 0.05).add("other", "c", 0.04);
+  tree.follow("a", "one").follow("b", "one").follow("c", "one").follow_against("other", "one");
+  EXPECT_THAT(propose_groups(tree.model()).fingertips, ElementsAre("b", "c"));
+}
+
+TEST(GroupProposal, TakesNoMotorThatIsNotDrawnForAFinger) {
+  Tree tree = Tree().add("root", "motor", 0.01).add_fingers("root", "f");
+  tree.draw("f1").draw("f4");
+  const GroupProposal groups = propose_groups(tree.model());
+  EXPECT_THAT(groups.fingertips, ElementsAre("ftip", "f4"));
+  EXPECT_EQ(groups.hand.size(), 5U);
+}
+
 TEST(GroupProposal, TakesNoWheelsForFingers) {
   const Tree car =
       Tree().add("root", "caster", 0.1).add_wheel("caster", "l").add_wheel("caster", "r");
@@ -127,11 +154,26 @@ TEST(GroupProposal, TakesNoWheelsForFingers) {
 }
 
 TEST(GroupProposal, TakesLongBranchesForArms) {
-  const GroupProposal groups = propose_groups(
-      Tree().add_arm("root", "l").add_fingers("lc", "lf").add_arm("root", "r").model());
+  const GroupProposal groups =
+      propose_groups(Tree().add_arm("root", "l").add_arm("root", "r").model());
   EXPECT_EQ(groups.arm.size(), 6U);
+  EXPECT_THAT(groups.hand, IsEmpty());
+}
+
+TEST(GroupProposal, TakesNoHeadAndNoLegForAnArmWhereAnArmHasAHand) {
+  Tree robot = Tree().add("root", "torso", 0.4, JointType::kPrismatic).add_arm("torso", "l");
+  robot.add_fingers("lc", "f").add("torso", "head", 0.3).add_arm("root", "leg");
+  const GroupProposal groups = propose_groups(robot.model());
+  EXPECT_THAT(groups.arm, ElementsAre("torso_joint", "la_joint", "lb_joint", "lc_joint"));
   EXPECT_EQ(groups.hand.size(), 4U);
   EXPECT_EQ(groups.palm, "lc");
+}
+
+TEST(GroupProposal, TakesNoWheelsForArms) {
+  const Tree cart = Tree().add_wheel("root", "left").add_wheel("root", "right");
+  const GroupProposal groups = propose_groups(Tree(cart).add_arm("root", "").model());
+  EXPECT_THAT(groups.arm, ElementsAre("a_joint", "b_joint", "c_joint"));
+  EXPECT_EQ(groups.tip, "c");
 }
 
 TEST(GroupProposal, LeavesGroupsThatAreThere) {

@@ -33,7 +33,8 @@ struct GroupProposal {
 /// Finds arm and hand by the tree alone. A hand is what branches into fingers of at most 0.4 m,
 /// wheels being none; all that leads there is the arm. One or two joints that lead to the fingers
 /// of a robot without other arm are a wrist, and three within 0.15 m. Where branches are longer
-/// they are arms, each with what it carries. A robot that does not branch is an arm.
+/// they are arms, each with what it carries: those with a hand, if any has one, so that wheels,
+/// heads and legs are neither arm nor hand. A robot that does not branch is an arm.
 ///
 /// Of several hands, `palm` is the first one's.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal propose_groups(const RobotModel& model);
