@@ -138,8 +138,8 @@ ExpandedXacro::~ExpandedXacro() {
 constexpr int kSamples = 200;
 constexpr std::uint64_t kSeed = 1;
 
-// What an SRDF would say: which links overlap by construction, and which joints are arm and hand.
-void do_without_srdf(RobotDescription& robot) {
+// What an SRDF would say: which links overlap by construction.
+void find_allowed_collisions(RobotDescription& robot) {
   const RobotModel model(robot);
   robot.allowed_collisions = sample_overlapping_links(model, kSamples, kSeed);
   if (robot.allowed_collisions.entries().empty()) {
@@ -156,13 +156,17 @@ void do_without_srdf(RobotDescription& robot) {
           : fmt::format(", and {} in most postures or where a gripper closes",
                         overlapping == 1 ? "1 pair that overlaps"
                                          : fmt::format("{} pairs that overlap", overlapping))));
+}
+
+// An SRDF may call its groups otherwise: MoveIt has no names for them.
+void find_groups(RobotDescription& robot) {
+  const GroupProposal proposal = propose_groups(RobotModel(robot));
   if (robot.groups.empty()) {
-    const GroupProposal proposal = propose_groups(model);
-    add_groups(proposal, robot);
     for (const GroupQuestion& question : proposal.questions) {
       robot.warnings.push_back(question.open + ". " + question.mend);
     }
   }
+  add_groups(proposal, robot);
 }
 
 /// Of other formats, by plugins.
@@ -236,8 +240,9 @@ bool is_robot_file(const fs::path& file) {
 std::shared_ptr<const RobotModel> load_robot(const fs::path& file) {
   RobotDescription description = read_description(file);
   if (description.allowed_collisions.entries().empty()) {
-    do_without_srdf(description);
+    find_allowed_collisions(description);
   }
+  find_groups(description);
   return std::make_shared<const RobotModel>(std::move(description));
 }
 

@@ -230,8 +230,9 @@ std::vector<std::string> names_of(const Items& items) {
 const XmlVocabulary& vocabulary() {
   static const XmlVocabulary kVocabulary = {
       {"robot",
-       {.children = {"group", "group_state", "disable_collisions", "end_effector", "virtual_joint",
-                     "coupling", "passive_joint", "joint_property", "link_sphere_approximation"}}},
+       {.children = {"group", "group_state", "disable_collisions", "disable_default_collisions",
+                     "enable_collisions", "end_effector", "virtual_joint", "coupling",
+                     "passive_joint", "joint_property", "link_sphere_approximation"}}},
       {"group", {.children = {"joint", "link", "chain", "group"}}},
       {"chain", {.attributes = {"base_link", "tip_link"}}},
       {"group_state", {.children = {"joint"}}},
@@ -298,6 +299,12 @@ class SrdfReader {
     for (const pugi::xml_node& node : top_.children("group_state")) {
       add_posture(node);
     }
+    for (const pugi::xml_node& node : top_.children("disable_default_collisions")) {
+      allow_all_of(node);
+    }
+    for (const pugi::xml_node& node : top_.children("enable_collisions")) {
+      semantics_.allowed.forbid(document_.need(node, "link1"), document_.need(node, "link2"));
+    }
     for (const pugi::xml_node& node : top_.children("disable_collisions")) {
       add_allowed(node);
     }
@@ -347,6 +354,17 @@ class SrdfReader {
       }
     }
     semantics_.postures.push_back(std::move(posture));
+  }
+
+  // What `enable_collisions` does not name of it: MoveIt's coarse shapes for self-collisions.
+  void allow_all_of(const pugi::xml_node& node) {
+    const std::string link = document_.need(node, "link");
+    const bool is_known = unknown_.check(document_, node, "link", link, links_);
+    for (const std::string& other : links_) {
+      if (is_known && other != link) {
+        semantics_.allowed.allow(link, other, AllowedReason::kUser);
+      }
+    }
   }
 
   void add_allowed(const pugi::xml_node& node) {
@@ -431,8 +449,10 @@ void append_disabled(pugi::xml_node robot, const AllowedCollisions& allowed) {
 }
 
 void remove_disabled(pugi::xml_node robot) {
-  while (const pugi::xml_node element = robot.child("disable_collisions")) {
-    robot.remove_child(element);
+  for (const char* kind :
+       {"disable_collisions", "disable_default_collisions", "enable_collisions"}) {
+    while (robot.remove_child(kind)) {
+    }
   }
 }
 

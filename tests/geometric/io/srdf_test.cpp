@@ -112,6 +112,22 @@ TEST(SrdfReader, ReadsReasonsAndTakesUnknownOnesAsTheUsers) {
   EXPECT_EQ(allowed.reason("l2", "tip"), AllowedReason::kUser);
 }
 
+TEST(SrdfReader, AllowsAllPairsOfALinkButThoseThatAreEnabled) {
+  const ScratchFiles files;
+  const RobotDescription robot = read(files, R"(<disable_default_collisions link="l1"/>
+    <enable_collisions link1="tip" link2="l1"/><disable_collisions link1="base" link2="tip"/>)");
+  const AllowedCollisions& allowed = robot.allowed_collisions;
+  EXPECT_EQ(allowed.reason("base", "l1"), AllowedReason::kUser);
+  EXPECT_EQ(allowed.reason("l2", "l1"), AllowedReason::kUser);
+  EXPECT_EQ(allowed.entries().size(), 3U);
+  EXPECT_THAT(robot.warnings, testing::IsEmpty());
+  const auto file = files.folder() / "r.srdf";
+  update_srdf(robot, file);
+  RobotDescription again = chain_of_three();
+  read_srdf(file, again);
+  EXPECT_EQ(again.allowed_collisions.entries(), allowed.entries());
+}
+
 TEST(SrdfReader, PassesOverWhatTheRobotHasNotAndTellsOnce) {
   const ScratchFiles files;
   const RobotDescription robot = read(files, R"(
@@ -140,8 +156,8 @@ TEST(SrdfReader, RefusesMisspeltElementsAndTellsOfOthers) {
               AllOf(HasSubstr("r.srdf:2"), HasSubstr("Did you mean <disable_collisions>?")));
   EXPECT_THAT(refusal("<grup name=\"g\"/>"), HasSubstr("Did you mean <group>?"));
   EXPECT_THAT(refusal("<group name=\"g\"><chian/></group>"), HasSubstr("<chain>"));
-  EXPECT_THAT(read(files, R"(<enable_collisions link1="l1" link2="tip"/><motoman:tool/>)").warnings,
-              ElementsAre(AllOf(HasSubstr("<enable_collisions>"), HasSubstr("<motoman:tool>"))));
+  EXPECT_THAT(read(files, R"(<link_padding link="l1"/><motoman:tool/>)").warnings,
+              ElementsAre(AllOf(HasSubstr("<link_padding>"), HasSubstr("<motoman:tool>"))));
 }
 
 TEST(SrdfReader, ReadsEndEffectorsAndPassesOverThoseOfUnknownGroups) {

@@ -381,6 +381,29 @@ TEST(RobotLoader, LetsJoinedAndOverlappingLinksTouchWithoutAnSrdf) {
                           HasSubstr("may be an arm or a finger")));
 }
 
+TEST(RobotLoader, FindsTheGroupsThatAnSrdfCallsOtherwise) {
+  const ScratchFiles files;
+  const std::string far = "<origin xyz=\"0 0 0.5\"/>" + kLimit;
+  std::string links;
+  for (const char* name : {"base", "upper", "fore", "wrist", "left", "right", "head"}) {
+    links += "<link name=\"" + std::string(name) + "\"/>";
+  }
+  const auto file =
+      files.write("r.urdf", robot(links + joint("a", "revolute", "base", "upper", far) +
+                                  joint("b", "revolute", "upper", "fore", far) +
+                                  joint("c", "revolute", "fore", "wrist", far) +
+                                  joint("l", "revolute", "wrist", "left", kLimit) +
+                                  joint("r", "revolute", "wrist", "right", kLimit) +
+                                  joint("h", "revolute", "base", "head", far)));
+  files.write("r.srdf",
+              "<robot name=\"r\"><group name=\"manipulator\"><joint name=\"a\"/></group>"
+              "<disable_collisions link1=\"base\" link2=\"upper\"/></robot>");
+  const auto model = load_robot(file);
+  EXPECT_THAT(model->find_group("arm"), testing::Optional(ElementsAre(0, 1, 2)));
+  EXPECT_THAT(model->find_group("hand"), testing::Optional(ElementsAre(3, 4)));
+  EXPECT_THAT(model->description().warnings, IsEmpty());
+}
+
 TEST(RobotLoader, RefusesOtherKindsOfFiles) {
   const ScratchFiles files;
   const auto file = files.write("r.xacro", "<robot/>");

@@ -29,8 +29,8 @@ HANDWAY_GEOMETRIC_EXPORT void register_robot_reader(RobotReader reader);
 /// first turned into URDF by the program `xacro`; the SRDF of its name (`x.srdf` for
 /// `x.urdf.xacro`) is read as well, and so is that of files of other formats. If no SRDF disables
 /// any collision, the links that a joint connects and those that overlap
-/// (sample_overlapping_links()) are allowed to touch and, if it names no group either, the groups
-/// are those of propose_groups(): with warnings in the description.
+/// (sample_overlapping_links()) are allowed to touch. Where it names no group "arm" or "hand", that
+/// one is of propose_groups(). Warnings in the description say so of robots without an SRDF.
 /// @throws InputError if the file can't be read or makes no robot.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const RobotModel> load_robot(
     const std::filesystem::path& file);
