@@ -46,6 +46,7 @@ TEST(Autosave, KeepsWhatWasStoredWheneverItIsKilled) {
   for (const unsigned long later_ms : {0, 1, 3, 7, 12}) {
     QProcess killed;
     killed.setProcessEnvironment(environment);
+    killed.setProcessChannelMode(QProcess::MergedChannels);  // what it died of, if not of us
     killed.start(
         QCoreApplication::applicationFilePath(),
         {"--gtest_filter=Autosave.DISABLED_StoresWithoutEnd", "--gtest_also_run_disabled_tests"});
