@@ -9,7 +9,7 @@
 #include "handway/geometric/robot/base_joint.h"
 #include "handway/geometric/robot/robot_description.h"
 #include "handway/planning/extensions/plugin.h"
-#include "mjcf_text.h"
+#include "mjcf_compiler.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,16 +19,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <numbers>
 #include <optional>
-#include <regex>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,169 +38,6 @@ using geometric::Joint;
 using geometric::JointType;
 using geometric::Pose;
 using geometric::RobotDescription;
-
-constexpr const char* kNameInMemory = "handway.xml";
-
-// MuJoCo's own way with errors is to end the program.
-void throw_error(const char* message) { throw std::runtime_error(message); }
-
-std::vector<std::string>* caught = nullptr;
-
-void catch_warning(const char* message) { caught->emplace_back(message); }
-
-/// MuJoCo's handlers of errors and warnings are for the whole program: ours for as long as this is
-/// there.
-class Handlers {
- public:
-  explicit Handlers(std::vector<std::string>& warnings)
-      : error_(mju_user_error), warning_(mju_user_warning) {
-    caught = &warnings;
-    mju_user_error = throw_error;
-    mju_user_warning = catch_warning;
-  }
-  ~Handlers() {
-    mju_user_error = error_;
-    mju_user_warning = warning_;
-  }
-  Handlers(const Handlers&) = delete;
-  Handlers& operator=(const Handlers&) = delete;
-
- private:
-  void (*error_)(const char*);
-  void (*warning_)(const char*);
-};
-
-/// MuJoCo's files in memory, which it prefers to those of the disk.
-class MemoryFiles {
- public:
-  MemoryFiles() { mj_defaultVFS(files_.get()); }
-  ~MemoryFiles() { mj_deleteVFS(files_.get()); }
-  MemoryFiles(const MemoryFiles&) = delete;
-  MemoryFiles& operator=(const MemoryFiles&) = delete;
-
-  // False if its name is too long.
-  bool add(const std::string& name, const std::string& text) {
-    if (mj_makeEmptyFileVFS(files_.get(), name.c_str(), static_cast<int>(text.size())) != 0) {
-      return false;
-    }
-    const int index = mj_findFileVFS(files_.get(), name.c_str());
-    std::memcpy(files_->filedata[index], text.data(), text.size());
-    return true;
-  }
-
-  [[nodiscard]] const mjVFS* get() const { return files_.get(); }
-
- private:
-  std::unique_ptr<mjVFS> files_ = std::make_unique<mjVFS>();
-};
-
-struct ModelDeleter {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-};
-using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
-
-/// What MuJoCo said against a text.
-struct Refusal {
-  std::string reason;
-  std::string element;   ///< May be empty.
-  std::size_t line = 0;  ///< Of the text; 0: none is named.
-};
-
-Refusal refusal_of(const std::string& message) {
-  Refusal refusal{message.substr(0, message.find('\n')), "", 0};
-  std::smatch match;
-  static const std::regex kLine(R"(line(?: =)? (\d+))");
-  if (std::regex_search(message, match, kLine)) {
-    refusal.line = std::stoul(match[1]);
-  }
-  static const std::regex kElement(R"(Element '(.*)',)");
-  if (std::regex_search(message, match, kElement)) {
-    refusal.element = match[1];
-  }
-  return refusal;
-}
-
-ModelPointer compile_text(const fs::path& file, const std::string& text, Refusal& refusal) {
-  MemoryFiles files;
-  // MuJoCo looks for the other files from where this one seems to be.
-  if (!files.add(kNameInMemory, text)) {
-    refusal.reason = "no room for it";
-    return nullptr;
-  }
-  const std::string place = (fs::absolute(file).parent_path() / kNameInMemory).string();
-  std::array<char, 1024> message{};
-  try {
-    ModelPointer model(
-        mj_loadXML(place.c_str(), files.get(), message.data(), static_cast<int>(message.size())));
-    refusal = refusal_of(message.data());
-    return model;
-  } catch (const std::exception& error) {
-    refusal = refusal_of(error.what());
-    return nullptr;
-  }
-}
-
-/// A model, and what of the file isn't in it.
-struct Compiled {
-  ModelPointer model;
-  MjcfText text;
-  MjcfOmissions omissions;
-  std::map<std::string, std::string> faulty_meshes;  ///< By name, with MuJoCo's reason.
-};
-
-// What would change the robot if it were left out for a slip of the pen.
-bool is_slip(const std::string& attribute) {
-  static const std::vector<std::string> kNeeded = {
-      "range",    "axis",      "pos",         "quat",    "euler",      "fromto",   "xyaxes",
-      "zaxis",    "axisangle", "type",        "size",    "mesh",       "file",     "scale",
-      "limited",  "contype",   "conaffinity", "class",   "childclass", "joint1",   "joint2",
-      "polycoef", "coef",      "refpos",      "refquat", "angle",      "eulerseq", "meshdir"};
-  return geometric::slip_of(attribute, kNeeded).has_value();
-}
-
-// Leaves out what MuJoCo refused if planning does without it, or if we can read it ourselves.
-bool omit(const Refusal& refusal, Compiled& compiled) {
-  std::smatch match;
-  static const std::regex kAttribute("unrecognized attribute: '(.*)'");
-  if (std::regex_search(refusal.reason, match, kAttribute)) {
-    return !is_slip(match[1]) &&
-           compiled.omissions.attributes.insert({refusal.element, match[1]}).second;
-  }
-  if (refusal.line == 0 || refusal.line > compiled.text.places.size()) {
-    return false;
-  }
-  for (const auto& [name, mesh] : compiled.text.meshes) {
-    if (mesh.place == compiled.text.places[refusal.line - 1]) {
-      compiled.faulty_meshes[name] = refusal.reason;
-      return compiled.omissions.meshes.insert(name).second;
-    }
-  }
-  return false;
-}
-
-// What MuJoCo's compiler makes of an MJCF file, and in `warnings` what it said about it. One file
-// at a time; any thread.
-Compiled compile_mjcf(const fs::path& file, std::vector<std::string>& warnings) {
-  static std::mutex one_at_a_time;
-  const std::lock_guard lock(one_at_a_time);
-  Compiled compiled;
-  Refusal refusal;
-  do {
-    std::vector<std::string> said;
-    const Handlers handlers(said);
-    compiled.text = mjcf_text(file, compiled.omissions);
-    compiled.model = compile_text(file, compiled.text.text, refusal);
-    if (compiled.model) {
-      warnings.insert(warnings.end(), said.begin(), said.end());
-      return compiled;
-    }
-  } while (omit(refusal, compiled));
-  const bool placed = refusal.line > 0 && refusal.line <= compiled.text.places.size();
-  throw geometric::InputError({placed ? compiled.text.places[refusal.line - 1] : file.string(),
-                               refusal.element.empty() ? "" : "<" + refusal.element + ">",
-                               "a file that MuJoCo does not take: " + refusal.reason,
-                               "a robot as MJCF", ""});
-}
 
 // The name of an object, or KIND_NUMBER if it has none.
 std::string name_of(const mjModel& model, mjtObj kind, int index) {
@@ -257,7 +90,7 @@ class Reader {
       add_posture(key);
     }
     note(left_out_, "what is not read");
-    note(unread_attributes(), "attributes that MuJoCo 2.2 does not know");
+    note(compiled_.text.unread, "attributes that MuJoCo 2.2 does not know");
     note(compiled_.text.loops, "loops that are not kept closed, as joints in a loop move freely");
     note(undrawn_, "meshes that can't be read and are not drawn");
     note(unbounded_, "slides without a range, which go ±2 m");
@@ -416,7 +249,7 @@ class Reader {
     const std::string name = name_of(*model_, mjOBJ_MESH, mesh);
     const auto about = compiled_.text.meshes.find(name);
     const bool replaced = about != compiled_.text.meshes.end() &&
-                          (about->second.missing || compiled_.omissions.meshes.contains(name));
+                          (about->second.missing || compiled_.faulty_meshes.contains(name));
     return replaced ? replaced_mesh(mesh, about->second, collides) : compiled_mesh(mesh);
   }
 
@@ -466,7 +299,7 @@ class Reader {
   void settle_meshes() const {
     for (const auto& [name, mesh] : compiled_.text.meshes) {
       const auto counted = replaced_.find(name);
-      const bool replaced = mesh.missing || compiled_.omissions.meshes.contains(name);
+      const bool replaced = mesh.missing || compiled_.faulty_meshes.contains(name);
       if (replaced && mesh.geometries > (counted == replaced_.end() ? 0 : counted->second)) {
         const auto reason = compiled_.faulty_meshes.find(name);
         throw geometric::MissingMeshError({mesh.place, "mesh " + name,
@@ -477,14 +310,6 @@ class Reader {
       }
     }
     missing_.refuse();
-  }
-
-  [[nodiscard]] std::vector<std::string> unread_attributes() const {
-    std::vector<std::string> names;
-    for (const auto& [element, attribute] : compiled_.omissions.attributes) {
-      names.push_back(fmt::format("{} of <{}>", attribute, element));
-    }
-    return names;
   }
 
   [[nodiscard]] geometric::Shape compiled_mesh(int mesh) {

@@ -3,6 +3,7 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
+#include "mujoco_schema.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -46,6 +47,16 @@ bool is_left_out_attribute(std::string_view element, std::string_view name) {
                           : element == "material" && name == "texture";
 }
 
+// What would change the robot if it were left out for a slip of the pen.
+bool is_slip(const std::string& attribute) {
+  static const std::vector<std::string> kNeeded = {
+      "range",    "axis",      "pos",         "quat",    "euler",      "fromto",   "xyaxes",
+      "zaxis",    "axisangle", "type",        "size",    "mesh",       "file",     "scale",
+      "limited",  "contype",   "conaffinity", "class",   "childclass", "joint1",   "joint2",
+      "polycoef", "coef",      "refpos",      "refquat", "angle",      "eulerseq", "meshdir"};
+  return geometric::slip_of(attribute, kNeeded).has_value();
+}
+
 std::string escaped(std::string_view value) {
   std::string text;
   for (const char c : value) {
@@ -70,8 +81,8 @@ std::string stand_in() {
 
 class Writer {
  public:
-  Writer(const fs::path& file, const MjcfOmissions& omissions)
-      : folder_(fs::absolute(file).parent_path()), omissions_(omissions) {}
+  Writer(const fs::path& file, const FaultyMeshes& faulty)
+      : folder_(fs::absolute(file).parent_path()), faulty_(faulty) {}
 
   MjcfText write(const fs::path& file) {
     with_document(file, [&](const pugi::xml_node& root) {
@@ -119,12 +130,14 @@ class Writer {
     result_.places.push_back(place(node.offset_debug()));
   }
 
-  [[nodiscard]] std::string attributes(const pugi::xml_node& node) const {
+  std::string attributes(const pugi::xml_node& node) {
     std::string text;
     for (const pugi::xml_attribute& attribute : node.attributes()) {
-      if (!is_left_out_attribute(node.name(), attribute.name()) &&
-          !omissions_.attributes.contains({node.name(), attribute.name()})) {
-        text += fmt::format(" {}=\"{}\"", attribute.name(), escaped(attribute.value()));
+      const char* name = attribute.name();
+      if (!knows_attribute(node.name(), name) && !is_slip(name)) {
+        result_.unread.push_back(fmt::format("{} of <{}>", name, node.name()));
+      } else if (!is_left_out_attribute(node.name(), name)) {
+        text += fmt::format(" {}=\"{}\"", name, escaped(attribute.value()));
       }
     }
     return text;
@@ -199,7 +212,7 @@ class Writer {
     }
     pugi::xml_document copy;
     pugi::xml_node element = copy.append_copy(node);
-    const bool replaced = mesh.missing || omissions_.meshes.contains(name);
+    const bool replaced = mesh.missing || faulty_.contains(name);
     element.remove_attribute("name");
     element.remove_attribute("file");
     std::string text = fmt::format("<mesh name=\"{}\"{}", escaped(name), attributes(element));
@@ -223,7 +236,7 @@ class Writer {
   };
 
   fs::path folder_;  ///< Of the first file.
-  const MjcfOmissions& omissions_;
+  const FaultyMeshes& faulty_;
   std::vector<Source> files_;  ///< The first, and what it includes down to where we are.
   std::string mesh_folder_;
   std::map<std::string, int> references_;  ///< How many geometries name a mesh.
@@ -232,8 +245,8 @@ class Writer {
 
 }  // namespace
 
-MjcfText mjcf_text(const fs::path& file, const MjcfOmissions& omissions) {
-  return Writer(file, omissions).write(file);
+MjcfText mjcf_text(const fs::path& file, const FaultyMeshes& faulty) {
+  return Writer(file, faulty).write(file);
 }
 
 }  // namespace handway::import_mjcf

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "mjcf_text.h"
+
+#include <mujoco/mujoco.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::import_mjcf {
+
+struct ModelDeleter {
+  void operator()(mjModel* model) const;
+};
+using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
+
+/// A model, and what of the file isn't in it.
+struct Compiled {
+  ModelPointer model;
+  MjcfText text;
+  FaultyMeshes faulty_meshes;
+};
+
+/// What MuJoCo's compiler makes of an MJCF file. One file at a time; any thread.
+/// @param warnings what it said about it is appended.
+/// @throws InputError in MuJoCo's words, with file and line.
+[[nodiscard]] Compiled compile_mjcf(const std::filesystem::path& file,
+                                    std::vector<std::string>& warnings);
+
+}  // namespace handway::import_mjcf
