@@ -125,6 +125,10 @@ bool SampledPair::closes(int samples) const {
   return jaws && at_neutral && !at_middle && 100 * collisions <= samples;
 }
 
+bool SampledPair::is_checked(int samples) const {
+  return collisions < samples && !overlaps(samples) && !closes(samples) && !by_user;
+}
+
 SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples,
                                             std::uint64_t seed, const std::stop_token& stop,
                                             const std::function<void(double)>& progress) {
@@ -144,6 +148,8 @@ SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples
       sampled.jaws = at_neutral[pair] && are_jaws(model, sampled.a, sampled.b);
       sampled.at_neutral = at_neutral[pair];
       sampled.at_middle = at_middle[pair];
+      sampled.by_user = model.description().allowed_collisions.reason(sampled.a, sampled.b) ==
+                        AllowedReason::kUser;
       indices.push_back(static_cast<int>(pair));
       found.pairs.push_back(std::move(sampled));
     }
@@ -166,11 +172,8 @@ SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples
     }
   }
   found.colliding = static_cast<int>(std::ranges::count_if(touching, [&](const auto& sample) {
-    return std::ranges::any_of(sample, [&](std::size_t i) {
-      const SampledPair& pair = found.pairs[i];
-      return !pair.overlaps(found.samples) && !pair.closes(found.samples) &&
-             pair.collisions < found.samples;
-    });
+    return std::ranges::any_of(
+        sample, [&](std::size_t i) { return found.pairs[i].is_checked(found.samples); });
   }));
   return found;
 }

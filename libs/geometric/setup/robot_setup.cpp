@@ -76,6 +76,9 @@ class Examination {
 
   void look_at_pairs() {
     for (const SampledPair& pair : sampled_.pairs) {
+      if (pair.by_user) {
+        continue;
+      }
       if (pair.collisions == sampled_.samples) {
         add(fmt::format("{} and {} touch in every posture", pair.a, pair.b),
             "Their shapes overlap; the pair is allowed to touch (Always)", {pair.a, pair.b});
@@ -85,7 +88,7 @@ class Examination {
             "Their shapes overlap; the pair is allowed to touch (Default). Give one of them a "
             "smaller collision mesh to have it checked",
             {pair.a, pair.b});
-      } else if ((pair.at_neutral || pair.at_middle) && !pair.closes(sampled_.samples)) {
+      } else if ((pair.at_neutral || pair.at_middle) && pair.is_checked(sampled_.samples)) {
         add(fmt::format("{} and {} touch at the {} posture, and in {} of random ones", pair.a,
                         pair.b, pair.at_neutral ? "zero" : "middle", share(pair.collisions)),
             "The pair is checked: start from another posture, or disable it in the SRDF if the "
@@ -101,8 +104,7 @@ class Examination {
     }
     std::vector<const SampledPair*> pairs;
     for (const SampledPair& pair : sampled_.pairs) {
-      if (pair.collisions > 0 && pair.collisions < sampled_.samples &&
-          !pair.overlaps(sampled_.samples) && !pair.closes(sampled_.samples)) {
+      if (pair.collisions > 0 && pair.is_checked(sampled_.samples)) {
         pairs.push_back(&pair);
       }
     }

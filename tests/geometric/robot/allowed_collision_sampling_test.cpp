@@ -114,6 +114,16 @@ TEST(AllowedCollisionSampling, TakesNoNoticeOfThePresentMatrix) {
             sample_allowed_collisions(spheres(), 100, 3).entries());
 }
 
+TEST(AllowedCollisionSampling, CountsNoCollisionsOfPairsThatTheUserAllows) {
+  RobotDescription robot = gripper(0.01).description();
+  const auto colliding = [&] {
+    return sample_self_collisions(RobotModel(robot), 1000, 1).colliding;
+  };
+  EXPECT_GT(colliding(), 0);
+  robot.allowed_collisions.allow("left", "right", AllowedReason::kUser);
+  EXPECT_EQ(colliding(), 0);
+}
+
 TEST(AllowedCollisionSampling, NeedsASample) {
   EXPECT_THROW(static_cast<void>(sample_allowed_collisions(spheres(), 0, 1)),
                std::invalid_argument);

@@ -49,6 +49,14 @@ TEST(RobotFindings, AreNoneForAnInconspicuousRobot) {
   EXPECT_THAT(findings_of(two_boxes(), {{"base", "lever", 10}}, 10), IsEmpty());
 }
 
+TEST(RobotFindings, LeaveOutPairsThatTheUserAllows) {
+  SampledPair pair{"base", "lever", 90, true, true};
+  pair.by_user = true;
+  EXPECT_THAT(findings_of(two_boxes(), {pair}), IsEmpty());
+  pair.by_user = false;
+  EXPECT_THAT(findings_of(two_boxes(), {pair}), says("base and lever touch"));
+}
+
 TEST(RobotFindings, SeeWrongUnits) {
   RobotDescription robot = two_boxes();
   robot.links[1].collision[0].shape = Box{{100, 100, 100}};

@@ -25,6 +25,7 @@ struct SampledPair {
   bool at_middle = false;   ///< With every joint in the middle of its range.
   /// One joint moves both, and is at the end of its range at neutral.
   bool jaws = false;
+  bool by_user = false;  ///< The robot allows it, as somebody said so (AllowedReason::kUser).
 
   /// In collision at the neutral posture and in at least half of the samples: the shapes overlap by
   /// construction, as those of a knuckle and its palm may.
@@ -32,18 +33,20 @@ struct SampledPair {
   /// Jaws of a gripper that meet where their joint ends, and hardly before: in at most 1 % of the
   /// samples. They are made to touch.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool closes(int samples) const;
+  /// Neither of these, nor always in collision, nor by_user: collisions are such.
+  [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_checked(int samples) const;
 };
 
 struct SelfCollisionSamples {
   int samples = 0;
-  /// Samples in which pairs touch that neither always touch nor overlap nor are jaws that close.
+  /// Samples in which pairs touch that are checked.
   int colliding = 0;
   std::vector<SampledPair> pairs;
 };
 
 /// Counts collisions of all pairs of links that move against each other and are not adjacent, in
-/// configurations drawn uniformly between the limits. The robot's allowed collisions play no part.
-/// Same model, samples and seed give the same counts. One thread.
+/// configurations drawn uniformly between the limits. Of the robot's allowed collisions those by
+/// the user play a part. Same model, samples and seed give the same counts. One thread.
 /// @param stop ends it after the sample that it is at: `samples` is the number of those drawn.
 /// @param progress is called with the share that is done, from 0 to 1; may be empty.
 /// @throws std::invalid_argument if `samples` < 1.
