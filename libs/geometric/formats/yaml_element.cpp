@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/text_file.h"
+#include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -212,7 +213,7 @@ double YamlElement::number() const {
   if (std::abs(*value) > kLargestNumber) {
     refuse(found(), "a number within ±1000000", "Lengths are in metres, joint values in radians");
   }
-  return *value;
+  return node_->yaml.Tag() == "!degrees" ? radians(*value) : *value;  // as xacro reads YAML
 }
 
 Eigen::VectorXd YamlElement::numbers(int count) const {

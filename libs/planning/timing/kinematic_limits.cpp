@@ -163,7 +163,10 @@ JointKinematicLimits rate_limits(const RobotModel& model) {
 JointKinematicLimits read_joint_kinematic_limits(const RobotModel& model,
                                                  const std::filesystem::path& file) {
   RatesByJoint rates = rates_of(model);
-  const YamlElement top = YamlElement::read(file, "a file of joint limits (YAML)");
+  YamlElement top = YamlElement::read(file, "a file of joint limits (YAML)");
+  for (const char* around : {"/**", "ros__parameters", "robot_description_planning"}) {
+    top = top.find(around).value_or(top);
+  }
   const YamlElement limits = top.need("joint_limits");
   for (const auto& [name, joint] : limits.entries()) {
     // Of all that ROS has in such files.

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,20 @@ Assumed of_rate(const JointKinematicLimits& limits, Rate rate) {
   Assumed some = limits.assumed;
   std::erase_if(some, [rate](const AssumedLimit& one) { return one.rate != rate; });
   return some;
+}
+
+TEST_F(JointLimitsFile, MayHaveDegreesAsXacroReadsThem) {
+  const JointKinematicLimits limits =
+      read("joint_limits: {shoulder: {max_velocity: !degrees 180, max_acceleration: !radians 2}}");
+  EXPECT_NEAR(limits.velocity[variable("shoulder")], std::numbers::pi, 1e-12);
+  EXPECT_EQ(limits.acceleration[variable("shoulder")], 2.0);
+}
+
+TEST_F(JointLimitsFile, MayBeWithinTheParametersOfANode) {
+  const JointKinematicLimits limits = read(
+      "/**: {ros__parameters: {robot_description_planning: {joint_limits: {shoulder: "
+      "{max_velocity: 3}}}}}");
+  EXPECT_EQ(limits.velocity[variable("shoulder")], 3.0);
 }
 
 TEST(JointKinematicLimits, SayWhichWereAssumed) {
