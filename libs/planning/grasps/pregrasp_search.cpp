@@ -1,10 +1,9 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 
+#include "grasps/hand_closing.h"
 #include "grasps/pregrasp_rejections.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
-#include "handway/geometric/robot/jacobian.h"
-#include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
 
@@ -14,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -27,229 +25,13 @@ namespace {
 
 using Eigen::Vector3d;
 using geometric::Pose;
-using geometric::RobotModel;
-
-/// The point of the segment from `a` to `b` that is closest to `p`.
-Vector3d nearest_on_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const double length = (b - a).squaredNorm();
-  const double t = length > 0.0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
-  return a + t * (b - a);
-}
-
-// The tip that is farthest from the middle of all.
-Eigen::Index thumb_of(const Eigen::Matrix3Xd& tips) {
-  const Vector3d middle = tips.rowwise().mean();
-  Eigen::Index thumb = 0;
-  (tips.colwise() - middle).colwise().norm().maxCoeff(&thumb);
-  return thumb;
-}
-
-// Of the others those that reach as far from the palm as the thumb, more or less: not those that
-// are bent away, nor the inner bars of a parallel gripper.
-std::vector<Eigen::Index> opposite(Eigen::Index thumb, const Eigen::Matrix3Xd& tips) {
-  constexpr double kReach = 0.7;
-  std::vector<Eigen::Index> others;
-  for (Eigen::Index i = 0; i < tips.cols(); ++i) {
-    if (i != thumb && tips.col(i).norm() > kReach * tips.col(thumb).norm()) {
-      others.push_back(i);
-    }
-  }
-  return others;
-}
-
-bool has_directions(const PlanningProblem& problem) {
-  return problem.basis && !problem.basis->directions.empty();
-}
-
-constexpr double kLeastOpening = 0.04;  // m, of a preshape
-
-/// Opened preshapes of a problem's hand, drawn from its PMD box or else from its joints' ranges,
-/// and how its fingers close.
-class HandClosing {
- public:
-  /// An opened hand, seen from its palm: a thumb against fingers side by side. Lengths in m.
-  struct Preshape {
-    Eigen::VectorXd open;  ///< Normalised joints in the basis' order.
-    Vector3d grip;         ///< Between the ends of the thumb and of the others.
-    Vector3d opposition;   ///< From the thumb to the others; of length 1.
-    Vector3d row = {};     ///< Along the others' tips, square to it; of length 1.
-    double opening = 0.0;  ///< From the thumb's tip to the others.
-  };
-  /// The part of the hand that one branch of the palm carries.
-  struct Finger {
-    std::vector<int> joints;  ///< Indices in the basis' order, the nearest to the palm first.
-    std::vector<int> links;
-    Vector3d p_LTip = Vector3d::Zero();  ///< Middle of the last one, in its frame.
-    Vector3d p_LEnd = Vector3d::Zero();  ///< Its end, as far from the joint as it goes.
-  };
-
-  /// @param palm the link of the hand.
-  HandClosing(const PlanningProblem& problem, int palm) : problem_(problem), palm_(palm) {
-    find_fingers();
-    make_preshapes();
-  }
-
-  [[nodiscard]] bool opens() const { return !preshapes_.empty(); }
-  /// m; of a hand that opens.
-  [[nodiscard]] double widest() const { return preshapes_.back().opening; }
-  /// Those that are opened to a width (m) or a little wider.
-  [[nodiscard]] std::span<const Preshape> opened_to(double width) const {
-    constexpr double kRoom = 0.06;  // m
-    const auto first = std::ranges::lower_bound(preshapes_, width, {}, &Preshape::opening);
-    const auto last = std::ranges::upper_bound(preshapes_, width + kRoom, {}, &Preshape::opening);
-    return {first, last};
-  }
-  [[nodiscard]] const std::vector<Finger>& fingers() const { return fingers_; }
-
-  /// `q` with the hand in `posture`, brought within limits.
-  [[nodiscard]] Configuration with_hand(Configuration q, const Eigen::VectorXd& posture) const {
-    const RobotModel& model = problem_.model();
-    const Eigen::VectorXd lower = model.lower()(problem_.hand);
-    const Eigen::VectorXd upper = model.upper()(problem_.hand);
-    const Eigen::VectorXd share = posture.cwiseMax(0.0).cwiseMin(1.0);
-    q(problem_.hand) = (lower + share.cwiseProduct(upper - lower)).cwiseMin(upper);
-    return q;
-  }
-
-  /// The hand of `q`, normalised.
-  [[nodiscard]] Eigen::VectorXd hand_of(const Configuration& q) const {
-    return geometric::normalised(problem_.model(), q)(problem_.hand);
-  }
-
-  /// How a finger's joints bring its tip closer to a segment: shape [joints of the finger], of
-  /// length 1, or zero where none does. @param a, b ends of the segment in the palm's frame, m.
-  [[nodiscard]] Eigen::VectorXd towards(const Finger& finger, const Eigen::VectorXd& posture,
-                                        const Vector3d& a, const Vector3d& b) const {
-    const RobotModel& model = problem_.model();
-    const std::vector<Pose> X_BL = link_poses(posture);
-    const Pose& X_BP = X_BL[static_cast<std::size_t>(palm_)];
-    const Vector3d p_P = last_link(finger, X_BL) * finger.p_LTip;
-    const Vector3d way_B = X_BP.linear() * (nearest_on_segment(p_P, a, b) - p_P).normalized();
-    const geometric::Jacobian J =
-        geometric::point_jacobian(model, X_BL, finger.links.back(), finger.p_LTip);
-    const Eigen::VectorXd of_hand = (J.topRows<3>().transpose() * way_B)
-                                        .cwiseProduct(model.upper() - model.lower())(problem_.hand);
-    const Eigen::VectorXd rates = of_hand(finger.joints);
-    return rates.norm() > 1e-9 ? rates.normalized() : Eigen::VectorXd::Zero(rates.size());
-  }
-
- private:
-  void find_fingers() {
-    const RobotModel& model = problem_.model();
-    std::map<int, Finger> by_root;  // the palm's child that everything of a finger hangs from
-    const auto root_of = [&](int link) {
-      while (link >= 0 && model.parent(link) != palm_) {
-        link = model.parent(link);
-      }
-      return link;
-    };
-    for (int link = 1; link < model.link_count(); ++link) {  // those of coupled joints too
-      const auto joint = std::ranges::find(problem_.hand, model.drive(link).variable);
-      const int root = root_of(link);
-      if (joint != problem_.hand.end() && root >= 0) {
-        std::vector<int>& joints = by_root[root].joints;
-        const auto j = static_cast<int>(joint - problem_.hand.begin());
-        if (std::ranges::count(joints, j) == 0) {
-          joints.push_back(j);
-        }
-      }
-    }
-    for (int link = 0; link < model.link_count(); ++link) {
-      if (const auto found = by_root.find(root_of(link)); found != by_root.end()) {
-        found->second.links.push_back(link);
-      }
-    }
-    for (auto& [root, finger] : by_root) {
-      finger.p_LTip = middle_of(model.link(finger.links.back()));
-      double length = finger.p_LTip.norm();
-      for (const Vector3d& p_L :
-           geometric::collision_mesh(model.link(finger.links.back())).vertices) {
-        length = std::max(length, p_L.norm());
-      }
-      finger.p_LEnd = length * finger.p_LTip.normalized();
-      fingers_.push_back(std::move(finger));
-    }
-  }
-
-  [[nodiscard]] std::vector<Pose> link_poses(const Eigen::VectorXd& posture) const {
-    std::vector<Pose> X_BL(static_cast<std::size_t>(problem_.model().link_count()));
-    problem_.model().forward_kinematics(with_hand(problem_.start, posture), X_BL);
-    return X_BL;
-  }
-
-  // In the palm's frame.
-  [[nodiscard]] Pose last_link(const Finger& finger, const std::vector<Pose>& X_BL) const {
-    return X_BL[static_cast<std::size_t>(palm_)].inverse() *
-           X_BL[static_cast<std::size_t>(finger.links.back())];
-  }
-
-  [[nodiscard]] std::optional<Preshape> preshape(Eigen::VectorXd open) const {
-    if (fingers_.size() < 2) {
-      return std::nullopt;
-    }
-    const std::vector<Pose> X_BL = link_poses(open);
-    Eigen::Matrix3Xd tips(3, std::ssize(fingers_));
-    Eigen::Matrix3Xd ends(3, tips.cols());
-    for (Eigen::Index i = 0; i < tips.cols(); ++i) {
-      const Finger& finger = fingers_[static_cast<std::size_t>(i)];
-      const Pose X_PL = last_link(finger, X_BL);
-      tips.col(i) = X_PL * finger.p_LTip;
-      ends.col(i) = X_PL * finger.p_LEnd;
-    }
-    const Eigen::Index thumb = thumb_of(tips);
-    const std::vector<Eigen::Index> others = opposite(thumb, tips);
-    if (others.empty()) {
-      return std::nullopt;
-    }
-    Preshape shape{.open = std::move(open),
-                   .grip = 0.5 * (ends.col(thumb) + ends(Eigen::all, others).rowwise().mean()),
-                   .opposition = tips(Eigen::all, others).rowwise().mean() - tips.col(thumb)};
-    shape.opening = shape.opposition.norm();
-    if (shape.opening < kLeastOpening) {
-      return std::nullopt;
-    }
-    shape.opposition /= shape.opening;
-    shape.row = tips.col(others.back()) - tips.col(others.front());
-    shape.row -= shape.row.dot(shape.opposition) * shape.opposition;
-    if (shape.row.norm() < 1e-3) {  // one finger against the thumb
-      shape.row = shape.opposition.unitOrthogonal();
-    }
-    shape.row.normalize();
-    return shape;
-  }
-
-  // Without principal motion directions: somewhere between the neutral posture, in which fingers
-  // are as their maker drew them, and any other.
-  [[nodiscard]] Eigen::VectorXd drawn_posture(sampling::RandomStream& random) const {
-    if (has_directions(problem_)) {
-      return sampling::map_to_posture(*problem_.basis, random.uniform(problem_.basis->dimension()));
-    }
-    const Eigen::VectorXd rest = hand_of(problem_.model().neutral());
-    const double share = random.uniform();
-    return rest + share * (random.uniform(static_cast<int>(rest.size())) - rest);
-  }
-
-  void make_preshapes() {
-    constexpr int kDrawn = 400;
-    sampling::RandomStream random(1);
-    for (int i = 0; i < kDrawn; ++i) {
-      if (auto shape = preshape(drawn_posture(random))) {
-        preshapes_.push_back(std::move(*shape));
-      }
-    }
-    std::ranges::stable_sort(preshapes_, {}, &Preshape::opening);
-  }
-
-  const PlanningProblem& problem_;
-  int palm_;
-  std::vector<Finger> fingers_;
-  std::vector<Preshape> preshapes_;
-};
 
 constexpr double kNear = 0.015;     // m, of a finger at the object
 constexpr double kEnclosure = 0.5;  // at least: thumb and a finger at right angles
 constexpr double kClear = 0.05;     // m: more is not distinguished
-constexpr double kMost = 0.16;      // m, of the object's second longest side
+constexpr double kMost = 0.16;      // m, of the object's second longest side, or …
+constexpr double kBroadest = 0.5;   // m, … of the longest side of what is held at its rim: …
+constexpr double kRim = 0.05;       // m, … so near to it
 constexpr double kAside = 0.015;    // m
 constexpr double kDeepest = 0.45;   // of the distance from the fingers' ends to the palm
 constexpr double kBreadth = 0.03;   // m, of fingers
@@ -301,7 +83,10 @@ class PregraspSearch {
     make_profile(geometric::tessellate(object.shape)->vertices);
     Vector3d sides = box_.size();
     std::ranges::sort(sides);
-    middle_side_ = sides[1];
+    is_narrow_ = sides[1] < kMost;
+    has_rim_ = !is_narrow_ && sides[0] < kMost && sides[2] < kBroadest;
+    const Vector3d inner = 0.5 * (box_.size().array() - sides[0]);
+    core_ = {box_.centre() - inner, box_.centre() + inner};
     const geometric::CollisionWorld& world = checker_->world();
     for (int pair = 0; pair < static_cast<int>(world.pairs().size()); ++pair) {
       const bool is_self = world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
@@ -315,7 +100,7 @@ class PregraspSearch {
 
   /// Why there is nothing to try; empty if there is.
   [[nodiscard]] std::string objection() const {
-    if (middle_side_ >= kMost) {
+    if (!is_narrow_ && !has_rim_) {
       return fmt::format(
           "{} is too large to be grasped: two of its sides are longer than {:.0f} mm. Choose "
           "something smaller.",
@@ -325,7 +110,7 @@ class PregraspSearch {
       return fmt::format(
           "The hand has no thumb and fingers, nor two jaws, that open to {:.0f} mm or more. See in "
           "the robot's setup whether its joints are the hand's.",
-          geometric::millimetres(kLeastOpening));
+          geometric::millimetres(HandClosing::kLeastOpening));
     }
     return {};
   }
@@ -467,14 +252,30 @@ class PregraspSearch {
     R_PG << preshape.row, preshape.opposition, preshape.row.cross(preshape.opposition);
     Pose X_OP = Pose::Identity();
     X_OP.linear() = R_OG * R_PG.transpose();
-    Vector3d p_O = box_.centre();  // its longest side has room to choose
-    p_O[longest_] += 0.35 * signed_uniform() * box_.size()[longest_];
+    const Vector3d p_O = held_point(random);
     const double share = random.uniform();
     const Vector3d aside =
         share * kAside * Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
     const double depth = 1.0 - kDeepest * random.uniform();
     X_OP.translation() = p_O - X_OP.linear() * (depth * preshape.grip + aside);
     return X_OP;
+  }
+
+  /// Its longest side has room to choose; what is broad is held near an end of one of both.
+  [[nodiscard]] Vector3d held_point(sampling::RandomStream& random) const {
+    const auto signed_uniform = [&] { return 2.0 * random.uniform() - 1.0; };
+    const Vector3d size = box_.size();
+    Vector3d p_O = box_.centre();
+    p_O[longest_] += 0.35 * signed_uniform() * size[longest_];
+    if (has_rim_) {
+      Eigen::Index shortest = 0;
+      size.minCoeff(&shortest);
+      const Eigen::Index other = 3 - longest_ - shortest;
+      const Eigen::Index side = random.below(2) == 0 ? longest_ : other;
+      const double inwards = 0.5 * size[side] - kRim * random.uniform();
+      p_O[side] = box_.centre()[side] + (random.below(2) == 0 ? inwards : -inwards);
+    }
+    return p_O;
   }
 
   /// What is between fingers along a direction of the object's frame, m.
@@ -523,15 +324,15 @@ class PregraspSearch {
     return is_hand(bodies.a) && is_hand(bodies.b);
   }
 
-  /// Closes one finger around the object's longest axis. Where something is in the way, its joints
+  /// Closes one finger around the object's core. Where something is in the way, its joints
   /// stop one after the other, the one at the palm first, so that the outer links go on.
   Configuration closed_finger(Configuration q, const HandClosing::Finger& finger) {
-    const auto [a, b] = axis_in_palm(q);
+    const Pose X_PO = object_in_palm(q);
     Eigen::VectorXd posture = hand_.hand_of(q);
     Eigen::VectorXd rates;
     for (int step = 0, first = 0; step < kClosingSteps;) {
       if (step % 4 == 0 || rates.size() == 0) {
-        rates = hand_.towards(finger, posture, a, b);
+        rates = hand_.towards(finger, posture, core_, X_PO);
       }
       Eigen::VectorXd next = posture;
       for (auto k = static_cast<Eigen::Index>(first); k < rates.size(); ++k) {
@@ -567,9 +368,8 @@ class PregraspSearch {
       if (!touches(q, finger.links)) {
         continue;
       }
-      const auto [a, b] = axis_in_palm(q);
       Eigen::VectorXd posture = hand_.hand_of(q);
-      const Eigen::VectorXd rates = hand_.towards(finger, posture, a, b);
+      const Eigen::VectorXd rates = hand_.towards(finger, posture, core_, object_in_palm(q));
       for (int step = 0; step < kOpeningSteps && touches(q, finger.links); ++step) {
         posture(finger.joints) -= kOpeningStep * rates;
         posture = posture.cwiseMax(0.0).cwiseMin(1.0);
@@ -579,25 +379,20 @@ class PregraspSearch {
     return q;
   }
 
-  /// The object's longest axis, as far as fingers go to it.
-  [[nodiscard]] std::pair<Vector3d, Vector3d> axis_in_palm(const Configuration& q) const {
-    const Pose X_PO = (X_WO_.inverse() * X_BW_.inverse() * ik_.pose(q)).inverse();
-    Vector3d along = Vector3d::Zero();
-    along[longest_] = 0.5 * std::max(0.0, box_.size()[longest_] - middle_side_);
-    return {X_PO * (box_.centre() - along), X_PO * (box_.centre() + along)};
+  [[nodiscard]] Pose object_in_palm(const Configuration& q) const {
+    return ik_.pose(q).inverse() * X_BW_ * X_WO_;
   }
 
   void take(const Configuration& q) {
     Pregrasp grasp{q};
     checker_->place(q);
-    const auto [a, b] = axis_in_palm(q);
-    const Pose X_PB = ik_.pose(q).inverse();
+    const Pose X_OB = (X_BW_ * X_WO_).inverse();
     std::vector<Vector3d> sides;  // of the object, on which the fingers are
     for (const HandClosing::Finger& finger : hand_.fingers()) {
       if (const auto nearest = nearest_link(finger)) {
-        const Vector3d p_P = X_PB * checker_->link_poses()[static_cast<std::size_t>(*nearest)] *
+        const Vector3d p_O = X_OB * checker_->link_poses()[static_cast<std::size_t>(*nearest)] *
                              middles_[static_cast<std::size_t>(*nearest)];
-        sides.push_back((p_P - nearest_on_segment(p_P, a, b)).normalized());
+        sides.push_back((p_O - p_O.cwiseMax(core_.lower).cwiseMin(core_.upper)).normalized());
       }
     }
     grasp.fingers = static_cast<int>(sides.size());
@@ -658,7 +453,9 @@ class PregraspSearch {
   geometric::Aabb box_;
   Eigen::Index longest_ = 0;
   Eigen::Matrix3Xd profile_;  ///< The object, as long as fingers are broad; in its frame.
-  double middle_side_ = 0.0;
+  geometric::Aabb core_;      ///< What is left of the box less half its shortest side all around.
+  bool is_narrow_ = false;    ///< Fingers get around it anywhere along its longest side.
+  bool has_rim_ = false;      ///< It is broad and flat.
   Pose X_WO_;
   Pose X_BW_;
   std::vector<int> with_object_;

@@ -151,6 +151,24 @@ TEST_F(PregraspSearch, PutsThumbAndFingersAroundWhatItGrasps) {
   }
 }
 
+TEST_F(PregraspSearch, TakesABroadPlateByItsRim) {
+  const PlanningProblem plain = shipped("can_on_table");
+  geometric::Scene scene = *plain.scene;
+  geometric::SceneObject& can =
+      *std::ranges::find(scene.objects, "can", &geometric::SceneObject::name);
+  can.shape = geometric::Cylinder{0.12, 0.015};
+  can.X_PO.translation().z() += 0.15;
+  const PlanningProblem problem =
+      make_problem(std::make_shared<const geometric::Scene>(scene), plain.basis);
+  const std::vector<Pregrasp> grasps = find_pregrasps(problem, "can").found;
+  ASSERT_FALSE(grasps.empty());
+  const auto checker = problem.checker->clone();
+  for (const Pregrasp& grasp : grasps) {
+    EXPECT_FALSE(checker->first_collision(grasp.q));
+    EXPECT_GT(grasp.enclosure, 0.5) << "thumb and fingers on both of its faces";
+  }
+}
+
 TEST_F(PregraspSearch, GivesTheSameForTheSameSeed) {
   const PlanningProblem problem = shipped("can_on_table");
   PregraspOptions options;

@@ -43,10 +43,11 @@ struct Pregrasps {
 /// along an edge of its box and turned about it, a preshape from the basis' box (of a hand without
 /// one: between its neutral posture and any other) whose opening between the thumb and the fingers,
 /// or the two jaws of a gripper, suits the object there, and a palm pose with the object between
-/// them, anywhere from the fingertips to the palm. Fingers that would be in the object are opened;
-/// the arm's inverse kinematics is solved; and where that is free every finger closes, its joints
-/// by the gradient of the tip's distance to the object's axis, until near contact: joints stop from
-/// the palm outwards, so that outer links go on around the object. Kept are those with two or more
+/// them, anywhere from the fingertips to the palm; of what is broad and flat, as a plate, its rim.
+/// Fingers that would be in the object are opened; the arm's inverse kinematics is solved; and
+/// where that is free every finger closes, its joints by the gradient of the tip's distance to the
+/// core of the object's box, until near contact: joints stop from the palm outwards, so that outer
+/// links go on around the object. Kept are those with two or more
 /// fingers on different sides of the object; similar ones are left out. Same arguments, same bits.
 /// @param object of the scene, that stands still.
 /// @returns nothing, without a reason, if `stop` was requested.
