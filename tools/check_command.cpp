@@ -49,7 +49,7 @@ int check(const CheckOptions& options) {
   set_group(options.group, loaded);
   set_goal_poses(options.goal_poses, loaded);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-  const planning::Path path = planning::read_path(problem.model(), options.path);
+  const planning::Path path = planning::read_path(problem.model(), options.path, problem.start);
   const planning::PathCheckResult result =
       planning::check_path(problem, path, geometric::metres(options.resolution_mm));
   for (const std::string& fault : result.faults) {

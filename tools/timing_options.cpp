@@ -74,7 +74,7 @@ planning::JointKinematicLimits read_limits(const TimingChoice& choice,
 TimingInput read_timing_input(const TimingChoice& choice, const planning::PluginManager& plugins) {
   planning::PlanningProblem problem = read_problem(choice, plugins);
   print_warnings(*problem.scene);
-  planning::Path path = planning::read_path(problem.model(), choice.path);
+  planning::Path path = planning::read_path(problem.model(), choice.path, problem.start);
   return {std::move(problem), std::move(path)};
 }
 

@@ -394,8 +394,8 @@ void ComparisonWindow::open_file(std::size_t side, const QString& file) {
     if (!problem) {
       return {};
     }
-    const PathMotion timed =
-        motion_of(*problem, planning::read_path(problem->model(), file.toStdString()));
+    const PathMotion timed = motion_of(
+        *problem, planning::read_path(problem->model(), file.toStdString(), problem->start));
     if (!timed.motion) {
       return [this, fault = timed.fault] { note_->setText(QString::fromStdString(fault)); };
     }

@@ -339,16 +339,26 @@ void check_yaml(const std::string& text, const std::string& source, const std::s
   }
 }
 
+// Without the mark after each message that `rostopic echo` prints.
+std::string text_of(const std::filesystem::path& file, const std::string& what) {
+  std::string text = read_text_file(file, what, kLargestFile);
+  text.erase(text.find_last_not_of(" \r\n") + 1);
+  if (text.ends_with("\n---")) {
+    text.resize(text.size() - 3);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string read_yaml_text(const std::filesystem::path& file, const std::string& what) {
-  std::string text = read_text_file(file, what, kLargestFile);
+  std::string text = text_of(file, what);
   check_yaml(text, file.string(), what);
   return text;
 }
 
 YamlElement YamlElement::read(const std::filesystem::path& file, const std::string& what) {
-  return parse(read_text_file(file, what, kLargestFile), file.string(), what);
+  return parse(text_of(file, what), file.string(), what);
 }
 
 YamlElement YamlElement::parse(const std::string& text, const std::string& source,

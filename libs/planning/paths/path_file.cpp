@@ -39,7 +39,8 @@ char separator_of(const std::string& header) {
 /// The joints that a file's columns hold values of; what couplings make of them is checked.
 class JointColumns {
  public:
-  explicit JointColumns(const RobotModel& model) : model_(model) {}
+  JointColumns(const RobotModel& model, const std::optional<Configuration>& rest)
+      : model_(model), rest_(rest) {}
 
   /// @returns whether the robot has such a joint, and it moves; a column of something else if not.
   bool append(std::string_view name) {
@@ -51,10 +52,11 @@ class JointColumns {
     return link > 0;
   }
 
-  /// A joint that moves on its own, and its number of columns where that isn't 1.
+  /// A joint that moves on its own, and its number of columns where that isn't 1, nor 0 at rest.
   [[nodiscard]] std::optional<std::pair<std::string, std::ptrdiff_t>> miscounted() const {
     for (int v = 0; v < model_.variable_count(); ++v) {
-      if (const auto count = std::ranges::count(links_, model_.variable_link(v)); count != 1) {
+      const auto count = std::ranges::count(links_, model_.variable_link(v));
+      if (count > 1 || (count == 0 && !rest_)) {
         return std::pair(model_.variable(v).name, count);
       }
     }
@@ -65,7 +67,7 @@ class JointColumns {
   template <typename Refuse>
   [[nodiscard]] Configuration configuration(const Eigen::VectorXd& values,
                                             const Refuse& refuse) const {
-    Configuration q(model_.variable_count());
+    Configuration q = rest_.value_or(model_.neutral());
     for (Eigen::Index c = 0; c < values.size(); ++c) {
       const int link = links_[static_cast<std::size_t>(c)];
       const int variable = model_.drive(link).variable;
@@ -87,13 +89,15 @@ class JointColumns {
 
  private:
   const RobotModel& model_;
+  const std::optional<Configuration>& rest_;
   std::vector<int> links_;  ///< 0: of something else.
 };
 
 class TableReader {
  public:
-  TableReader(const RobotModel& model, const std::filesystem::path& file)
-      : model_(model), file_(file), columns_(model) {}
+  TableReader(const RobotModel& model, const std::filesystem::path& file,
+              const std::optional<Configuration>& rest)
+      : model_(model), file_(file), columns_(model, rest) {}
 
   Path read() {
     std::istringstream in(
@@ -195,11 +199,12 @@ bool is_joint_trajectory(const std::filesystem::path& file) {
   return head.find("joint_names") != std::string::npos;
 }
 
-Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path& file) {
+Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path& file,
+                           const std::optional<Configuration>& rest) {
   const YamlElement trajectory =
       trajectory_in(YamlElement::read(file, "a trajectory_msgs/JointTrajectory (YAML or JSON)"));
   const YamlElement names = trajectory.need("joint_names");
-  JointColumns columns(model);
+  JointColumns columns(model, rest);
   const std::vector<YamlElement> joints = names.items();
   for (const YamlElement& name : joints) {
     if (!columns.append(name.text())) {
@@ -259,9 +264,10 @@ void write_path_csv(const Path& path, const RobotModel& model, const std::filesy
   geometric::replace_file(file, to_csv(path, model));
 }
 
-Path read_path(const RobotModel& model, const std::filesystem::path& file) {
-  return is_joint_trajectory(file) ? read_joint_trajectory(model, file)
-                                   : TableReader(model, file).read();
+Path read_path(const RobotModel& model, const std::filesystem::path& file,
+               const std::optional<Configuration>& rest) {
+  return is_joint_trajectory(file) ? read_joint_trajectory(model, file, rest)
+                                   : TableReader(model, file, rest).read();
 }
 
 }  // namespace handway::planning

@@ -5,6 +5,7 @@
 #include "handway/planning/export.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace handway::planning {
@@ -34,8 +35,11 @@ HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::R
 ///
 /// A trajectory_msgs/JointTrajectory as YAML or JSON, also in the messages around one, is a path
 /// through its positions.
+/// @param rest where joints stay that the file does not have, as a controller's file of the arm has
+/// none of the hand; without it every joint must be there.
 /// @throws InputError naming line and column or element for anything else.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT Path read_path(const geometric::RobotModel& model,
-                                                     const std::filesystem::path& file);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Path
+read_path(const geometric::RobotModel& model, const std::filesystem::path& file,
+          const std::optional<geometric::Configuration>& rest = std::nullopt);
 
 }  // namespace handway::planning
