@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <thread>
 #include <utility>
 
 namespace handway::gui {
@@ -40,31 +41,21 @@ int workers_beside_the_window() {
 
 CampaignRunner::CampaignRunner(std::shared_ptr<const planning::PluginManager> plugins,
                                QObject* parent)
-    : QObject(parent), plugins_(std::move(plugins)) {}
+    : QObject(parent), plugins_(std::move(plugins)) {
+  connect(&job_, &LatestJob::failed, this, &CampaignRunner::ended);
+}
 
 CampaignRunner::~CampaignRunner() { stop(); }
 
-// The thread before this one has ended, but for its last line.
-template <typename Work>
-void CampaignRunner::start(Work work) {
-  if (running_) {
+void CampaignRunner::start(std::function<void(const std::stop_token&)> work) {
+  if (is_running()) {
     return;
   }
-  running_ = true;
-  thread_ = std::jthread([this, work = std::move(work)](const std::stop_token& stop) {
-    QString problem;
-    try {
-      work(stop);
-    } catch (const std::exception& error) {
-      problem = QString::fromUtf8(error.what());
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, problem] {
-          running_ = false;
-          emit ended(problem);
-        },
-        Qt::QueuedConnection);
+  stop_ = {};
+  job_.run([this, work = std::move(work),
+            stop = stop_.get_token()](const std::stop_token&) -> LatestJob::Answer {
+    work(stop);
+    return [this] { emit ended({}); };
   });
 }
 
@@ -76,7 +67,7 @@ void CampaignRunner::run(const fs::path& campaign) {
   start([this, campaign](const std::stop_token& stop) { carry_out(campaign, stop); });
 }
 
-void CampaignRunner::stop() { thread_.request_stop(); }
+void CampaignRunner::stop() { stop_.request_stop(); }
 
 void CampaignRunner::hand_over(std::vector<ArchivedRun> runs) {
   QMetaObject::invokeMethod(

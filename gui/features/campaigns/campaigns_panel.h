@@ -2,6 +2,7 @@
 
 #include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/extensions/plugin.h"
+#include "model/jobs/background.h"
 #include "widgets/panels/run_table.h"
 
 #include <QObject>
@@ -10,8 +11,9 @@
 #include <QWidget>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
-#include <thread>
+#include <stop_token>
 #include <vector>
 
 class QComboBox;
@@ -43,7 +45,7 @@ class CampaignRunner : public QObject {
   void run(const std::filesystem::path& campaign);
   /// Ends it; what is done is kept.
   void stop();
-  [[nodiscard]] bool is_running() const { return running_; }
+  [[nodiscard]] bool is_running() const { return job_.is_busy(); }
 
  signals:
   /// @param name of the campaign. @param all runs; those done before come with found().
@@ -54,14 +56,13 @@ class CampaignRunner : public QObject {
   void ended(const QString& problem);
 
  private:
-  template <typename Work>
-  void start(Work work);
+  void start(std::function<void(const std::stop_token&)> work);
   void carry_out(const std::filesystem::path& file, const std::stop_token& stop);
   void hand_over(std::vector<planning::ArchivedRun> runs);
 
   std::shared_ptr<const planning::PluginManager> plugins_;
-  bool running_ = false;
-  std::jthread thread_;
+  std::stop_source stop_{std::nostopstate};
+  LatestJob job_;
 };
 
 /// Runs of campaigns: carried out in the background or read from a run database, in a table

@@ -3,7 +3,6 @@
 #include "handway/geometric/collision/continuous/sliding_step.h"
 #include "handway/geometric/robot/composed_robot.h"
 
-#include <exception>
 #include <utility>
 
 namespace handway::gui {
@@ -11,93 +10,12 @@ namespace {
 
 using geometric::CollisionChecker;
 using geometric::FreeStep;
-
-StepReport report_on(CollisionChecker& checker, const ProposedStep& step,
-                     const std::vector<std::vector<int>>& groups) {
-  const bool slides = step.rule == ContactRule::kSlide;
-  const FreeStep free = slides ? sliding_step(checker, step.from, step.to, groups)
-                               : straight_step(checker, step.from, step.to);
-  if (!free.pair) {
-    return {step.to, std::nullopt};
-  }
-  return {slides ? free.q : step.from, named_pair(checker.world(), *free.pair, 0.0)};
-}
+using geometric::NamedPosture;
 
 }  // namespace
 
-StepChecker::StepChecker(QObject* parent)
-    : QObject(parent), thread_([this](const std::stop_token& stop) { work(stop); }) {}
-
-StepChecker::~StepChecker() {
-  thread_.request_stop();
-  wake_.notify_all();
-}
-
-void StepChecker::set_problem(std::shared_ptr<const PreparedProblem> problem,
-                              std::vector<std::vector<int>> groups) {
-  const std::lock_guard lock(mutex_);
-  setup_ = std::make_shared<Setup>(Setup{std::move(problem), std::move(groups)});
-  next_.reset();
-}
-
-void StepChecker::check(const ProposedStep& step) {
-  {
-    const std::lock_guard lock(mutex_);
-    next_ = step;
-  }
-  wake_.notify_all();
-}
-
-void StepChecker::work(const std::stop_token& stop) {
-  std::shared_ptr<const Setup> setup;
-  std::unique_ptr<CollisionChecker> checker;
-  while (true) {
-    ProposedStep step;
-    bool is_new = false;
-    {
-      std::unique_lock lock(mutex_);
-      if (!wake_.wait(lock, stop, [this] { return next_.has_value(); })) {
-        return;
-      }
-      step = *std::exchange(next_, std::nullopt);
-      is_new = setup != setup_;
-      setup = setup_;
-    }
-    const auto deliver = [this, setup](auto tell) {
-      QMetaObject::invokeMethod(
-          this,
-          [this, setup, tell = std::move(tell)] {
-            if (setup == setup_) {
-              tell();
-            }
-          },
-          Qt::QueuedConnection);
-    };
-    try {
-      if (is_new) {
-        checker.reset();
-        if (setup->problem) {
-          const PreparedProblem::Problem prepared = setup->problem->wait(stop);
-          if (!prepared) {
-            return;
-          }
-          checker = prepared->checker->clone();
-        }
-      }
-      StepReport report =
-          checker ? report_on(*checker, step, setup->groups) : StepReport{step.to, std::nullopt};
-      deliver([this, report = std::move(report)] { emit checked(report); });
-    } catch (const std::exception& error) {
-      deliver([this, message = QString::fromUtf8(error.what())] { emit failed(message); });
-    }
-  }
-}
-
-using geometric::NamedPosture;
-
 ContactGuard::ContactGuard(QObject* parent) : QObject(parent) {
-  connect(&checker_, &StepChecker::checked, this, &ContactGuard::take);
-  connect(&checker_, &StepChecker::failed, this, &ContactGuard::tell);
+  connect(&job_, &LatestJob::failed, this, &ContactGuard::tell);
 }
 
 void ContactGuard::set_robot(std::shared_ptr<const geometric::RobotModel> model,
@@ -106,8 +24,9 @@ void ContactGuard::set_robot(std::shared_ptr<const geometric::RobotModel> model,
   model_ = std::move(model);
   q_ = model_ ? model_->neutral() : geometric::Configuration();
   wanted_ = {};
-  has_problem_ = problem != nullptr;
-  checker_.set_problem(std::move(problem), std::move(groups));
+  job_.cancel();
+  groups_ = std::move(groups);
+  checker_ = problem ? std::make_shared<OwnChecker>(std::move(problem)) : nullptr;
   tell({});
 }
 
@@ -131,7 +50,7 @@ void ContactGuard::propose(Leader leader, const NamedPosture& posture) {
     return;
   }
   wanted_.at(static_cast<std::size_t>(leader)) = posture;
-  if (rule_ == ContactRule::kPass || !has_problem_) {
+  if (rule_ == ContactRule::kPass || !checker_) {
     emit passed(posture);
     return;
   }
@@ -141,7 +60,21 @@ void ContactGuard::propose(Leader leader, const NamedPosture& posture) {
       to[*variable] = value;
     }
   }
-  checker_.check({q_, to, rule_});
+  job_.run_next(
+      [this, checker = checker_, groups = groups_, from = q_, to,
+       slides = rule_ == ContactRule::kSlide](const std::stop_token& stop) -> LatestJob::Answer {
+        CollisionChecker* own = checker->wait(stop);
+        if (!own) {
+          return {};
+        }
+        const FreeStep free =
+            slides ? sliding_step(*own, from, to, groups) : straight_step(*own, from, to);
+        if (!free.pair) {
+          return [this, to] { take(to, std::nullopt); };
+        }
+        return [this, q = slides ? free.q : from,
+                contact = named_pair(own->world(), *free.pair, 0.0)] { take(q, contact); };
+      });
 }
 
 void ContactGuard::withdraw(Leader leader) {
@@ -151,20 +84,22 @@ void ContactGuard::withdraw(Leader leader) {
   }
 }
 
-void ContactGuard::take(const StepReport& report) {
+void ContactGuard::take(const geometric::Configuration& q,
+                        const std::optional<geometric::NamedPair>& contact) {
   NamedPosture posture = wanted();
   if (rule_ == ContactRule::kPass || posture.values.empty()) {
     return;
   }
-  const auto text = [](const geometric::NamedPair& contact) {
-    const QString a = QString::fromStdString(contact.a);
-    return contact.b.empty() ? tr("At the limit of constraint %1").arg(a)
-                             : tr("%1 touches %2").arg(a, QString::fromStdString(contact.b));
-  };
-  tell(report.contact ? text(*report.contact) : QString());
+  QString text;
+  if (contact) {
+    const QString a = QString::fromStdString(contact->a);
+    text = contact->b.empty() ? tr("At the limit of constraint %1").arg(a)
+                              : tr("%1 touches %2").arg(a, QString::fromStdString(contact->b));
+  }
+  tell(text);
   for (auto& [joint, value] : posture.values) {
     if (const auto variable = geometric::find_variable_of_part(*model_, joint)) {
-      value = report.q[*variable];
+      value = q[*variable];
     }
   }
   emit passed(posture);

@@ -3,17 +3,14 @@
 #include "handway/geometric/collision/collision_checker.h"
 #include "handway/geometric/robot/robot_description.h"
 #include "model/document/prepared_problem.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 #include <QString>
 
 #include <array>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <stop_token>
-#include <thread>
 #include <vector>
 
 namespace handway::gui {
@@ -25,53 +22,9 @@ enum class ContactRule {
   kSlide,  ///< Made as far as it is free: see geometric::sliding_step().
 };
 
-/// A step of the first robot; both shape [variable_count].
-struct ProposedStep {
-  geometric::Configuration from;
-  geometric::Configuration to;
-  ContactRule rule = ContactRule::kStop;
-};
-
-struct StepReport {
-  geometric::Configuration q;                   ///< As far as the step may go.
-  std::optional<geometric::NamedPair> contact;  ///< What touches beyond; nothing if all is free.
-};
-
-/// Finds out, on a thread of its own, how far steps may go. Only the latest step
-/// counts: those that come faster than they can be checked are skipped.
-class StepChecker : public QObject {
-  Q_OBJECT
-
- public:
-  explicit StepChecker(QObject* parent = nullptr);
-  ~StepChecker() override;
-
-  /// @param problem null: everything is free. @param groups for geometric::sliding_step().
-  void set_problem(std::shared_ptr<const PreparedProblem> problem,
-                   std::vector<std::vector<int>> groups);
-  void check(const ProposedStep& step);
-
- signals:
-  void checked(const handway::gui::StepReport& report);
-  void failed(const QString& message);
-
- private:
-  struct Setup {
-    std::shared_ptr<const PreparedProblem> problem;
-    std::vector<std::vector<int>> groups;
-  };
-
-  void work(const std::stop_token& stop);
-
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::shared_ptr<const Setup> setup_ = std::make_shared<Setup>();
-  std::optional<ProposedStep> next_;
-  std::jthread thread_;
-};
-
 /// Through whose hands all postures go by which devices lead the robot. It merges them, and lets
-/// through what its rule says: all of it, or only what is free.
+/// through what its rule says: all of it, or only what is free. How far steps may go is found out
+/// on a thread of its own; those that come faster than they can be checked are skipped.
 class ContactGuard : public QObject {
   Q_OBJECT
 
@@ -102,17 +55,19 @@ class ContactGuard : public QObject {
   void held(const QString& contact);
 
  private:
-  void take(const StepReport& report);
+  /// A step may be made as far as `q`. @param contact what touches beyond; nothing if all is free.
+  void take(const geometric::Configuration& q, const std::optional<geometric::NamedPair>& contact);
   void tell(const QString& contact);
   [[nodiscard]] geometric::NamedPosture wanted() const;
 
-  StepChecker checker_;
   std::shared_ptr<const geometric::RobotModel> model_;
-  bool has_problem_ = false;
+  std::vector<std::vector<int>> groups_;  ///< For geometric::sliding_step().
+  std::shared_ptr<OwnChecker> checker_;   ///< For the job's thread; null: all is free.
   ContactRule rule_ = ContactRule::kPass;
   geometric::Configuration q_;
   std::array<geometric::NamedPosture, 2> wanted_;  ///< By Leader.
   bool holds_ = false;
+  LatestJob job_;
 };
 
 }  // namespace handway::gui

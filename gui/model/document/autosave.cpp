@@ -37,6 +37,17 @@ void remove_folder(const fs::path& folder) {
   fs::remove_all(folder, ignored);
 }
 
+void write(const std::optional<UnsavedScene>& unsaved, const fs::path& folder) {
+  if (!unsaved) {
+    std::error_code ignored;
+    fs::remove(folder / kSceneFile, ignored);
+    return;
+  }
+  const QJsonObject about{{"file", qpath(unsaved->file)}, {"name", unsaved->name}};
+  geometric::replace_file(folder / kAboutFile, QJsonDocument(about).toJson().toStdString());
+  save_scene(unsaved->loaded, unsaved->shown, unsaved->planner, folder / kSceneFile);
+}
+
 }  // namespace
 
 fs::path Autosave::default_folder() {
@@ -50,73 +61,40 @@ Autosave::Autosave(fs::path folder, QObject* parent)
       folder_(all_ / QStringLiteral("%1-%2")
                          .arg(QCoreApplication::applicationPid())
                          .arg(QDateTime::currentMSecsSinceEpoch())
-                         .toStdString()) {
+                         .toStdString()),
+      job_(std::make_unique<LatestJob>()) {
   QDir().mkpath(qpath(folder_));
   lock_ = make_lock(folder_);
   lock_->tryLock(0);
-  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+  connect(job_.get(), &LatestJob::failed, this, &Autosave::failed);
 }
 
 Autosave::~Autosave() {
-  thread_.request_stop();
-  wake_.notify_all();
-  thread_.join();
+  job_.reset();  // has written
   lock_.reset();
   remove_folder(folder_);
 }
 
-void Autosave::add(Job job) {
-  {
-    const std::lock_guard guard(mutex_);
-    if (next_ && next_->then_forget && !job.then_forget) {
-      job.then_forget = next_->then_forget;
-    }
-    next_ = std::move(job);
-  }
-  wake_.notify_all();
-}
-
 void Autosave::store(UnsavedScene scene, const std::optional<LostScene>& then_forget) {
-  add({std::move(scene), then_forget});
+  keep(std::move(scene), then_forget);
 }
 
-void Autosave::clear() { add({}); }
+void Autosave::clear() { keep(std::nullopt, std::nullopt); }
 
-void Autosave::work(const std::stop_token& stop) {
-  while (true) {
-    Job job;
-    {
-      std::unique_lock guard(mutex_);
-      if (!wake_.wait(guard, stop, [this] { return next_.has_value(); })) {
-        return;
-      }
-      job = *std::exchange(next_, std::nullopt);
+void Autosave::keep(std::optional<UnsavedScene> scene,
+                    const std::optional<LostScene>& then_forget) {
+  to_forget_ = then_forget ? then_forget : to_forget_;
+  job_->run_next([this, scene = std::move(scene), folder = folder_,
+                  lost = to_forget_](const std::stop_token&) -> LatestJob::Answer {
+    write(scene, folder);
+    if (lost) {
+      forget(*lost);
     }
-    try {
-      run(job);
-      QMetaObject::invokeMethod(
-          this, [this] { emit stored(); }, Qt::QueuedConnection);
-    } catch (const std::exception& error) {
-      QMetaObject::invokeMethod(
-          this, [this, message = QString::fromUtf8(error.what())] { emit failed(message); },
-          Qt::QueuedConnection);
-    }
-  }
-}
-
-void Autosave::run(const Job& job) const {
-  if (!job.scene) {
-    std::error_code ignored;
-    fs::remove(folder_ / kSceneFile, ignored);
-  } else {
-    const UnsavedScene& unsaved = *job.scene;
-    const QJsonObject about{{"file", qpath(unsaved.file)}, {"name", unsaved.name}};
-    geometric::replace_file(folder_ / kAboutFile, QJsonDocument(about).toJson().toStdString());
-    save_scene(unsaved.loaded, unsaved.shown, unsaved.planner, folder_ / kSceneFile);
-  }
-  if (job.then_forget) {
-    forget(*job.then_forget);
-  }
+    return [this] {
+      to_forget_.reset();
+      emit stored();
+    };
+  });
 }
 
 std::vector<LostScene> Autosave::find_lost() const {

@@ -1,18 +1,16 @@
 #pragma once
 
 #include "handway/planning/extensions/plugin.h"
+#include "model/jobs/background.h"
 
 #include <QDateTime>
 #include <QLockFile>
 #include <QObject>
 #include <QString>
 
-#include <condition_variable>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 namespace handway::gui {
@@ -64,22 +62,14 @@ class Autosave : public QObject {
   void failed(const QString& message);
 
  private:
-  struct Job {
-    std::optional<UnsavedScene> scene;  ///< Nothing: clear.
-    std::optional<LostScene> then_forget;
-  };
-
-  void work(const std::stop_token& stop);
-  void run(const Job& job) const;
-  void add(Job job);
+  /// @param scene nothing: none is kept.
+  void keep(std::optional<UnsavedScene> scene, const std::optional<LostScene>& then_forget);
 
   std::filesystem::path all_;
   std::filesystem::path folder_;
   std::unique_ptr<QLockFile> lock_;
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::optional<Job> next_;
-  std::jthread thread_;
+  std::optional<LostScene> to_forget_;  ///< By what is written next.
+  std::unique_ptr<LatestJob> job_;
 };
 
 }  // namespace handway::gui

@@ -1,7 +1,5 @@
 #include "model/document/collision_monitor.h"
 
-#include <algorithm>
-#include <exception>
 #include <utility>
 
 namespace handway::gui {
@@ -28,77 +26,30 @@ CollisionReport report_on(CollisionChecker& checker, geometric::ClosestPointFind
 
 }  // namespace
 
-CollisionMonitor::CollisionMonitor(QObject* parent)
-    : QObject(parent), thread_([this](const std::stop_token& stop) { work(stop); }) {}
-
-CollisionMonitor::~CollisionMonitor() {
-  thread_.request_stop();
-  wake_.notify_all();
+CollisionMonitor::CollisionMonitor(QObject* parent) : QObject(parent) {
+  connect(&job_, &LatestJob::failed, this, &CollisionMonitor::failed);
 }
 
 void CollisionMonitor::set_problem(std::shared_ptr<const PreparedProblem> problem) {
-  const std::lock_guard lock(mutex_);
-  problem_ = std::move(problem);
-  next_.reset();
-  answered_ = asked_;
+  job_.cancel();
+  checks_ = problem ? std::make_shared<Checks>(Checks{OwnChecker(std::move(problem))}) : nullptr;
 }
 
 void CollisionMonitor::check(const Configuration& q) {
-  {
-    const std::lock_guard lock(mutex_);
-    next_ = q;
-    next_ticket_ = ++asked_;
-  }
-  wake_.notify_all();
-}
-
-void CollisionMonitor::work(const std::stop_token& stop) {
-  std::shared_ptr<const PreparedProblem> problem;
-  std::unique_ptr<CollisionChecker> checker;
-  std::unique_ptr<geometric::ClosestPointFinder> finder;
-  while (true) {
-    Configuration q;
-    int ticket = 0;
-    bool is_new = false;
-    {
-      std::unique_lock lock(mutex_);
-      if (!wake_.wait(lock, stop, [this] { return next_.has_value(); })) {
-        return;
+  job_.run_next([this, checks = checks_, q](const std::stop_token& stop) -> LatestJob::Answer {
+    CollisionReport report;
+    if (checks) {
+      CollisionChecker* checker = checks->checker.wait(stop);
+      if (!checker) {
+        return {};
       }
-      q = *std::exchange(next_, std::nullopt);
-      ticket = next_ticket_;
-      is_new = problem != problem_;
-      problem = problem_;
-    }
-    const auto deliver = [this, ticket, problem](auto report) {
-      QMetaObject::invokeMethod(
-          this,
-          [this, ticket, problem, report = std::move(report)] {
-            answered_ = std::max(answered_, ticket);
-            if (problem == problem_) {
-              report();
-            }
-          },
-          Qt::QueuedConnection);
-    };
-    try {
-      if (is_new) {
-        checker.reset();
-        if (problem) {
-          const PreparedProblem::Problem prepared = problem->wait(stop);
-          if (!prepared) {
-            return;
-          }
-          checker = prepared->checker->clone();
-          finder = std::make_unique<geometric::ClosestPointFinder>(checker->shared_world());
-        }
+      if (!checks->finder) {
+        checks->finder = std::make_unique<geometric::ClosestPointFinder>(checker->shared_world());
       }
-      CollisionReport report = checker ? report_on(*checker, *finder, q) : CollisionReport{};
-      deliver([this, report = std::move(report)] { emit checked(report); });
-    } catch (const std::exception& error) {
-      deliver([this, message = QString::fromUtf8(error.what())] { emit failed(message); });
+      report = report_on(*checker, *checks->finder, q);
     }
-  }
+    return [this, report = std::move(report)] { emit checked(report); };
+  });
 }
 
 }  // namespace handway::gui

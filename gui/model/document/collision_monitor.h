@@ -3,16 +3,13 @@
 #include "handway/geometric/collision/collision_checker.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "model/document/prepared_problem.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace handway::gui {
@@ -36,30 +33,27 @@ class CollisionMonitor : public QObject {
   static constexpr double kNear = 0.10;  ///< m
 
   explicit CollisionMonitor(QObject* parent = nullptr);
-  ~CollisionMonitor() override;
 
   /// Null: nothing to check.
   void set_problem(std::shared_ptr<const PreparedProblem> problem);
   /// @param q of the first robot, shape [variable_count].
   void check(const geometric::Configuration& q);
   /// True while an answer is still to come.
-  [[nodiscard]] bool is_busy() const { return answered_ != asked_; }
+  [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
 
  signals:
   void checked(const handway::gui::CollisionReport& report);
   void failed(const QString& message);
 
  private:
-  void work(const std::stop_token& stop);
+  /// What the job's thread checks a problem with.
+  struct Checks {
+    OwnChecker checker;
+    std::unique_ptr<geometric::ClosestPointFinder> finder = nullptr;
+  };
 
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::shared_ptr<const PreparedProblem> problem_;
-  std::optional<geometric::Configuration> next_;
-  int next_ticket_ = 0;
-  int asked_ = 0;     ///< GUI thread only.
-  int answered_ = 0;  ///< GUI thread only.
-  std::jthread thread_;
+  std::shared_ptr<Checks> checks_;  ///< Null: nothing to check.
+  LatestJob job_;
 };
 
 }  // namespace handway::gui

@@ -120,4 +120,13 @@ PreparedProblem::Problem PreparedProblem::if_ready() const {
   }
 }
 
+geometric::CollisionChecker* OwnChecker::wait(const std::stop_token& stop) {
+  if (!checker_) {
+    if (const PreparedProblem::Problem ready = problem_->wait(stop)) {
+      checker_ = ready->checker->clone();
+    }
+  }
+  return checker_.get();
+}
+
 }  // namespace handway::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/collision/collision_checker.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/plugin.h"
@@ -11,6 +12,7 @@
 #include <mutex>
 #include <stop_token>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace handway::gui {
@@ -79,6 +81,20 @@ class PreparedProblem {
   std::stop_source wanted_;
   Problem known_;  ///< The last that was ready before this one; may be null.
   std::shared_future<Problem> problem_;
+};
+
+/// A collision checker for one thread at a time, made once its problem is there.
+class OwnChecker {
+ public:
+  explicit OwnChecker(std::shared_ptr<const PreparedProblem> problem)
+      : problem_(std::move(problem)) {}
+
+  /// Null if PreparedProblem::wait() gives none. @throws InputError as that does.
+  [[nodiscard]] geometric::CollisionChecker* wait(const std::stop_token& stop);
+
+ private:
+  std::shared_ptr<const PreparedProblem> problem_;
+  std::unique_ptr<geometric::CollisionChecker> checker_;
 };
 
 }  // namespace handway::gui

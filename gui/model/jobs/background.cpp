@@ -21,23 +21,30 @@ LatestJob::~LatestJob() {
   wake_.notify_all();
 }
 
+// No answer that is still to come is wanted any more.
+void LatestJob::drop() {
+  dropped_ = wanted_;
+  const std::lock_guard lock(mutex_);
+  next_ = nullptr;
+  running_.request_stop();
+}
+
 void LatestJob::run(Job job) {
+  drop();
+  run_next(std::move(job));
+}
+
+void LatestJob::run_next(Job job) {
   {
     const std::lock_guard lock(mutex_);
     next_ = std::move(job);
     next_ticket_ = ++wanted_;
-    running_.request_stop();
   }
   wake_.notify_all();
 }
 
 void LatestJob::cancel() {
-  {
-    const std::lock_guard lock(mutex_);
-    next_ = nullptr;
-    running_.request_stop();
-  }
-  ++wanted_;
+  drop();
   done_ = wanted_;
   emit ended();
 }
@@ -71,7 +78,7 @@ void LatestJob::work(const std::stop_token& stop) {
     QMetaObject::invokeMethod(
         this,
         [this, ticket, answer = answer_of(job, cancelled)] {
-          if (ticket != wanted_) {
+          if (ticket <= dropped_) {
             return;
           }
           done_ = ticket;

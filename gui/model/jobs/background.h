@@ -13,8 +13,8 @@
 
 namespace handway::gui {
 
-/// A thread for one kind of question whose latest answer alone counts: asking again, or
-/// cancelling, ends the job before, whose answer never arrives. For the GUI thread's use.
+/// A thread for one kind of question of which the latest alone counts: one that still waits when
+/// another is asked is dropped. For the GUI thread's use.
 class LatestJob : public QObject {
   Q_OBJECT
 
@@ -27,7 +27,12 @@ class LatestJob : public QObject {
   explicit LatestJob(QObject* parent = nullptr);
   ~LatestJob() override;
 
+  /// Ends the job before, whose answer never arrives.
   void run(Job job);
+  /// Lets the job before come to its end, and its answer arrive: for questions that may come faster
+  /// than they can be answered.
+  void run_next(Job job);
+  /// As run(), without another job.
   void cancel();
   /// True while an answer is still to come.
   [[nodiscard]] bool is_busy() const { return wanted_ != done_; }
@@ -39,6 +44,7 @@ class LatestJob : public QObject {
   void ended();
 
  private:
+  void drop();
   void work(const std::stop_token& stop);
   [[nodiscard]] Answer answer_of(const Job& job, const std::stop_token& cancelled);
 
@@ -47,8 +53,9 @@ class LatestJob : public QObject {
   Job next_;
   int next_ticket_ = 0;
   std::stop_source running_{std::nostopstate};
-  int wanted_ = 0;  ///< GUI thread only.
-  int done_ = 0;    ///< GUI thread only.
+  int wanted_ = 0;  ///< GUI thread only, as are the rest.
+  int done_ = 0;
+  int dropped_ = 0;  ///< The last whose answer isn't wanted.
   std::jthread thread_;
 };
 

@@ -5,7 +5,6 @@
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 namespace handway::gui {
@@ -60,37 +59,44 @@ std::unique_ptr<DynamicRoadmap> roadmap_of(const planning::PlanningProblem& prob
 
 }  // namespace
 
-LiveReplanner::LiveReplanner(QObject* parent)
-    : QObject(parent), thread_([this](const std::stop_token& stop) { work(stop); }) {}
+/// A path, and the roadmap that keeps it valid once that is made.
+struct LiveReplanner::Followed {
+  std::shared_ptr<const PreparedProblem> problem;  ///< Null once the roadmap is made, or can't be.
+  Path path;
+  planning::PlanRequest request;
+  std::unique_ptr<DynamicRoadmap> roadmap = nullptr;
 
-LiveReplanner::~LiveReplanner() {
-  thread_.request_stop();
-  {
-    const std::lock_guard guard(mutex_);
-    running_.request_stop();
+  void prepare(const std::stop_token& stop) {
+    const auto prepared = std::exchange(problem, nullptr);
+    if (const PreparedProblem::Problem ready = prepared ? prepared->wait(stop) : nullptr) {
+      request.time_limit_s = std::min(request.time_limit_s, kTimeLimit);
+      roadmap = roadmap_of(*ready, std::move(path), request, stop);
+    }
   }
-  wake_.notify_all();
+};
+
+LiveReplanner::LiveReplanner(QObject* parent) : QObject(parent) {
+  // A scene that makes no problem; planning it says why.
+  connect(&job_, &LatestJob::failed, this, &LiveReplanner::lost);
 }
 
 void LiveReplanner::begin(std::shared_ptr<const PreparedProblem> problem, planning::Path path,
                           const planning::PlanRequest& request) {
   end();
-  ++generation_;
-  {
-    const std::lock_guard guard(mutex_);
-    start_ = Start{std::move(problem), std::move(path), request};
-    wanted_ = generation_;
-  }
-  wake_.notify_all();
+  followed_ = std::make_shared<Followed>(Followed{std::move(problem), std::move(path), request});
+  job_.run([followed = followed_](const std::stop_token& stop) -> LatestJob::Answer {
+    followed->prepare(stop);
+    return {};
+  });
 }
 
 void LiveReplanner::end() {
-  ended_ = generation_;
-  answered_ = asked_;
-  const std::lock_guard guard(mutex_);
-  start_.reset();
-  scene_.reset();
-  running_.request_stop();
+  job_.cancel();
+  if (followed_) {
+    // A large roadmap takes a while to go.
+    run_in_background(
+        [followed = std::exchange(followed_, nullptr)]() mutable { followed.reset(); });
+  }
 }
 
 void LiveReplanner::follow(std::shared_ptr<const geometric::Scene> scene,
@@ -98,73 +104,18 @@ void LiveReplanner::follow(std::shared_ptr<const geometric::Scene> scene,
   if (!is_active()) {
     return;
   }
-  {
-    const std::lock_guard guard(mutex_);
-    scene_ = std::move(scene);
-    revision_ = revision;
-    ticket_ = ++asked_;
-  }
-  wake_.notify_all();
-}
-
-void LiveReplanner::work(const std::stop_token& stop) {
-  std::unique_ptr<DynamicRoadmap> roadmap;
-  planning::PlanRequest request;
-  int generation = 0;
-  while (true) {
-    std::optional<Start> start;
-    std::shared_ptr<const geometric::Scene> scene;
-    planning::Revision revision;
-    std::stop_token cancelled;
-    int ticket = 0;
-    {
-      std::unique_lock guard(mutex_);
-      if (!wake_.wait(guard, stop, [this] { return start_ || scene_; })) {
-        return;
-      }
-      running_ = {};
-      cancelled = running_.get_token();
-      start = std::exchange(start_, std::nullopt);
-      // A path comes first; the scene stays for the next round.
-      scene = start ? nullptr : std::exchange(scene_, nullptr);
-      revision = revision_;
-      ticket = ticket_;
-      generation = start ? wanted_ : generation;
+  job_.run_next([this, followed = followed_, scene = std::move(scene),
+                 revision](const std::stop_token& stop) -> LatestJob::Answer {
+    followed->prepare(stop);
+    auto roadmap = std::exchange(followed->roadmap, nullptr);  // gone if anything goes wrong
+    if (!roadmap || !roadmap->follow(*scene)) {
+      return [this] { emit lost(); };
     }
-    const auto deliver = [this, generation, ticket](auto report) {
-      QMetaObject::invokeMethod(
-          this,
-          [this, generation, ticket, report = std::move(report)] {
-            if (generation == generation_ && is_active()) {
-              answered_ = std::max(answered_, ticket);
-              report();
-            }
-          },
-          Qt::QueuedConnection);
-    };
-    try {
-      if (start) {
-        roadmap.reset();
-        if (const PreparedProblem::Problem problem = start->problem->wait(cancelled)) {
-          request = start->request;
-          request.time_limit_s = std::min(request.time_limit_s, kTimeLimit);
-          roadmap = roadmap_of(*problem, std::move(start->path), request, cancelled);
-        }
-      } else if (roadmap && roadmap->follow(*scene)) {
-        DerivedResult result{roadmap->plan(request, cancelled), revision};
-        deliver([this, result = std::move(result),
-                 origin = QString::fromLatin1(planning::to_string(roadmap->source()))] {
-          emit replanned(result, origin);
-        });
-      } else {
-        roadmap.reset();
-        deliver([this] { emit lost(); });
-      }
-    } catch (const std::exception&) {  // a scene that makes no problem; planning it says why
-      roadmap.reset();
-      deliver([this] { emit lost(); });
-    }
-  }
+    DerivedResult result{roadmap->plan(followed->request, stop), revision};
+    const QString origin = QString::fromLatin1(planning::to_string(roadmap->source()));
+    followed->roadmap = std::move(roadmap);
+    return [this, result = std::move(result), origin] { emit replanned(result, origin); };
+  });
 }
 
 }  // namespace handway::gui

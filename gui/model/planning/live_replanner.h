@@ -3,14 +3,11 @@
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/planners/planner.h"
 #include "model/document/prepared_problem.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
 
 namespace handway::gui {
 
@@ -25,16 +22,15 @@ class LiveReplanner : public QObject {
 
  public:
   explicit LiveReplanner(QObject* parent = nullptr);
-  ~LiveReplanner() override;
 
   /// Begins with a path that was planned for `problem`.
   void begin(std::shared_ptr<const PreparedProblem> problem, planning::Path path,
              const planning::PlanRequest& request);
   /// There is no path any more.
   void end();
-  [[nodiscard]] bool is_active() const { return generation_ != ended_; }
+  [[nodiscard]] bool is_active() const { return followed_ != nullptr; }
   /// True while an answer is still to come.
-  [[nodiscard]] bool is_busy() const { return is_active() && answered_ != asked_; }
+  [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
 
   /// Asks for a path in a scene with the same robots. @param revision of that scene; none of a
   /// document's if it is only tried.
@@ -47,27 +43,10 @@ class LiveReplanner : public QObject {
   void lost();
 
  private:
-  struct Start {
-    std::shared_ptr<const PreparedProblem> problem;
-    planning::Path path;
-    planning::PlanRequest request;
-  };
+  struct Followed;
 
-  void work(const std::stop_token& stop);
-
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::optional<Start> start_;
-  std::shared_ptr<const geometric::Scene> scene_;
-  planning::Revision revision_;  ///< Of `scene_`.
-  std::stop_source running_;     ///< Of the query that goes on.
-  int ticket_ = 0;               ///< Of `scene_`.
-  int wanted_ = 0;               ///< Generation of `start_`.
-  int generation_ = 0;           ///< GUI thread only, as are the rest.
-  int ended_ = 0;
-  int asked_ = 0;
-  int answered_ = 0;
-  std::jthread thread_;
+  std::shared_ptr<Followed> followed_;  ///< For the job's thread; null: there is no path.
+  LatestJob job_;
 };
 
 }  // namespace handway::gui

@@ -76,42 +76,31 @@ class PlanRunner::Reporter : public RoadmapWatch {
   QElapsedTimer clock_;
 };
 
-PlanRunner::PlanRunner(QObject* parent) : QObject(parent) {}
+PlanRunner::PlanRunner(QObject* parent) : QObject(parent) {
+  connect(&job_, &LatestJob::failed, this, &PlanRunner::failed);
+}
 
-PlanRunner::~PlanRunner() = default;
+PlanRunner::~PlanRunner() { stop_.request_stop(); }
 
 void PlanRunner::start(std::shared_ptr<planning::Planner> planner,
                        std::shared_ptr<const PreparedProblem> problem,
                        const planning::PlanRequest& request, int palm_link) {
-  running_ = true;
-  emit progressed(0.0, tr("preparing collision checks"));
-  const auto end = [this](auto report) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, report = std::move(report)] {
-          running_ = false;
-          report();
-        },
-        Qt::QueuedConnection);
-  };
-  thread_ = std::jthread([this, end, planner = std::move(planner), problem = std::move(problem),
-                          request, palm_link](const std::stop_token& stop) {
-    try {
-      planning::PlanResult result;
-      result.status = planning::PlanStatus::kCancelled;
-      if (const PreparedProblem::Problem prepared = problem->wait(stop)) {
-        Reporter reporter(*this, *prepared, palm_link);
-        result = planner->plan(*prepared, request, stop, &reporter);
-        reporter.tell();
-      }
-      end([this, result = std::move(result)] { emit finished(result); });
-    } catch (const std::exception& error) {
-      end([this, message = QString::fromUtf8(error.what())] { emit failed(message); });
+  stop_ = {};
+  job_.run([this, planner = std::move(planner), problem = std::move(problem), request, palm_link,
+            stop = stop_.get_token()](const std::stop_token&) -> LatestJob::Answer {
+    planning::PlanResult result;
+    result.status = planning::PlanStatus::kCancelled;
+    if (const PreparedProblem::Problem prepared = problem->wait(stop)) {
+      Reporter reporter(*this, *prepared, palm_link);
+      result = planner->plan(*prepared, request, stop, &reporter);
+      reporter.tell();
     }
+    return [this, result = std::move(result)] { emit finished(result); };
   });
+  emit progressed(0.0, tr("preparing collision checks"));
 }
 
-void PlanRunner::cancel() { thread_.request_stop(); }
+void PlanRunner::cancel() { stop_.request_stop(); }
 
 namespace {
 

@@ -16,7 +16,6 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
-#include <thread>
 #include <vector>
 
 namespace handway::gui {
@@ -37,7 +36,7 @@ class PlanRunner : public QObject {
              int palm_link);
   /// Asks the run to end; it does within 100 ms.
   void cancel();
-  [[nodiscard]] bool is_running() const { return running_; }
+  [[nodiscard]] bool is_running() const { return job_.is_busy(); }
 
  signals:
   /// @param fraction in [0, 1].
@@ -51,8 +50,8 @@ class PlanRunner : public QObject {
  private:
   class Reporter;
 
-  bool running_ = false;
-  std::jthread thread_;
+  std::stop_source stop_{std::nostopstate};
+  LatestJob job_;
 };
 
 /// The same plan with several seeds.
