@@ -19,7 +19,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 
 namespace py = pybind11;
 
@@ -62,49 +61,21 @@ py::dict run(RobotConnection& connection, const planning::TimedPath& motion, dou
   return answer;
 }
 
-/// An emulated arm or hand of a scene's robot, on a port of this computer.
-class Emulator {
- public:
-  Emulator(const SceneModel& scene, const std::string& kind, std::uint16_t port) {
-    const std::vector<int> variables = execution::device_variables(scene.problem(), kind);
-    const device::JointRanges joints = execution::device_joints(scene.robot(), variables);
-    const Eigen::VectorXd position = scene.problem().start(variables);
-    if (kind == "arm") {
-      device::Val3ControllerSettings settings;
-      settings.joints = joints;
-      settings.position = position;
-      device_ = std::make_unique<device::ArmEmulator>(settings, port);
-    } else {
-      device::HandControllerSettings settings;
-      settings.joints = joints;
-      settings.position = position;
-      device_ = std::make_unique<device::HandEmulator>(settings, port);
-    }
-  }
-
-  [[nodiscard]] std::string address() const {
-    return std::visit([](const auto& device) { return device->address(); }, device_);
-  }
-  [[nodiscard]] Eigen::VectorXd position() const {
-    return std::visit([](const auto& device) { return device->position(); }, device_);
-  }
-  [[nodiscard]] bool moving() const {
-    return std::visit([](const auto& device) { return device->moving(); }, device_);
-  }
-  [[nodiscard]] int stops() const {
-    return std::visit([](const auto& device) { return device->stops(); }, device_);
-  }
-
- private:
-  std::variant<std::unique_ptr<device::ArmEmulator>, std::unique_ptr<device::HandEmulator>> device_;
-};
-
-std::unique_ptr<Emulator> emulate(const SceneModel& scene, const std::string& kind,
-                                  std::uint16_t port) {
+std::unique_ptr<device::RobotEmulator> emulate(const SceneModel& scene, const std::string& kind,
+                                               std::uint16_t port) {
   if (kind != "arm" && kind != "hand") {
     throw InputError({"kind", "", "\"" + kind + "\"", "arm or hand", ""});
   }
-  return std::make_unique<Emulator>(scene, kind, port);
+  const std::vector<int> variables = execution::device_variables(scene.problem(), kind);
+  const auto at_start = [&](auto settings) {
+    settings.joints = execution::device_joints(scene.robot(), variables);
+    settings.position = scene.problem().start(variables);
+    return settings;
+  };
+  if (kind == "arm") {
+    return std::make_unique<device::ArmEmulator>(at_start(device::Val3ControllerSettings()), port);
+  }
+  return std::make_unique<device::HandEmulator>(at_start(device::HandControllerSettings()), port);
 }
 
 // A file, or by its name one that ships.
@@ -187,14 +158,17 @@ void bind_devices(py::module_& module) {
         const py::gil_scoped_release release;
         c.close();
       });
-  py::class_<Emulator> emulator(module, "Emulator",
-                                "An emulated arm or hand on a port of this computer.");
-  emulator.def_property_readonly("address", &Emulator::address, "What Scene.connect() takes.")
+  py::class_<device::RobotEmulator> emulator(module, "Emulator",
+                                             "An emulated arm or hand on a port of this computer.");
+  emulator
+      .def_property_readonly("address", &device::RobotEmulator::address,
+                             "What Scene.connect() takes.")
       .def_property_readonly(
-          "position", [](const Emulator& e) { return to_array(e.position()); },
+          "position", [](const device::RobotEmulator& e) { return to_array(e.position()); },
           "Where its joints are, [joints], rad.")
-      .def_property_readonly("moving", &Emulator::moving, "Whether a joint moves.")
-      .def_property_readonly("stops", &Emulator::stops, "How many stop commands came.");
+      .def_property_readonly("moving", &device::RobotEmulator::moving, "Whether a joint moves.")
+      .def_property_readonly("stops", &device::RobotEmulator::stops,
+                             "How many stop commands came.");
   auto scene = py::reinterpret_borrow<py::class_<SceneModel>>(module.attr("Scene"));
   scene
       .def("connect", &connect, py::arg("to"),

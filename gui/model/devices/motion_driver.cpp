@@ -112,8 +112,7 @@ double farthest(const std::vector<execution::FollowingError>& errors) {
 
 // Emulators outlive the connections to them.
 struct MotionDriver::Devices {
-  std::unique_ptr<device::ArmEmulator> arm;
-  std::unique_ptr<device::HandEmulator> hand;
+  std::vector<std::unique_ptr<device::RobotEmulator>> emulators;
   std::vector<execution::MotionTarget> targets;
   geometric::Configuration q;  ///< Joints without a device.
 
@@ -121,23 +120,23 @@ struct MotionDriver::Devices {
           const geometric::Configuration& shown)
       : q(shown) {
     QStringList addresses;
-    const auto emulated = [&](const char* kind, auto& settings) {
+    const auto as_shown = [&](const char* kind, auto settings) {
       const std::vector<int> variables = execution::device_variables(problem, kind);
       settings.joints = execution::device_joints(problem.model(), variables);
       settings.position = shown(variables).cwiseMax(settings.joints.lower);
       settings.position = settings.position.cwiseMin(settings.joints.upper);
+      return settings;
     };
     if (wanted.emulated_arm) {
-      device::Val3ControllerSettings settings;
-      emulated("arm", settings);
-      arm = std::make_unique<device::ArmEmulator>(settings, 0);
-      addresses << QString::fromStdString(arm->address());
+      emulators.push_back(std::make_unique<device::ArmEmulator>(
+          as_shown("arm", device::Val3ControllerSettings()), 0));
     }
     if (wanted.emulated_hand) {
-      device::HandControllerSettings settings;
-      emulated("hand", settings);
-      hand = std::make_unique<device::HandEmulator>(settings, 0);
-      addresses << QString::fromStdString(hand->address());
+      emulators.push_back(std::make_unique<device::HandEmulator>(
+          as_shown("hand", device::HandControllerSettings()), 0));
+    }
+    for (const auto& emulator : emulators) {
+      addresses << QString::fromStdString(emulator->address());
     }
     if (!wanted.addresses.isEmpty()) {
       addresses << wanted.addresses;

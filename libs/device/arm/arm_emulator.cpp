@@ -1,17 +1,15 @@
 #include "handway/device/arm/arm_emulator.h"
 
-#include "core/emulated_joints.h"
+#include "core/emulator_thread.h"
 #include "core/ports.h"
 #include "handway/device/core/device_error.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
-#include <deque>
-#include <mutex>
+#include <memory>
+#include <span>
 #include <stdexcept>
-#include <thread>
 
 namespace handway::device {
 namespace {
@@ -20,149 +18,100 @@ constexpr int kStatusPeriod = 5;   // positions from status to status
 constexpr double kOnLimit = 1e-5;  // rad: positions travel as float32
 constexpr int kEstopCode = 1;
 
-struct Move {
-  Eigen::VectorXd target;
-  double velocity;  // share of the joints' velocities
-};
-
-Val3ControllerSettings checked(Val3ControllerSettings settings) {
-  const Eigen::Index count = settings.joints.count();
-  if (count == 0 || count > static_cast<Eigen::Index>(kSimpleMessageJoints) ||
-      settings.position.size() != count || settings.queue == 0 || !(settings.braking_time > 0.0)) {
-    throw std::invalid_argument("an arm controller needs 1 to 10 joints, a queue and brakes");
-  }
-  return settings;
-}
-
 }  // namespace
 
-struct Val3Controller::Arm {
-  explicit Arm(Val3ControllerSettings given)
-      : settings(checked(std::move(given))),
-        joints(settings.position, settings.joints.velocity / settings.braking_time, settings.lag),
-        powered(settings.powered) {}
-
-  Val3ControllerSettings settings;
-  EmulatedJoints joints;
-  bool powered;
-  bool estopped = false;
-  std::deque<Move> queue;  ///< The first is under way.
-  double now = 0.0;
-  double moved = 0.0;      ///< s since the first motion began
-  bool has_moved = false;  ///< A motion began.
-  int fed_back = 0;        ///< Times that positions were sent.
-  int stops = 0;           ///< Commands.
-  bool fault_active = false;
-
-  void step();
-  void follow(double dt);
-  void stop();
-  void begin_fault();
-  [[nodiscard]] bool fault(FaultKind kind) const {
-    return fault_active && settings.fault.kind == kind;
+Val3Controller::Val3Controller(const Val3ControllerSettings& settings)
+    : EmulatedRobot(settings),
+      longest_queue_(settings.queue),
+      powered_(settings.powered),
+      automatic_(settings.automatic) {
+  if (joints().count() > static_cast<Eigen::Index>(kSimpleMessageJoints) || longest_queue_ == 0) {
+    throw std::invalid_argument("an arm controller needs 1 to 10 joints, a queue and brakes");
   }
-  [[nodiscard]] bool accepts(const SimpleMessage& point);
-  [[nodiscard]] bool in_range(const Eigen::VectorXd& target) const;
-  [[nodiscard]] RobotStatus status() const;
-};
-
-void Val3Controller::Arm::stop() {
-  queue.clear();
-  joints.brake();
 }
 
-void Val3Controller::Arm::begin_fault() {
-  fault_active = true;
-  if (settings.fault.kind == FaultKind::kEstop) {
-    estopped = true;
-    powered = false;
+void Val3Controller::stop() {
+  queue_.clear();
+  brake();
+}
+
+void Val3Controller::do_fail() {
+  if (active_fault() == FaultKind::kEstop) {
+    estopped_ = true;
+    powered_ = false;
     stop();
-  } else if (settings.fault.kind == FaultKind::kJointLimit && !queue.empty()) {
+  } else if (active_fault() == FaultKind::kJointLimit && !queue_.empty()) {
     // Of the joint that goes farthest.
     Eigen::Index joint = 0;
-    const Eigen::VectorXd displacement = queue.back().target - joints.commanded();
+    const Eigen::VectorXd displacement = queue_.back().target - commanded();
     displacement.cwiseAbs().maxCoeff(&joint);
-    (displacement[joint] > 0.0 ? settings.joints.upper : settings.joints.lower)[joint] =
-        joints.commanded()[joint];
+    (displacement[joint] > 0.0 ? joints().upper : joints().lower)[joint] = commanded()[joint];
   }
 }
 
 // Along the queue, from target to target, for `dt` s.
-void Val3Controller::Arm::follow(double dt) {
-  const double pace = fault(FaultKind::kSlow) ? 0.5 : 1.0;
-  Eigen::VectorXd at = joints.commanded();
+void Val3Controller::follow(double dt) {
+  const double pace = active_fault() == FaultKind::kSlow ? 0.5 : 1.0;
+  Eigen::VectorXd at = commanded();
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(at.size());
-  while (dt > 0.0 && !queue.empty()) {
-    const Eigen::VectorXd displacement = queue.front().target - at;
-    const double needed =
-        (displacement.cwiseAbs().array() / settings.joints.velocity.array()).maxCoeff() /
-        (queue.front().velocity * pace);
+  while (dt > 0.0 && !queue_.empty()) {
+    const Eigen::VectorXd displacement = queue_.front().target - at;
+    const double needed = (displacement.cwiseAbs().array() / joints().velocity.array()).maxCoeff() /
+                          (queue_.front().velocity * pace);
     if (needed <= dt) {
-      at = queue.front().target;
+      at = queue_.front().target;
       dt -= needed;
-      queue.pop_front();
+      queue_.pop_front();
     } else {
       velocity = displacement / needed;
       at += velocity * dt;
       dt = 0.0;
     }
   }
-  joints.command(at, velocity);
+  command(at, velocity);
 }
 
-void Val3Controller::Arm::step() {
-  now += kEmulationStep;
-  if (!queue.empty()) {
-    has_moved = true;
-    follow(kEmulationStep);
+bool Val3Controller::do_step() {
+  const bool moves = !queue_.empty();
+  if (moves) {
+    follow(kStep);
   } else {
-    joints.command(joints.commanded(), Eigen::VectorXd::Zero(joints.commanded().size()));
+    command(commanded(), Eigen::VectorXd::Zero(commanded().size()));
   }
-  joints.step(kEmulationStep);
-  if (has_moved) {
-    moved += kEmulationStep;
-    if (!fault_active && settings.fault.kind != FaultKind::kNone && moved >= settings.fault.after) {
-      begin_fault();
-    }
-  }
+  return moves;
 }
 
-bool Val3Controller::Arm::in_range(const Eigen::VectorXd& target) const {
-  return (target.array() >= settings.joints.lower.array() - kOnLimit).all() &&
-         (target.array() <= settings.joints.upper.array() + kOnLimit).all();
+bool Val3Controller::in_range(const Eigen::VectorXd& target) const {
+  return (target.array() >= joints().lower.array() - kOnLimit).all() &&
+         (target.array() <= joints().upper.array() + kOnLimit).all();
 }
 
-bool Val3Controller::Arm::accepts(const SimpleMessage& point) {
-  Move move{Eigen::VectorXd(settings.joints.count()), static_cast<double>(point.velocity)};
+bool Val3Controller::accepts(const SimpleMessage& point) {
+  Move move{Eigen::VectorXd(joints().count()), static_cast<double>(point.velocity)};
   for (Eigen::Index j = 0; j < move.target.size(); ++j) {
     move.target[j] = static_cast<double>(point.joints[static_cast<std::size_t>(j)]);
   }
-  if (!powered || !settings.automatic || estopped || fault(FaultKind::kRefused) ||
+  if (!powered_ || !automatic_ || estopped_ || active_fault() == FaultKind::kRefused ||
       !(move.velocity > 0.0 && move.velocity <= 1.0) || !in_range(move.target) ||
-      queue.size() >= settings.queue) {
+      queue_.size() >= longest_queue_) {
     return false;
   }
-  joints.release();
-  queue.push_back(std::move(move));
+  release();
+  queue_.push_back(std::move(move));
   return true;
 }
 
-RobotStatus Val3Controller::Arm::status() const {
+RobotStatus Val3Controller::status() const {
   RobotStatus status;
-  status.drives_powered = powered ? 1 : 0;
-  status.emergency_stopped = estopped ? 1 : 0;
-  status.error_code = estopped ? kEstopCode : 0;
-  status.in_error = estopped ? 1 : 0;
-  status.in_motion = joints.moving() ? 1 : 0;
-  status.mode = settings.automatic ? 2 : 1;
-  status.motion_possible = powered && settings.automatic && !estopped ? 1 : 0;
+  status.drives_powered = powered_ ? 1 : 0;
+  status.emergency_stopped = estopped_ ? 1 : 0;
+  status.error_code = estopped_ ? kEstopCode : 0;
+  status.in_error = estopped_ ? 1 : 0;
+  status.in_motion = moving() ? 1 : 0;
+  status.mode = automatic_ ? 2 : 1;
+  status.motion_possible = powered_ && automatic_ && !estopped_ ? 1 : 0;
   return status;
 }
-
-Val3Controller::Val3Controller(Val3ControllerSettings settings)
-    : arm_(std::make_unique<Arm>(std::move(settings))) {}
-
-Val3Controller::~Val3Controller() = default;
 
 SimpleMessage Val3Controller::receive(const SimpleMessage& message, double now) {
   advance(now);
@@ -173,58 +122,37 @@ SimpleMessage Val3Controller::receive(const SimpleMessage& message, double now) 
   reply.reply = SimpleMessageReply::kFailure;
   if (message.type == SimpleMessageType::kJointTrajectoryPoint &&
       message.kind == SimpleMessageKind::kRequest) {
-    const bool stop = message.sequence == kStopSequence;
-    if (stop) {
-      ++arm_->stops;
-      arm_->stop();
+    const bool is_stop = message.sequence == kStopSequence;
+    if (is_stop) {
+      count_stop();
+      stop();
     }
-    if (stop || arm_->accepts(message)) {
+    if (is_stop || accepts(message)) {
       reply.reply = SimpleMessageReply::kSuccess;
     }
   }
   return reply;
 }
 
-void Val3Controller::advance(double now) {
-  while (arm_->now + kEmulationStep <= now) {
-    arm_->step();
-  }
-}
-
 std::vector<SimpleMessage> Val3Controller::feedback() {
-  SimpleMessage position;
-  for (Eigen::Index j = 0; j < arm_->settings.joints.count(); ++j) {
-    position.joints[static_cast<std::size_t>(j)] = static_cast<float>(arm_->joints.position()[j]);
+  SimpleMessage positions;
+  for (Eigen::Index j = 0; j < joints().count(); ++j) {
+    positions.joints[static_cast<std::size_t>(j)] = static_cast<float>(position()[j]);
   }
-  std::vector<SimpleMessage> feedback{position};
-  if (arm_->fed_back++ % kStatusPeriod == 0) {
-    SimpleMessage status;
-    status.type = SimpleMessageType::kStatus;
-    status.status = arm_->status();
-    feedback.push_back(status);
+  std::vector<SimpleMessage> feedback{positions};
+  if (fed_back_++ % kStatusPeriod == 0) {
+    SimpleMessage& last = feedback.emplace_back();
+    last.type = SimpleMessageType::kStatus;
+    last.status = status();
   }
   return feedback;
 }
 
-void Val3Controller::connection_lost() { arm_->stop(); }
-
-const Eigen::VectorXd& Val3Controller::position() const { return arm_->joints.position(); }
-
-bool Val3Controller::moving() const { return arm_->joints.moving(); }
-
-int Val3Controller::stops() const { return arm_->stops; }
-
-FaultKind Val3Controller::active_fault() const {
-  return arm_->fault_active ? arm_->settings.fault.kind : FaultKind::kNone;
-}
-
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using std::chrono::microseconds;
 
 constexpr double kFeedbackPeriod = 0.02;  // s
-constexpr microseconds kTick{1000};
 constexpr int kStatePortOffset = 2;
 constexpr int kPortAttempts = 50;
 
@@ -249,104 +177,67 @@ Ports open_ports(std::uint16_t port) {
   }
 }
 
-}  // namespace
+/// The two ports of the controller.
+class Val3Ports {
+ public:
+  explicit Val3Ports(std::uint16_t port) : ports_(open_ports(port)) {}
 
-struct ArmEmulator::Running {
-  Running(const Val3ControllerSettings& settings, std::uint16_t port)
-      : controller(settings),
-        ports(open_ports(port)),
-        address("arm://" + ports.motion->address()) {}
-
-  mutable std::mutex mutex;  ///< Of the controller.
-  Val3Controller controller;
-  Ports ports;
-  std::string address;
-  SimpleMessageParser parser;
-  DelayedBytes replies;
-  DelayedBytes feedback;
-  std::jthread thread;  ///< Last: it uses all the others.
-
-  void run(const std::stop_token& stop);
-  void take(std::span<const std::uint8_t> bytes, double now);
-  [[nodiscard]] double delay() const {
-    return controller.active_fault() == FaultKind::kLate ? kFaultDelay : 0.0;
-  }
-};
-
-void ArmEmulator::Running::take(std::span<const std::uint8_t> bytes, double now) {
-  parser.add(bytes);
-  try {
-    while (const auto message = parser.next()) {
-      replies.add(encode(controller.receive(*message, now)), now + delay());
-    }
-  } catch (const SimpleMessageError&) {
-    ports.motion->disconnect();
-  }
-}
-
-void ArmEmulator::Running::run(const std::stop_token& stop) {
-  const auto begin = Clock::now();
-  HostWatch motion(*ports.motion);
-  HostWatch state(*ports.state);
-  double last_feedback = 0.0;
-  bool cut = false;
-  std::array<std::uint8_t, 4096> bytes{};
-  while (!stop.stop_requested()) {
-    const std::size_t count = ports.motion->read(bytes, kTick);
+  [[nodiscard]] std::string address() const { return "arm://" + ports_.motion->address(); }
+  void wait(microseconds time) {
+    count_ = ports_.motion->read(bytes_, time);
     std::array<std::uint8_t, 64> ignored{};
-    ports.state->read(ignored, microseconds(0));
-    const double now = std::chrono::duration<double>(Clock::now() - begin).count();
-    const std::scoped_lock lock(mutex);
-    controller.advance(now);
-    const bool motion_lost = motion.lost();
+    ports_.state->read(ignored, microseconds(0));
+  }
+  void disconnect() {
+    ports_.motion->disconnect();
+    ports_.state->disconnect();
+  }
+  void send(double now) {
+    replies_.send(*ports_.motion, now);
+    feedback_.send(*ports_.state, now);
+  }
+
+  void take(Val3Controller& controller, double now) {
+    const bool motion_lost = motion_.lost();
     if (motion_lost) {
-      parser = {};
-      replies.clear();
+      parser_ = {};
+      replies_.clear();
     }
-    const bool state_lost = state.lost();
-    if (motion_lost || state_lost) {
+    if (state_.lost() || motion_lost) {
       controller.connection_lost();
     }
-    take(std::span(bytes).first(count), now);
-    if (now - last_feedback >= kFeedbackPeriod) {
-      last_feedback = now;
-      for (const SimpleMessage& message : controller.feedback()) {
-        feedback.add(encode(message), now + delay());
+    parser_.add(std::span(bytes_).first(count_));
+    try {
+      while (const auto message = parser_.next()) {
+        const SimpleMessage reply = controller.receive(*message, now);
+        replies_.add(encode(reply), now + delay_of(controller.active_fault()));
       }
+    } catch (const SimpleMessageError&) {
+      ports_.motion->disconnect();
     }
-    if (controller.active_fault() == FaultKind::kLost && !cut) {
-      cut = true;
-      ports.motion->disconnect();
-      ports.state->disconnect();
-    }
-    replies.send(*ports.motion, now);
-    feedback.send(*ports.state, now);
   }
-}
+
+  void report(Val3Controller& controller, double now) {
+    for (const SimpleMessage& message : controller.feedback()) {
+      feedback_.add(encode(message), now + delay_of(controller.active_fault()));
+    }
+  }
+
+ private:
+  Ports ports_;
+  HostWatch motion_{*ports_.motion};
+  HostWatch state_{*ports_.state};
+  std::array<std::uint8_t, 4096> bytes_{};
+  std::size_t count_ = 0;
+  SimpleMessageParser parser_;
+  DelayedBytes replies_;
+  DelayedBytes feedback_;
+};
+
+}  // namespace
 
 ArmEmulator::ArmEmulator(const Val3ControllerSettings& settings, std::uint16_t port)
-    : running_(std::make_unique<Running>(settings, port)) {
-  running_->thread =
-      std::jthread([running = running_.get()](const std::stop_token& stop) { running->run(stop); });
-}
-
-ArmEmulator::~ArmEmulator() = default;
-
-const std::string& ArmEmulator::address() const { return running_->address; }
-
-Eigen::VectorXd ArmEmulator::position() const {
-  const std::scoped_lock lock(running_->mutex);
-  return running_->controller.position();
-}
-
-bool ArmEmulator::moving() const {
-  const std::scoped_lock lock(running_->mutex);
-  return running_->controller.moving();
-}
-
-int ArmEmulator::stops() const {
-  const std::scoped_lock lock(running_->mutex);
-  return running_->controller.stops();
-}
+    : RobotEmulator(std::make_unique<RunningRobot<Val3Controller, Val3Ports>>(kFeedbackPeriod,
+                                                                              settings, port)) {}
 
 }  // namespace handway::device

@@ -1,171 +1,116 @@
 #include "handway/device/hand/hand_emulator.h"
 
-#include "core/emulated_joints.h"
-#include "core/line_emulator.h"
+#include "core/emulator_thread.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <fmt/format.h>
 
-#include <optional>
-#include <stdexcept>
+#include <algorithm>
+#include <memory>
 
 namespace handway::device {
-namespace {
+HandController::HandController(const HandControllerSettings& settings)
+    : EmulatedRobot(settings), longest_(settings.longest) {}
 
-HandControllerSettings checked(HandControllerSettings settings) {
-  if (settings.joints.count() == 0 || settings.position.size() != settings.joints.count() ||
-      !(settings.braking_time > 0.0)) {
-    throw std::invalid_argument("a hand controller needs joints and brakes");
+void HandController::end(const char* how) {
+  if (under_way() || phase_ == "ready") {
+    phase_ = how;
   }
-  return settings;
+  brake();
 }
 
-}  // namespace
-
-struct HandController::Hand {
-  explicit Hand(HandControllerSettings given)
-      : settings(checked(std::move(given))),
-        joints(settings.position, settings.joints.velocity / settings.braking_time, settings.lag) {}
-
-  HandControllerSettings settings;
-  EmulatedJoints joints;
-  bool greeted = false;
-  std::string phase = "idle";
-  std::string fault_text;
-  JointTrajectory trajectory;
-  std::size_t expected = 0;  ///< Points of the trajectory that is coming in.
-  double now = 0.0;
-  double heard = 0.0;  ///< When the host spoke last.
-  double time = 0.0;   ///< Of the motion.
-  std::optional<double> hold;
-  double moved = 0.0;  ///< s since the first motion began.
-  bool has_moved = false;
-  bool fault_active = false;
-  int stops = 0;  ///< Commands.
-
-  void step();
-  void end(const char* how);
-  void fail(std::string why);
-  void begin_fault();
-  void follow();
-  [[nodiscard]] bool fault(FaultKind kind) const {
-    return fault_active && settings.fault.kind == kind;
-  }
-  [[nodiscard]] bool under_way() const { return phase == "running" || phase == "paused"; }
-  /// @returns an answer. @throws LineProtocolError for a line that is none.
-  std::string obey(const std::vector<std::string_view>& words);
-  std::string begin_trajectory(const std::vector<std::string_view>& words);
-  std::string take_point(const std::vector<std::string_view>& words);
-};
-
-void HandController::Hand::end(const char* how) {
-  if (under_way() || phase == "ready") {
-    phase = how;
-  }
-  joints.brake();
+void HandController::fail(std::string why) {
+  phase_ = "error";
+  fault_text_ = std::move(why);
+  brake();
 }
 
-void HandController::Hand::fail(std::string why) {
-  phase = "error";
-  fault_text = std::move(why);
-  joints.brake();
-}
-
-void HandController::Hand::begin_fault() {
-  fault_active = true;
-  if (settings.fault.kind == FaultKind::kEstop) {
+void HandController::do_fail() {
+  if (active_fault() == FaultKind::kEstop) {
     fail("emergency stop");
-  } else if (settings.fault.kind == FaultKind::kRefused) {
+  } else if (active_fault() == FaultKind::kRefused) {
     fail("motion refused by the drives");
-  } else if (settings.fault.kind == FaultKind::kJointLimit) {
+  } else if (active_fault() == FaultKind::kJointLimit) {
     // Of the joint that has farthest to go.
     Eigen::Index joint = 0;
-    (trajectory.at(trajectory.duration()) - joints.commanded()).cwiseAbs().maxCoeff(&joint);
-    fail(fmt::format("joint {} at its limit",
-                     settings.joints.names[static_cast<std::size_t>(joint)]));
+    (trajectory_.at(trajectory_.duration()) - commanded()).cwiseAbs().maxCoeff(&joint);
+    fail(fmt::format("joint {} at its limit", joints().names[static_cast<std::size_t>(joint)]));
   }
 }
 
-void HandController::Hand::follow() {
-  time += fault(FaultKind::kSlow) ? 0.5 * kEmulationStep : kEmulationStep;
-  if (hold && time >= *hold) {
-    time = *hold;
-    phase = "paused";
-    hold.reset();
-  } else if (time >= trajectory.duration()) {
-    phase = "done";
+void HandController::follow() {
+  time_ += active_fault() == FaultKind::kSlow ? 0.5 * kStep : kStep;
+  if (hold_ && time_ >= *hold_) {
+    time_ = *hold_;
+    phase_ = "paused";
+    hold_.reset();
+  } else if (time_ >= trajectory_.duration()) {
+    phase_ = "done";
   }
-  const Eigen::VectorXd before = joints.commanded();
-  const Eigen::VectorXd at = trajectory.at(time);
-  joints.command(at, phase == "running" ? (at - before) / kEmulationStep
-                                        : Eigen::VectorXd(Eigen::VectorXd::Zero(at.size())));
+  const Eigen::VectorXd before = commanded();
+  const Eigen::VectorXd at = trajectory_.at(time_);
+  command(at, phase_ == "running" ? (at - before) / kStep
+                                  : Eigen::VectorXd(Eigen::VectorXd::Zero(at.size())));
 }
 
-void HandController::Hand::step() {
-  now += kEmulationStep;
-  if (phase == "running") {
-    has_moved = true;
-    follow();
-  }
-  joints.step(kEmulationStep);
-  if (under_way() && now - heard > kHandLongestSilence) {
+bool HandController::do_step() {
+  if (under_way() && now() - heard_ > kHandLongestSilence) {
     fail("nothing heard of the host");
   }
-  if (has_moved) {
-    moved += kEmulationStep;
-    if (!fault_active && settings.fault.kind != FaultKind::kNone && moved >= settings.fault.after) {
-      begin_fault();
-    }
+  const bool runs = phase_ == "running";
+  if (runs) {
+    follow();
   }
+  return runs;
 }
 
-std::string HandController::Hand::begin_trajectory(const std::vector<std::string_view>& words) {
+std::string HandController::begin_trajectory(const Words& words) {
   const double count = words.size() == 2 ? number_of(words[1]) : 0.0;
   if (under_way()) {
     return "error trajectory a motion is under way\n";
   }
-  if (!(count >= 2.0 && count <= static_cast<double>(settings.longest))) {
-    return fmt::format("error trajectory it has to have 2 to {} points\n", settings.longest);
+  if (!(count >= 2.0 && count <= static_cast<double>(longest_))) {
+    return fmt::format("error trajectory it has to have 2 to {} points\n", longest_);
   }
-  expected = static_cast<std::size_t>(count);
-  trajectory = {};
-  trajectory.positions.resize(static_cast<Eigen::Index>(expected), settings.joints.count());
-  phase = "idle";
+  expected_ = static_cast<std::size_t>(count);
+  trajectory_ = {};
+  trajectory_.positions.resize(static_cast<Eigen::Index>(expected_), joints().count());
+  phase_ = "idle";
   return "";
 }
 
-std::string HandController::Hand::take_point(const std::vector<std::string_view>& words) {
-  if (trajectory.times.size() >= expected ||
-      words.size() != 2 + static_cast<std::size_t>(settings.joints.count())) {
+std::string HandController::take_point(const Words& words) {
+  if (trajectory_.times.size() >= expected_ ||
+      words.size() != 2 + static_cast<std::size_t>(joints().count())) {
     throw LineProtocolError("a point that does not belong here");
   }
-  const auto row = static_cast<Eigen::Index>(trajectory.times.size());
-  trajectory.times.push_back(number_of(words[1]));
-  for (Eigen::Index j = 0; j < settings.joints.count(); ++j) {
-    trajectory.positions(row, j) = number_of(words[2 + static_cast<std::size_t>(j)]);
+  const auto row = static_cast<Eigen::Index>(trajectory_.times.size());
+  trajectory_.times.push_back(number_of(words[1]));
+  for (Eigen::Index j = 0; j < joints().count(); ++j) {
+    trajectory_.positions(row, j) = number_of(words[2 + static_cast<std::size_t>(j)]);
   }
-  if (trajectory.times.size() < expected) {
+  if (trajectory_.times.size() < expected_) {
     return "";
   }
-  expected = 0;
+  expected_ = 0;
   try {
-    check_trajectory(trajectory, settings.joints);
+    check_trajectory(trajectory_, joints());
   } catch (const geometric::InputError& error) {
     return fmt::format("error trajectory {}\n", error.what());
   }
-  phase = "ready";
+  phase_ = "ready";
   return "ok trajectory\n";
 }
 
-std::string HandController::Hand::obey(const std::vector<std::string_view>& words) {
+std::string HandController::obey(const Words& words) {
   const std::string word(words.empty() ? std::string_view() : words.front());
   if (word == "hello") {
     if (words.size() != 2 || number_of(words[1]) != kHandProtocolVersion) {
       return fmt::format("error hello this hand speaks version {}\n", kHandProtocolVersion);
     }
-    greeted = true;
-    return fmt::format("hello {} {}\n", kHandProtocolVersion, settings.joints.count());
+    greeted_ = true;
+    return fmt::format("hello {} {}\n", kHandProtocolVersion, joints().count());
   }
   if (word == "trajectory") {
     return begin_trajectory(words);
@@ -177,22 +122,22 @@ std::string HandController::Hand::obey(const std::vector<std::string_view>& word
     return "";
   }
   if (word == "start") {
-    if (phase != "ready") {
-      return fmt::format("error start the hand is {}, not ready\n", phase);
+    if (phase_ != "ready") {
+      return fmt::format("error start the hand is {}, not ready\n", phase_);
     }
-    time = 0.0;
-    hold.reset();
-    joints.release();
-    phase = "running";
+    time_ = 0.0;
+    hold_.reset();
+    release();
+    phase_ = "running";
   } else if (word == "pause") {
-    if (phase == "running") {
-      hold = std::max(time, words.size() == 2 ? number_of(words[1]) : 0.0);
+    if (phase_ == "running") {
+      hold_ = std::max(time_, words.size() == 2 ? number_of(words[1]) : 0.0);
     }
   } else if (word == "resume") {
-    hold.reset();
-    phase = phase == "paused" ? "running" : phase;
+    hold_.reset();
+    phase_ = phase_ == "paused" ? "running" : phase_;
   } else if (word == "stop") {
-    ++stops;
+    count_stop();
     end("stopped");
   } else {
     throw LineProtocolError(fmt::format("unknown word \"{}\"", word));
@@ -200,74 +145,34 @@ std::string HandController::Hand::obey(const std::vector<std::string_view>& word
   return "ok " + word + "\n";
 }
 
-HandController::HandController(HandControllerSettings settings)
-    : hand_(std::make_unique<Hand>(std::move(settings))) {}
-
-HandController::~HandController() = default;
-
 std::string HandController::receive(const std::string& line, double now) {
   advance(now);
-  hand_->heard = now;
+  heard_ = now;
   try {
-    return hand_->obey(words_of(line));
+    return obey(words_of(line));
   } catch (const LineProtocolError& error) {
     return fmt::format("error line {}\n", error.what());
   }
 }
 
-void HandController::advance(double now) {
-  while (hand_->now + kEmulationStep <= now) {
-    hand_->step();
-  }
-}
-
-std::string HandController::feedback() {
-  if (!hand_->greeted) {
+std::string HandController::feedback() const {
+  if (!greeted_) {
     return "";
   }
-  std::string lines = to_line({hand_->time, hand_->phase, hand_->joints.position()});
-  if (hand_->phase == "error") {
-    lines += "fault " + hand_->fault_text + "\n";
+  std::string lines = to_line({time_, phase_, position()});
+  if (phase_ == "error") {
+    lines += "fault " + fault_text_ + "\n";
   }
   return lines;
 }
 
 void HandController::connection_lost() {
-  hand_->end("stopped");
-  hand_->greeted = false;
+  end("stopped");
+  greeted_ = false;
 }
-
-const Eigen::VectorXd& HandController::position() const { return hand_->joints.position(); }
-
-bool HandController::moving() const { return hand_->joints.moving(); }
-
-int HandController::stops() const { return hand_->stops; }
-
-FaultKind HandController::active_fault() const {
-  return hand_->fault_active ? hand_->settings.fault.kind : FaultKind::kNone;
-}
-
-struct HandEmulator::Running : LineEmulator<HandController> {
-  using LineEmulator::LineEmulator;
-};
 
 HandEmulator::HandEmulator(const HandControllerSettings& settings, std::uint16_t port)
-    : running_(std::make_unique<Running>("hand", port, kHandStatePeriod, settings)) {}
-
-HandEmulator::~HandEmulator() = default;
-
-const std::string& HandEmulator::address() const { return running_->address(); }
-
-Eigen::VectorXd HandEmulator::position() const {
-  return running_->ask([](const HandController& hand) { return Eigen::VectorXd(hand.position()); });
-}
-
-bool HandEmulator::moving() const {
-  return running_->ask([](const HandController& hand) { return hand.moving(); });
-}
-
-int HandEmulator::stops() const {
-  return running_->ask([](const HandController& hand) { return hand.stops(); });
-}
+    : RobotEmulator(std::make_unique<RunningRobot<HandController, LinePort>>(
+          kHandStatePeriod, settings, std::string("hand"), port)) {}
 
 }  // namespace handway::device

@@ -1,6 +1,6 @@
 #include "handway/device/haptic/haptic_emulator.h"
 
-#include "core/line_emulator.h"
+#include "core/emulator_thread.h"
 
 #include <fmt/format.h>
 
@@ -24,37 +24,18 @@ const Eigen::Vector3d kTrembling(7.0, 9.1, 11.7);
 
 }  // namespace
 
-struct EmulatedHaptic::Device {
-  explicit Device(const EmulatedHapticSettings& given) : settings(given) {
-    if (!(given.mass > 0.0) || !(given.friction > 0.0) || !(given.tremble >= 0.0) ||
-        !(given.abilities.force > 0.0) || !(given.abilities.workspace.array() > 0.0).all()) {
-      throw std::invalid_argument("a haptic device needs mass, friction, force and workspace");
-    }
+EmulatedHaptic::EmulatedHaptic(const EmulatedHapticSettings& settings) : settings_(settings) {
+  if (!(settings.mass > 0.0) || !(settings.friction > 0.0) || !(settings.tremble >= 0.0) ||
+      !(settings.abilities.force > 0.0) || !(settings.abilities.workspace.array() > 0.0).all()) {
+    throw std::invalid_argument("a haptic device needs mass, friction, force and workspace");
   }
+}
 
-  EmulatedHapticSettings settings;
-  HapticSample sample;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  double now = 0.0;
-  double forced = 0.0;   ///< When the last force came.
-  double resting = 0.0;  ///< s
-  double guided = 0.0;   ///< s since the first force.
-  bool greeted = false;
-  bool has_guided = false;
-  bool fault_active = false;
-
-  void step();
-  void move_hand();
-  void bring_back();
-  [[nodiscard]] std::string obey(const std::string& line);
-  [[nodiscard]] const char* fault_text() const;
-};
-
-const char* EmulatedHaptic::Device::fault_text() const {
-  if (!fault_active) {
+const char* EmulatedHaptic::fault_text() const {
+  if (!fault_active_) {
     return nullptr;
   }
-  switch (settings.fault.kind) {
+  switch (settings_.fault.kind) {
     case FaultKind::kRefused:
       return "the motors are too warm";
     case FaultKind::kEstop:
@@ -64,109 +45,96 @@ const char* EmulatedHaptic::Device::fault_text() const {
   }
 }
 
-void EmulatedHaptic::Device::step() {
-  now += kStep;
-  sample.time = now;
-  if (now - forced > kHapticLongestSilence || fault_text() != nullptr) {
-    force.setZero();
+void EmulatedHaptic::step() {
+  now_ += kStep;
+  sample_.time = now_;
+  if (now_ - forced_ > kHapticLongestSilence || fault_text() != nullptr) {
+    force_.setZero();
   }
-  if (!greeted) {
-    sample.velocity.setZero();
-    sample.button = false;
+  if (!greeted_) {
+    sample_.velocity.setZero();
+    sample_.button = false;
     return;
   }
-  if (sample.button) {
+  if (sample_.button) {
     move_hand();
   } else {
     bring_back();
   }
-  if (has_guided) {
-    guided += kStep;
-    fault_active =
-        fault_active || (settings.fault.kind != FaultKind::kNone && guided >= settings.fault.after);
+  if (has_guided_) {
+    guided_ += kStep;
+    fault_active_ = fault_active_ ||
+                    (settings_.fault.kind != FaultKind::kNone && guided_ >= settings_.fault.after);
   }
 }
 
-void EmulatedHaptic::Device::move_hand() {
-  const Eigen::Vector3d tremble = settings.tremble * (now * kTrembling).array().sin();
-  sample.velocity +=
-      kStep / settings.mass * (force + tremble - settings.friction * sample.velocity);
-  sample.position += kStep * sample.velocity;
-  resting = sample.velocity.norm() < kRestSpeed ? resting + kStep : 0.0;
+void EmulatedHaptic::move_hand() {
+  const Eigen::Vector3d tremble = settings_.tremble * (now_ * kTrembling).array().sin();
+  sample_.velocity +=
+      kStep / settings_.mass * (force_ + tremble - settings_.friction * sample_.velocity);
+  sample_.position += kStep * sample_.velocity;
+  resting_ = sample_.velocity.norm() < kRestSpeed ? resting_ + kStep : 0.0;
   const bool at_edge =
-      (sample.position.array().abs() > kEdge * settings.abilities.workspace.array()).any();
-  if (at_edge || resting > kRest) {
-    sample.button = false;
-    resting = 0.0;
+      (sample_.position.array().abs() > kEdge * settings_.abilities.workspace.array()).any();
+  if (at_edge || resting_ > kRest) {
+    sample_.button = false;
+    resting_ = 0.0;
   }
 }
 
-void EmulatedHaptic::Device::bring_back() {
-  const double away = sample.position.norm();
+void EmulatedHaptic::bring_back() {
+  const double away = sample_.position.norm();
   if (away < kReturned) {
-    sample.velocity.setZero();
-    sample.button = true;
+    sample_.velocity.setZero();
+    sample_.button = true;
     return;
   }
-  sample.velocity = -sample.position / away * kReturnSpeed;
-  sample.position += kStep * sample.velocity;
+  sample_.velocity = -sample_.position / away * kReturnSpeed;
+  sample_.position += kStep * sample_.velocity;
 }
 
-std::string EmulatedHaptic::Device::obey(const std::string& line) {
+std::string EmulatedHaptic::obey(const std::string& line) {
   if (line.starts_with("hello")) {
     if (line != fmt::format("hello {}", kHapticProtocolVersion)) {
       return fmt::format("fault this device speaks version {}\n", kHapticProtocolVersion);
     }
-    greeted = true;
-    return hello_line(settings.abilities);
+    greeted_ = true;
+    return hello_line(settings_.abilities);
   }
   const Eigen::Vector3d wanted = parse_haptic_force(line);
   const double strength = wanted.norm();
-  force = wanted * std::min(1.0, settings.abilities.force / std::max(strength, 1e-12));
-  forced = now;
-  has_guided = true;
+  force_ = wanted * std::min(1.0, settings_.abilities.force / std::max(strength, 1e-12));
+  forced_ = now_;
+  has_guided_ = true;
   return "";
 }
-
-EmulatedHaptic::EmulatedHaptic(const EmulatedHapticSettings& settings)
-    : device_(std::make_unique<Device>(settings)) {}
-
-EmulatedHaptic::~EmulatedHaptic() = default;
 
 std::string EmulatedHaptic::receive(const std::string& line, double now) {
   advance(now);
   try {
-    return device_->obey(line);
+    return obey(line);
   } catch (const LineProtocolError& error) {
     return fmt::format("fault {}\n", error.what());
   }
 }
 
 void EmulatedHaptic::advance(double now) {
-  while (device_->now + kStep <= now) {
-    device_->step();
+  while (now_ + kStep <= now) {
+    step();
   }
 }
 
 std::string EmulatedHaptic::feedback() const {
-  if (!device_->greeted) {
+  if (!greeted_) {
     return "";
   }
-  const char* fault = device_->fault_text();
-  return fault != nullptr ? fmt::format("fault {}\n", fault) : state_line(device_->sample);
+  const char* fault = fault_text();
+  return fault != nullptr ? fmt::format("fault {}\n", fault) : state_line(sample_);
 }
 
 void EmulatedHaptic::connection_lost() {
-  device_->greeted = false;
-  device_->force.setZero();
-}
-
-const Eigen::Vector3d& EmulatedHaptic::force() const { return device_->force; }
-
-const HapticSample& EmulatedHaptic::sample() const { return device_->sample; }
-
-FaultKind EmulatedHaptic::active_fault() const {
-  return device_->fault_active ? device_->settings.fault.kind : FaultKind::kNone;
+  greeted_ = false;
+  force_.setZero();
 }
 
 namespace {
@@ -175,12 +143,12 @@ constexpr double kStatePeriod = 0.002;  // s
 
 }  // namespace
 
-struct HapticEmulator::Running : LineEmulator<EmulatedHaptic> {
-  using LineEmulator::LineEmulator;
+struct HapticEmulator::Running : EmulatorThread<EmulatedHaptic, LinePort> {
+  using EmulatorThread::EmulatorThread;
 };
 
 HapticEmulator::HapticEmulator(const EmulatedHapticSettings& settings, std::uint16_t port)
-    : running_(std::make_unique<Running>("haptic", port, kStatePeriod, settings)) {}
+    : running_(std::make_unique<Running>(kStatePeriod, settings, std::string("haptic"), port)) {}
 
 HapticEmulator::~HapticEmulator() = default;
 

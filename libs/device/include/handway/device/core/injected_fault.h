@@ -18,7 +18,4 @@ struct InjectedFault {
   double after = 0.0;  ///< s from the beginning of a motion.
 };
 
-/// How late a late controller is, s.
-inline constexpr double kFaultDelay = 0.6;
-
 }  // namespace handway::device

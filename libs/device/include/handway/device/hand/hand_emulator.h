@@ -1,82 +1,75 @@
 #pragma once
 
-#include "handway/device/core/injected_fault.h"
+#include "handway/device/core/emulated_robot.h"
 #include "handway/device/core/joint_trajectory.h"
 #include "handway/device/export.h"
 
-#include <Eigen/Core>
-
+#include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace handway::device {
 
-struct HandControllerSettings {
-  JointRanges joints;
-  Eigen::VectorXd position;  ///< Where the fingers are, rad.
-  double lag = 0.015;        ///< Time constant of the servos, s.
-  /// Time in which a stop brings a joint down from its full velocity, s.
-  double braking_time = 0.1;
+struct HandControllerSettings : EmulatedRobotSettings {
+  HandControllerSettings() {
+    lag = 0.015;
+    braking_time = 0.1;
+  }
+
   std::size_t longest = 1000000;  ///< How many points of a trajectory it holds.
-  InjectedFault fault;
 };
 
-/// An emulated hand that speaks hand_protocol.h, without wires: lines and time are given. It
-/// holds whole trajectories and follows their time. Time never goes back from call to call.
-class HANDWAY_DEVICE_EXPORT HandController {
+/// An emulated hand that speaks hand_protocol.h, without wires. It holds whole trajectories and
+/// follows their time.
+class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
  public:
   /// @throws std::invalid_argument for settings that make no sense.
-  explicit HandController(HandControllerSettings settings);
-  ~HandController();
-  HandController(const HandController&) = delete;
-  HandController& operator=(const HandController&) = delete;
+  explicit HandController(const HandControllerSettings& settings);
 
   /// Takes a line of the host's, without its end. @returns what it answers: lines, or nothing.
   [[nodiscard]] std::string receive(const std::string& line, double now);
 
-  /// Lets time pass until `now` (s).
-  void advance(double now);
   /// What it sends every 10 ms; empty before a host has said hello.
-  [[nodiscard]] std::string feedback();
+  [[nodiscard]] std::string feedback() const;
 
   /// The host is gone: it stops, and waits for another hello.
   void connection_lost();
 
-  [[nodiscard]] const Eigen::VectorXd& position() const;
-  [[nodiscard]] bool moving() const;
-  /// How many stop commands came. Loss of the connection, or silence, is none.
-  [[nodiscard]] int stops() const;
-  /// The fault, from when it begins on.
-  [[nodiscard]] FaultKind active_fault() const;
-
  private:
-  struct Hand;
-  std::unique_ptr<Hand> hand_;
+  using Words = std::vector<std::string_view>;
+
+  bool do_step() override;
+  void do_fail() override;
+  void end(const char* how);
+  void fail(std::string why);
+  void follow();
+  [[nodiscard]] bool under_way() const { return phase_ == "running" || phase_ == "paused"; }
+  /// @returns an answer. @throws LineProtocolError for a line that is none.
+  std::string obey(const Words& words);
+  std::string begin_trajectory(const Words& words);
+  std::string take_point(const Words& words);
+
+  std::size_t longest_;
+  bool greeted_ = false;
+  std::string phase_ = "idle";
+  std::string fault_text_;
+  JointTrajectory trajectory_;
+  std::size_t expected_ = 0;  ///< Points of the trajectory that is coming in.
+  double heard_ = 0.0;        ///< When the host spoke last.
+  double time_ = 0.0;         ///< Of the motion.
+  std::optional<double> hold_;
 };
 
-/// A HandController with its port, run by a thread of its own. Only this computer can connect.
-class HANDWAY_DEVICE_EXPORT HandEmulator {
+/// A HandController with its port: "hand://localhost:11100".
+class HANDWAY_DEVICE_EXPORT HandEmulator final : public RobotEmulator {
  public:
   /// @param port 0: any that is free.
   /// @throws DeviceError if the port is taken; std::invalid_argument for settings that make no
   /// sense.
   HandEmulator(const HandControllerSettings& settings, std::uint16_t port);
-  ~HandEmulator();
-  HandEmulator(const HandEmulator&) = delete;
-  HandEmulator& operator=(const HandEmulator&) = delete;
-
-  /// "hand://localhost:11100"
-  [[nodiscard]] const std::string& address() const;
-  /// Where the joints are now, rad.
-  [[nodiscard]] Eigen::VectorXd position() const;
-  [[nodiscard]] bool moving() const;
-  /// How many stop commands came.
-  [[nodiscard]] int stops() const;
-
- private:
-  struct Running;
-  std::unique_ptr<Running> running_;
 };
 
 }  // namespace handway::device

@@ -30,9 +30,6 @@ class HANDWAY_DEVICE_EXPORT EmulatedHaptic {
  public:
   /// @throws std::invalid_argument for settings that make no sense.
   explicit EmulatedHaptic(const EmulatedHapticSettings& settings);
-  ~EmulatedHaptic();
-  EmulatedHaptic(const EmulatedHaptic&) = delete;
-  EmulatedHaptic& operator=(const EmulatedHaptic&) = delete;
 
   /// Takes a line of the host's, without its end. @returns what it answers: a line, or nothing.
   [[nodiscard]] std::string receive(const std::string& line, double now);
@@ -46,14 +43,30 @@ class HANDWAY_DEVICE_EXPORT EmulatedHaptic {
   void connection_lost();
 
   /// What its motors do now, N.
-  [[nodiscard]] const Eigen::Vector3d& force() const;
-  [[nodiscard]] const HapticSample& sample() const;
+  [[nodiscard]] const Eigen::Vector3d& force() const { return force_; }
+  [[nodiscard]] const HapticSample& sample() const { return sample_; }
   /// The fault, from when it begins on.
-  [[nodiscard]] FaultKind active_fault() const;
+  [[nodiscard]] FaultKind active_fault() const {
+    return fault_active_ ? settings_.fault.kind : FaultKind::kNone;
+  }
 
  private:
-  struct Device;
-  std::unique_ptr<Device> device_;
+  void step();
+  void move_hand();
+  void bring_back();
+  [[nodiscard]] std::string obey(const std::string& line);
+  [[nodiscard]] const char* fault_text() const;
+
+  EmulatedHapticSettings settings_;
+  HapticSample sample_;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  double now_ = 0.0;
+  double forced_ = 0.0;   ///< When the last force came.
+  double resting_ = 0.0;  ///< s
+  double guided_ = 0.0;   ///< s since the first force.
+  bool greeted_ = false;
+  bool has_guided_ = false;
+  bool fault_active_ = false;
 };
 
 /// An EmulatedHaptic with its port, run by a thread of its own. Only this computer can connect.

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "handway/device/core/injected_fault.h"
+#include "handway/device/core/joint_trajectory.h"
+#include "handway/device/export.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace handway::device {
+
+/// How an emulated controller of joints is built, and what goes wrong with it.
+struct EmulatedRobotSettings {
+  JointRanges joints;
+  Eigen::VectorXd position;  ///< Where the joints are, rad.
+  double lag = 0.01;         ///< Time constant of the servos, s.
+  /// Time in which a stop brings a joint down from its full velocity, s.
+  double braking_time = 0.25;
+  InjectedFault fault;
+};
+
+/// An emulated controller of joints, without wires: what it is sent is given, and so is time, which
+/// never goes back from call to call. The joints follow what they are commanded with a first-order
+/// lag (a servo's position loop), and brake with constant deceleration.
+class HANDWAY_DEVICE_EXPORT EmulatedRobot {
+ public:
+  virtual ~EmulatedRobot() = default;
+  EmulatedRobot(const EmulatedRobot&) = delete;
+  EmulatedRobot& operator=(const EmulatedRobot&) = delete;
+
+  /// Lets time pass until `now` (s).
+  void advance(double now);
+
+  [[nodiscard]] const Eigen::VectorXd& position() const { return position_; }
+  /// True if a joint goes faster than 1e-3 rad/s.
+  [[nodiscard]] bool moving() const;
+  /// How many stop commands came. Loss of a connection, or silence, is none.
+  [[nodiscard]] int stops() const { return stops_; }
+  /// The fault, from when it begins on.
+  [[nodiscard]] FaultKind active_fault() const {
+    return fault_active_ ? fault_.kind : FaultKind::kNone;
+  }
+
+ protected:
+  static constexpr double kStep = 1e-3;  ///< s
+
+  /// @throws std::invalid_argument for settings that make no sense.
+  explicit EmulatedRobot(const EmulatedRobotSettings& settings);
+
+  [[nodiscard]] double now() const { return now_; }  ///< s
+  [[nodiscard]] JointRanges& joints() { return joints_; }
+  [[nodiscard]] const JointRanges& joints() const { return joints_; }
+  [[nodiscard]] const Eigen::VectorXd& commanded() const { return command_; }
+  /// Commands position and velocity for this step.
+  void command(const Eigen::VectorXd& position, const Eigen::VectorXd& velocity);
+  /// Brakes all joints in the same time, the shortest that their decelerations allow, and
+  /// then stands, whatever was commanded; until release().
+  void brake();
+  void release() { braking_.reset(); }
+  void count_stop() { ++stops_; }
+
+ private:
+  struct Braking {
+    Eigen::VectorXd from;
+    Eigen::VectorXd velocity;
+    double duration = 0.0;  ///< s
+    double time = 0.0;      ///< s since it began
+  };
+
+  /// Commands the joints for kStep, until now(). @returns whether a motion is under way.
+  virtual bool do_step() = 0;
+  /// What active_fault() does when it begins.
+  virtual void do_fail() = 0;
+
+  void follow_command();
+
+  JointRanges joints_;
+  InjectedFault fault_;
+  double lag_;
+  Eigen::VectorXd deceleration_;
+  Eigen::VectorXd position_;
+  Eigen::VectorXd velocity_;
+  Eigen::VectorXd command_;
+  Eigen::VectorXd command_velocity_;
+  std::optional<Braking> braking_;
+  double now_ = 0.0;
+  double moved_ = 0.0;  ///< s since the first motion began.
+  bool has_moved_ = false;
+  bool fault_active_ = false;
+  int stops_ = 0;
+};
+
+/// An EmulatedRobot with its ports, run by a thread of its own: what programs for such a robot can
+/// be tried on. Only this computer can connect.
+class HANDWAY_DEVICE_EXPORT RobotEmulator {
+ public:
+  virtual ~RobotEmulator();
+  RobotEmulator(const RobotEmulator&) = delete;
+  RobotEmulator& operator=(const RobotEmulator&) = delete;
+
+  /// What to connect to: "arm://localhost:11000".
+  [[nodiscard]] const std::string& address() const;
+  /// Where the joints are now, rad.
+  [[nodiscard]] Eigen::VectorXd position() const;
+  [[nodiscard]] bool moving() const;
+  /// As EmulatedRobot::stops().
+  [[nodiscard]] int stops() const;
+
+  class Running;
+
+ protected:
+  explicit RobotEmulator(std::unique_ptr<Running> running);
+
+ private:
+  std::unique_ptr<Running> running_;
+};
+
+}  // namespace handway::device
