@@ -139,8 +139,6 @@ py::tuple closest_pair(const SceneModel& scene, const Array& q) {
 
 namespace {
 
-using geometric::Configuration;
-using geometric::InputError;
 using geometric::Pose;
 using geometric::PoseGoal;
 

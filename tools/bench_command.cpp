@@ -78,8 +78,6 @@ std::vector<fs::path> bench_scenes() {
   return scenes;
 }
 
-namespace fs = std::filesystem;
-
 struct BenchOptions {
   std::vector<fs::path> scenes;
   std::vector<std::string> planners;

@@ -168,8 +168,6 @@ void make_out_folder(const fs::path& folder) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 int run_campaign(const CampaignOptions& options, planning::ProcessTeam* team) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());

@@ -328,8 +328,6 @@ std::string box_plot_svg(std::span<const PlotSeries> series) {
 }
 
 namespace fs = std::filesystem;
-using planning::Campaign;
-using planning::CampaignCell;
 using planning::CampaignComparison;
 
 constexpr std::size_t kMostCompared = 6;  // planners, for a table of pairs people can read

@@ -76,9 +76,6 @@ void draw_figures(const fs::path& source) {
 
 namespace {
 
-namespace fs = std::filesystem;
-using geometric::InputError;
-
 std::string table_text(const std::vector<std::string>& header, const Eigen::MatrixXd& rows) {
   std::string text = fmt::format("{}\n", fmt::join(header, ","));
   for (Eigen::Index row = 0; row < rows.rows(); ++row) {

@@ -187,7 +187,6 @@ std::string heat_map_svg(const ParameterGrid& grid, std::span<const CampaignCell
 namespace {
 
 using planning::Campaign;
-using planning::CampaignCell;
 using planning::CampaignPlanner;
 using planning::ParameterTexts;
 

@@ -137,12 +137,6 @@ std::string plan_report(planning::Planner& planner, const planning::PlanningProb
   return report.dump(2) + "\n";
 }
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-}  // namespace
-
 nlohmann::ordered_json path_quality_json(const std::optional<planning::PathQuality>& quality) {
   if (!quality) {
     return nullptr;

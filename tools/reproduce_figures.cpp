@@ -199,8 +199,6 @@ std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
   return made;
 }
 
-namespace fs = std::filesystem;
-
 struct Row {
   const char* scene;
   const char* planner;

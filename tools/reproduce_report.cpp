@@ -232,7 +232,6 @@ ReportTable parameters_compared(const planning::CampaignPlanner& with_pmds,
 }
 
 namespace fs = std::filesystem;
-using planning::CampaignCell;
 
 constexpr const char* kFullPlanner = "full-prm";
 

@@ -170,8 +170,6 @@ Configuration close_hand(CollisionChecker& checker, const std::vector<int>& hand
   return q;
 }
 
-using geometric::CollisionWorld;
-using geometric::Configuration;
 using geometric::FclChecker;
 using geometric::Pose;
 using geometric::Scene;

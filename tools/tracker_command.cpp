@@ -156,7 +156,6 @@ void add_tracker_emulate(CLI::App& tracker, int& exit_code) {
 using device::SampleEvent;
 using device::Tracker;
 using device::TrackerReading;
-using device::TrackerSample;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kWait{50};

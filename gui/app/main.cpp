@@ -1,8 +1,8 @@
 #include "app/main_window.h"
-#include "app/options.h"
 #include "app/snapshot.h"
 #include "features/workbench.h"
 #include "model/devices/motion_driver.h"
+#include "model/settings/options.h"
 #include "model/settings/preferences.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/dock_layout.h"
@@ -11,14 +11,104 @@
 #include <QApplication>
 #include <QSettings>
 
+#include <CLI/CLI.hpp>
+
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace gui = handway::gui;
 namespace planning = handway::planning;
 
 namespace {
+
+constexpr int kWrongUsage = 2;
+
+// "1440x900"
+std::optional<QSize> parse_size(const std::string& text) {
+  int width = 0, height = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') {
+    return std::nullopt;
+  }
+  const auto second = std::from_chars(first.ptr + 1, end, height);
+  if (second.ec != std::errc() || second.ptr != end || width < 640 || height < 480 ||
+      width > 16384 || height > 16384) {
+    return std::nullopt;
+  }
+  return QSize(width, height);
+}
+
+std::string check_size(const std::string& text) {
+  return parse_size(text) ? "" : "\"" + text + "\" is not WIDTHxHEIGHT of at least 640x480";
+}
+
+std::string check_setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  return equals == std::string::npos || equals == 0 ? "\"" + text + "\" is not KEY=VALUE" : "";
+}
+
+// Prints help or what is wrong itself. @param[out] exit_code what to end with if nothing is
+// returned.
+std::optional<gui::Options> parse_options(int argc, char** argv, int& exit_code) {
+  gui::Options options;
+  std::string size;
+  std::vector<std::string> settings;
+  CLI::App app("The Handway workbench: see, plan and play hand-arm motions.");
+  app.add_option("scene", options.scene, "Scene or problem file to open");
+  app.add_option("--screenshot", options.screenshot, "Save a picture of the window and end")
+      ->type_name("OUT.png");
+  app.add_flag("--view-only", options.view_only,
+               "The picture shows the 3-D view alone, of that size");
+  app.add_option("--size", size, "Size of the window (default: as last time; of pictures 1440x900)")
+      ->type_name("WxH")
+      ->check(check_size);
+  app.add_flag("--play", options.play, "Plan at once, then play the path in a loop");
+  app.add_option("--planner", options.planner, "Planner (default: the scene's)");
+  app.add_option("--seed", options.seed, "Seed of all random choices");
+  app.add_option("--set", settings, "A parameter of the planner")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->check(check_setting)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--glove", options.glove,
+                 "Connect to this glove: a port, HOST:PORT, a recording, or \"emulator\"")
+      ->type_name("DEVICE");
+  app.add_option("--glove-page", options.glove_page, "Page of the glove's panel to open")
+      ->type_name("NAME");
+  app.add_option(
+      "--campaign", options.campaign,
+      "Carry out this campaign (.yaml), or show the runs of this run database (.sqlite)");
+  app.add_option("--tracker", options.tracker,
+                 "Lead the arm by this wrist tracker: \"emulator\", fastrak:PORT, liberty:PORT, "
+                 "udp:PORT")
+      ->type_name("DEVICE");
+  app.add_option("--glove-time", options.glove_time,
+                 "Listen to glove and tracker for so many s before a screenshot (default 3)")
+      ->check(CLI::Range(0.0, 3600.0));
+  app.add_option("--theme", options.theme, "light or dark (default: as last time)")
+      ->check(CLI::IsMember({"light", "dark"}));
+  app.add_option("--text-size", options.text_size,
+                 "Size of text, in percent (default: as in the preferences)")
+      ->check(CLI::Range(100, 200));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    exit_code = app.exit(error) == 0 ? 0 : kWrongUsage;
+    return std::nullopt;
+  }
+  options.size = parse_size(size);
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    options.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  return options;
+}
 
 bool has_display() {
   return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY") || std::getenv("QT_QPA_PLATFORM");
@@ -65,7 +155,7 @@ int run(QApplication& application, const gui::Options& options) {
 
 int main(int argc, char** argv) {
   int exit_code = 0;
-  const std::optional<gui::Options> options = gui::parse_options(argc, argv, exit_code);
+  const std::optional<gui::Options> options = parse_options(argc, argv, exit_code);
   if (!options) {
     return exit_code;
   }

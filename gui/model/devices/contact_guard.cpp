@@ -6,13 +6,9 @@
 #include <utility>
 
 namespace handway::gui {
-namespace {
-
 using geometric::CollisionChecker;
 using geometric::FreeStep;
 using geometric::NamedPosture;
-
-}  // namespace
 
 ContactGuard::ContactGuard(QObject* parent) : QObject(parent) {
   connect(&job_, &LatestJob::failed, this, &ContactGuard::tell);

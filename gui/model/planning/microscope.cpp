@@ -53,7 +53,6 @@ RecordedRun RunRecorder::take(planning::PlanResult result, const geometric::Coll
 
 namespace {
 
-namespace lines = planning::algorithm_lines;
 using planning::AlgorithmLine;
 
 constexpr std::size_t kMostSteps = 50000;  // some 10 MB

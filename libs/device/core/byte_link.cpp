@@ -192,7 +192,6 @@ std::unique_ptr<ByteLink> open_serial_link(const std::string& path, int baud) {
 namespace {
 
 using boost::asio::ip::tcp;
-using boost::system::error_code;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kConnectTimeout{2000};

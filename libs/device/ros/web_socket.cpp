@@ -173,11 +173,6 @@ std::optional<std::string> WebSocketLink::receive(milliseconds timeout) {
 
 namespace {
 
-namespace asio = boost::asio;
-namespace websocket = boost::beast::websocket;
-using asio::ip::tcp;
-using boost::system::error_code;
-
 // A host that reads nothing loses what comes after so many messages.
 constexpr std::size_t kMostWaiting = 1000;
 

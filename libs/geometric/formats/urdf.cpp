@@ -295,8 +295,6 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string triple(const Eigen::Vector3d& v) {
   return number_text(v.x()) + ' ' + number_text(v.y()) + ' ' + number_text(v.z());
 }

@@ -89,8 +89,6 @@ bool has_extension(const fs::path& file, std::string_view extension) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 enum class Letters { kExact, kAnyCase };
 
 std::optional<fs::path> find_near(const std::string& name, const fs::path& folder,
