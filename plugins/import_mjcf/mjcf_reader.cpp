@@ -1,5 +1,6 @@
 #include "mjcf_reader.h"
 
+#include "closed_loops.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/io/existing_file.h"
@@ -25,6 +26,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -86,12 +88,13 @@ class Reader {
         add_equality(equality);
       }
     }
+    const std::vector<std::string> open = open_loops();
     for (int key = 0; key < model_->nkey; ++key) {
       add_posture(key);
     }
     note(left_out_, "what is not read");
     note(compiled_.text.unread, "attributes that MuJoCo 2.2 does not know");
-    note(compiled_.text.loops, "loops that are not kept closed, as joints in a loop move freely");
+    note(open, "loops that are not kept closed, as joints in a loop move freely");
     note(undrawn_, "meshes that can't be read and are not drawn");
     note(unbounded_, "slides without a range, which go ±2 m");
     return std::move(robot_);
@@ -443,6 +446,28 @@ class Reader {
     }
     const auto& [leader, multiplier] = coupling.terms.front();
     joint->mimic = geometric::Mimic{leader, multiplier, coupling.offset};
+  }
+
+  // Those that can't be closed, by what they connect.
+  std::vector<std::string> open_loops() {
+    std::map<std::string, double> home;
+    for (int index = 0; index < model_->njnt; ++index) {
+      home[joint_name(index)] = model_->qpos0[model_->jnt_qposadr[index]];
+    }
+    std::vector<std::string> open;
+    for (const MjcfLoop& loop : compiled_.text.loops) {
+      const std::string other = loop.second.empty() ? link_of(0) : loop.second;
+      const auto has = [&](const std::string& link) {
+        return std::ranges::count(robot_.links, link, &geometric::Link::name) > 0;
+      };
+      Eigen::Vector3d anchor;
+      std::istringstream numbers(loop.anchor);
+      if (!(numbers >> anchor.x() >> anchor.y() >> anchor.z()) || !has(loop.first) || !has(other) ||
+          !close_loop(robot_, {loop.first, other, anchor}, home)) {
+        open.push_back(loop.first + " with " + other);
+      }
+    }
+    return open;
   }
 
   // A joint that an equality keeps at a value.

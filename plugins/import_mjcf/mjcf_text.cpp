@@ -226,8 +226,8 @@ class Writer {
       const std::string name = node.attribute(body).value();
       return name.empty() ? std::string(node.attribute(site).value()) : name;
     };
-    const std::string other = end("body2", "site2");
-    result_.loops.push_back(end("body1", "site1") + " with " + (other.empty() ? "world" : other));
+    result_.loops.push_back(
+        {end("body1", "site1"), end("body2", "site2"), node.attribute("anchor").value()});
   }
 
   struct Source {

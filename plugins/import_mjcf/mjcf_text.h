@@ -19,11 +19,18 @@ struct MjcfMesh {
   int geometries = 0;  ///< How many name it.
 };
 
+/// Bodies, or sites, that are kept together.
+struct MjcfLoop {
+  std::string first;
+  std::string second;  ///< Empty: the world.
+  std::string anchor;  ///< In the frame of body `first`, three numbers; empty: not by a point.
+};
+
 /// An MJCF file and those that it includes, as one text for MuJoCo 2.2.
 struct MjcfText {
   std::string text;
-  std::vector<std::string> places;         ///< "FILE:LINE" of each line's element.
-  std::vector<std::string> loops;          ///< "A with B": bodies that loops connect.
+  std::vector<std::string> places;  ///< "FILE:LINE" of each line's element.
+  std::vector<MjcfLoop> loops;
   std::vector<std::string> unread;         ///< "ATTRIBUTE of <ELEMENT>" that MuJoCo does not know.
   std::map<std::string, MjcfMesh> meshes;  ///< By name; those with a file.
 };

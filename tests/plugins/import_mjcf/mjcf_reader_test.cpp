@@ -5,6 +5,7 @@
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -297,6 +298,47 @@ TEST(MjcfReader, NamesLoopsThatItOpens) {
                   .description()
                   .warnings,
               Contains(testing::AllOf(HasSubstr("loops"), HasSubstr("distal with pin"))));
+}
+
+/// Two bars of 0.1 m, 0.06 m from each other, with a third one of length `across` on the second
+/// and a pin from there to the first one's end. @param knee a joint halfway up the first bar.
+RobotDescription four_bars(double across, const char* knee = "") {
+  return MjcfFile(fmt::format(R"(<worldbody><body name="a">
+    <joint name="driver" axis="0 1 0" range="-45 45"/><geom size="0.01" pos="0 0 0.1"/>
+    <body name="shin" pos="0 0 0.05">{}<geom size="0.01"/></body></body>
+    <body name="b" pos="0.06 0 0"><joint name="side" axis="0 1 0" range="-90 90"/>
+    <geom size="0.01"/><body name="c" pos="{} 0 0.1"><joint name="top" axis="0 1 0" range="-90 90"/>
+    <geom size="0.01"/></body></body></worldbody>
+    <equality><connect body1="shin" body2="c" anchor="0 0 0.05"/></equality>)",
+                              knee, across - 0.06))
+      .read();
+}
+
+TEST(MjcfReader, ClosesLoopsWhoseJointsFollowInProportion) {
+  const RobotDescription robot = four_bars(0.06);
+  EXPECT_THAT(robot.warnings, testing::IsEmpty());
+  const RobotModel model(robot);
+  ASSERT_EQ(model.variable_count(), 1);
+  EXPECT_EQ(model.variable(0).name, "driver");
+  const Pose top = link_pose(model, Eigen::VectorXd::Constant(1, 0.7), "c");
+  EXPECT_LT(
+      (top.translation() - Eigen::Vector3d(0.06 + 0.1 * std::sin(0.7), 0, 0.1 * std::cos(0.7)))
+          .norm(),
+      1e-6);
+  EXPECT_LT((top.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-6) << "it stays upright";
+}
+
+TEST(MjcfReader, HoldsTheSecondJointOfALoopOfTwoFreedoms) {
+  const RobotModel model(four_bars(0.06, R"(<joint name="knee" axis="0 1 0" range="-90 0"/>)"));
+  ASSERT_EQ(model.variable_count(), 1);
+  const Pose shin = link_pose(model, Eigen::VectorXd::Constant(1, 0.7), "shin");
+  EXPECT_NEAR(Eigen::AngleAxisd(shin.linear()).angle(), 0.7, 1e-9) << "straight";
+}
+
+TEST(MjcfReader, LeavesLoopsOpenWhereNoProportionsCloseThem) {
+  const RobotDescription skew = four_bars(0.12);
+  EXPECT_THAT(skew.warnings, Contains(HasSubstr("loops that are not kept closed")));
+  EXPECT_EQ(RobotModel(skew).variable_count(), 3);
 }
 
 TEST(MjcfReader, RefusesInMujocosWords) {
