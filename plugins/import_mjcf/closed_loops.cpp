@@ -35,8 +35,9 @@ class Linkage {
     const std::vector<geometric::Pose> X_BL = poses(home_);
     p_BQ_ = at(X_BL, b_).inverse() * (at(X_BL, a_) * p_AQ_);
     const Eigen::MatrixXd J = jacobian(X_BL);
-    for (int v = 0; v < model.variable_count(); ++v) {
-      if (J.col(v).norm() > kNoMotion) {
+    for (int link = 1; link < model.link_count(); ++link) {  // what moves the first one leads
+      const int v = model.drive(link).variable;
+      if (v >= 0 && J.col(v).norm() > kNoMotion && std::ranges::count(followers_, v) == 0) {
         followers_.push_back(v);
       }
     }
@@ -171,7 +172,13 @@ bool close_loop(geometric::RobotDescription& robot, const ClosedLoop& loop,
     q[v] = value == home.end() ? 0.0 : value->second;
   }
   const Linkage linkage(model, loop, q);
-  if (!linkage.has_one_freedom()) {
+  const auto leads_others = [&](int variable) {
+    return std::ranges::any_of(robot.joints, [&](const geometric::Joint& joint) {
+      return joint.mimic && joint.mimic->joint == model.variable(variable).name;
+    });
+  };
+  if (!linkage.has_one_freedom() || std::ranges::any_of(linkage.followers(), leads_others) ||
+      (linkage.held() >= 0 && leads_others(linkage.held()))) {
     return false;
   }
   const Fit fit = fitted(linkage);

@@ -302,15 +302,15 @@ TEST(MjcfReader, NamesLoopsThatItOpens) {
 
 /// Two bars of 0.1 m, 0.06 m from each other, with a third one of length `across` on the second
 /// and a pin from there to the first one's end. @param knee a joint halfway up the first bar.
-RobotDescription four_bars(double across, const char* knee = "") {
+RobotDescription four_bars(double across, const char* knee = "", const char* more = "") {
   return MjcfFile(fmt::format(R"(<worldbody><body name="a">
     <joint name="driver" axis="0 1 0" range="-45 45"/><geom size="0.01" pos="0 0 0.1"/>
     <body name="shin" pos="0 0 0.05">{}<geom size="0.01"/></body></body>
     <body name="b" pos="0.06 0 0"><joint name="side" axis="0 1 0" range="-90 90"/>
     <geom size="0.01"/><body name="c" pos="{} 0 0.1"><joint name="top" axis="0 1 0" range="-90 90"/>
     <geom size="0.01"/></body></body></worldbody>
-    <equality><connect body1="shin" body2="c" anchor="0 0 0.05"/></equality>)",
-                              knee, across - 0.06))
+    <equality><connect body1="shin" body2="c" anchor="0 0 0.05"/>{}</equality>)",
+                              knee, across - 0.06, more))
       .read();
 }
 
@@ -335,7 +335,15 @@ TEST(MjcfReader, HoldsTheSecondJointOfALoopOfTwoFreedoms) {
   EXPECT_NEAR(Eigen::AngleAxisd(shin.linear()).angle(), 0.7, 1e-9) << "straight";
 }
 
+TEST(MjcfReader, LetsWhatMovesTheFirstJointLeadALoop) {
+  const RobotModel model(four_bars(0.06, "", R"(<joint joint1="driver" joint2="side"/>)"));
+  ASSERT_EQ(model.variable_count(), 1);
+  EXPECT_EQ(model.variable(0).name, "side");
+}
+
 TEST(MjcfReader, LeavesLoopsOpenWhereNoProportionsCloseThem) {
+  const RobotDescription led = four_bars(0.06, "", R"(<joint joint1="top" joint2="side"/>)");
+  EXPECT_THAT(led.warnings, Contains(HasSubstr("loops that are not kept closed")));
   const RobotDescription skew = four_bars(0.12);
   EXPECT_THAT(skew.warnings, Contains(HasSubstr("loops that are not kept closed")));
   EXPECT_EQ(RobotModel(skew).variable_count(), 3);
