@@ -13,6 +13,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -132,7 +133,7 @@ std::string shown(const Joint& joint, const JointLimits& limits) {
 void narrow_leader(RobotDescription& robot, int leading_link, int coupled_link,
                    const RobotModel::MimicMapping& drive) {
   Joint& leader = robot.joints[static_cast<std::size_t>(leading_link - 1)];
-  const Joint& coupled = robot.joints[static_cast<std::size_t>(coupled_link - 1)];
+  Joint& coupled = robot.joints[static_cast<std::size_t>(coupled_link - 1)];
   const Range allowed = allowed_by(coupled, drive);
   const double tolerance = kLimitTolerance / std::max(1.0, std::abs(drive.multiplier));
   JointLimits narrowed = leader.limits;
@@ -149,6 +150,15 @@ void narrow_leader(RobotDescription& robot, int leading_link, int coupled_link,
                        shown(coupled, coupled.limits), leader.name, shown(leader, leader.limits)),
            "limits that agree with those of the joint that it follows",
            "Correct the limits, or the multiplier and offset of the coupling");
+  }
+  if (narrowed.range() <= tolerance && leader.limits.range() > tolerance) {  // of the wrong sign
+    robot.warnings.push_back(fmt::format(
+        "the limits of joint {} ({}) are passed over: joint {}, which it follows, could not move",
+        coupled.name, shown(coupled, coupled.limits), leader.name));
+    std::tie(coupled.limits.lower, coupled.limits.upper) =
+        std::minmax({drive.multiplier * leader.limits.lower + drive.offset,
+                     drive.multiplier * leader.limits.upper + drive.offset});
+    return;
   }
   narrowed.upper = std::max(narrowed.lower, narrowed.upper);
   if (narrowed.lower != leader.limits.lower || narrowed.upper != leader.limits.upper) {

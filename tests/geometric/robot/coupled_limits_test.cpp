@@ -61,6 +61,18 @@ TEST(CoupledLimits, NarrowItForAJointThatTurnsTheOtherWay) {
   EXPECT_DOUBLE_EQ(model.upper()[0], 0.8);
 }
 
+// Files of grippers have limits of followers with the wrong sign.
+TEST(CoupledLimits, ArePassedOverWhereTheJointThatLeadsCouldNotMove) {
+  RobotDescription robot = finger(-1.0, 0.0, 0.0, 0.9);
+  robot.joints.front().limits = {0.0, 0.8};
+  const RobotModel model(robot);
+  EXPECT_EQ(model.upper()[0], 0.8);
+  EXPECT_EQ(model.joint(2).limits.lower, -0.8);
+  EXPECT_THAT(limit_violations(model, bent(0.8)), IsEmpty());
+  EXPECT_THAT(model.description().warnings,
+              ElementsAre(AllOf(HasSubstr("tip"), HasSubstr("knuckle"), HasSubstr("passed over"))));
+}
+
 TEST(ContinuousJoints, HaveNoLimitsAndTheRangeOfOneTurn) {
   RobotDescription robot = finger(2.0, 0.5, -kInfinity, kInfinity);
   robot.joints.front().limits = {-kInfinity, kInfinity};
