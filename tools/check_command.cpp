@@ -2,7 +2,6 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/paths/path_file.h"
 #include "numbers.h"
 #include "plan_report.h"
 #include "scene_options.h"
@@ -49,7 +48,7 @@ int check(const CheckOptions& options) {
   set_group(options.group, loaded);
   set_goal_poses(options.goal_poses, loaded);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-  const planning::Path path = planning::read_path(problem.model(), options.path, problem.start);
+  const planning::Path path = read_path(problem, options.path);
   const planning::PathCheckResult result =
       planning::check_path(problem, path, geometric::metres(options.resolution_mm));
   for (const std::string& fault : result.faults) {

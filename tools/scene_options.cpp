@@ -5,7 +5,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/setup/moving_group.h"
-#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/paths/path_file.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "numbers.h"
@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -85,6 +84,17 @@ void print_warnings(const geometric::Scene& scene) {
     summary += fmt::format("  warning: {}\n", warning);
   }
   fmt::print(stderr, "handway: {}", summary);
+}
+
+planning::Path read_path(const planning::PlanningProblem& problem,
+                         const std::filesystem::path& file) {
+  planning::JointsAtRest rest{problem.start};
+  planning::Path path = planning::read_path(problem.model(), file, &rest);
+  if (!rest.names.empty()) {
+    fmt::print(stderr, "handway: {} has not all joints: {} stay{} at the start\n", file.string(),
+               fmt::join(rest.names, ", "), rest.names.size() == 1 ? "s" : "");
+  }
+  return path;
 }
 
 namespace {

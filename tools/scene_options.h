@@ -1,11 +1,13 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
+#include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/planners/planner.h"
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +33,11 @@ void apply_settings(planning::Planner& planner, const std::vector<std::string>& 
 
 /// What readers noticed but could live with, as one summary on stderr; nothing if there is nothing.
 void print_warnings(const geometric::Scene& scene);
+
+/// The path of a file; joints that it does not have stay at the problem's start, which is said on
+/// the error output. @throws InputError as planning::read_path().
+[[nodiscard]] planning::Path read_path(const planning::PlanningProblem& problem,
+                                       const std::filesystem::path& file);
 
 /// Adds `--upright OBJECT:DEGREES`, which may be given several times.
 void add_upright_option(CLI::App& command, std::vector<std::string>& uprights);

@@ -3,7 +3,6 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
-#include "handway/planning/paths/path_file.h"
 #include "numbers.h"
 #include "scene_options.h"
 
@@ -74,7 +73,7 @@ planning::JointKinematicLimits read_limits(const TimingChoice& choice,
 TimingInput read_timing_input(const TimingChoice& choice, const planning::PluginManager& plugins) {
   planning::PlanningProblem problem = read_problem(choice, plugins);
   print_warnings(*problem.scene);
-  planning::Path path = planning::read_path(problem.model(), choice.path, problem.start);
+  planning::Path path = read_path(problem, choice.path);
   return {std::move(problem), std::move(path)};
 }
 

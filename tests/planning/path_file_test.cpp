@@ -175,8 +175,9 @@ TEST_F(PathCsv, RefusesTheColumnOfAFixedJoint) {
 }
 
 TEST_F(PathCsv, LeavesJointsThatItHasNotWhereTheyRest) {
-  const Configuration rest = planar_configuration(9, 9, 0.3, 0.4, 0.6);
-  const Path path = read_path(model_, file("time,elbow,shoulder\n0,0.2,0.1\n1,0.5,0.4\n"), rest);
+  JointsAtRest rest{planar_configuration(9, 9, 0.3, 0.4, 0.6)};
+  const Path path = read_path(model_, file("time,elbow,shoulder\n0,0.2,0.1\n1,0.5,0.4\n"), &rest);
+  EXPECT_THAT(rest.names, testing::UnorderedElementsAre("left", "right", "thumb"));
   ASSERT_THAT(path.waypoints, SizeIs(2));
   EXPECT_EQ(path.waypoints[0], planar_configuration(0.1, 0.2, 0.3, 0.4, 0.6));
   EXPECT_EQ(path.waypoints[1], planar_configuration(0.4, 0.5, 0.3, 0.4, 0.6));
@@ -184,7 +185,7 @@ TEST_F(PathCsv, LeavesJointsThatItHasNotWhereTheyRest) {
                                  file("joint_names: [shoulder, elbow]\npoints:\n"
                                       "- positions: [0.1, 0.2]\n- positions: [0.4, 0.5]\n"
                                       "---\n"),
-                                 rest);
+                                 &rest);
   EXPECT_EQ(printed.waypoints, path.waypoints);
 }
 

@@ -49,6 +49,13 @@ TEST_F(Handway, PlansAndChecks) {
   EXPECT_THAT(check.out, HasSubstr("valid"));
 }
 
+TEST_F(Handway, NamesJointsThatAPathHasNot) {
+  line_.write("arm.csv", "time,shoulder\n0,0\n1,0\n");
+  const Outcome check = line_.run("check post.yaml arm.csv");
+  EXPECT_EQ(check.exit_code, kNoPath) << "it does not end at the goal";
+  EXPECT_THAT(check.err, AllOf(HasSubstr("elbow"), HasSubstr("stay at the start")));
+}
+
 TEST_F(Handway, NamesAnUnknownCommand) {
   const Outcome run = line_.run("grasp post.yaml");
   EXPECT_EQ(run.exit_code, kWrongUsage);

@@ -394,8 +394,9 @@ void ComparisonWindow::open_file(std::size_t side, const QString& file) {
     if (!problem) {
       return {};
     }
-    const PathMotion timed = motion_of(
-        *problem, planning::read_path(problem->model(), file.toStdString(), problem->start));
+    planning::JointsAtRest rest{problem->start};
+    const PathMotion timed =
+        motion_of(*problem, planning::read_path(problem->model(), file.toStdString(), &rest));
     if (!timed.motion) {
       return [this, fault = timed.fault] { note_->setText(QString::fromStdString(fault)); };
     }

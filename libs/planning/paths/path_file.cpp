@@ -39,8 +39,7 @@ char separator_of(const std::string& header) {
 /// The joints that a file's columns hold values of; what couplings make of them is checked.
 class JointColumns {
  public:
-  JointColumns(const RobotModel& model, const std::optional<Configuration>& rest)
-      : model_(model), rest_(rest) {}
+  JointColumns(const RobotModel& model, JointsAtRest* rest) : model_(model), rest_(rest) {}
 
   /// @returns whether the robot has such a joint, and it moves; a column of something else if not.
   bool append(std::string_view name) {
@@ -56,7 +55,9 @@ class JointColumns {
   [[nodiscard]] std::optional<std::pair<std::string, std::ptrdiff_t>> miscounted() const {
     for (int v = 0; v < model_.variable_count(); ++v) {
       const auto count = std::ranges::count(links_, model_.variable_link(v));
-      if (count > 1 || (count == 0 && !rest_)) {
+      if (count == 0 && rest_) {
+        rest_->names.push_back(model_.variable(v).name);
+      } else if (count != 1) {
         return std::pair(model_.variable(v).name, count);
       }
     }
@@ -67,7 +68,7 @@ class JointColumns {
   template <typename Refuse>
   [[nodiscard]] Configuration configuration(const Eigen::VectorXd& values,
                                             const Refuse& refuse) const {
-    Configuration q = rest_.value_or(model_.neutral());
+    Configuration q = rest_ ? rest_->q : model_.neutral();
     for (Eigen::Index c = 0; c < values.size(); ++c) {
       const int link = links_[static_cast<std::size_t>(c)];
       const int variable = model_.drive(link).variable;
@@ -89,14 +90,13 @@ class JointColumns {
 
  private:
   const RobotModel& model_;
-  const std::optional<Configuration>& rest_;
+  JointsAtRest* rest_;
   std::vector<int> links_;  ///< 0: of something else.
 };
 
 class TableReader {
  public:
-  TableReader(const RobotModel& model, const std::filesystem::path& file,
-              const std::optional<Configuration>& rest)
+  TableReader(const RobotModel& model, const std::filesystem::path& file, JointsAtRest* rest)
       : model_(model), file_(file), columns_(model, rest) {}
 
   Path read() {
@@ -200,7 +200,7 @@ bool is_joint_trajectory(const std::filesystem::path& file) {
 }
 
 Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path& file,
-                           const std::optional<Configuration>& rest) {
+                           JointsAtRest* rest) {
   const YamlElement trajectory =
       trajectory_in(YamlElement::read(file, "a trajectory_msgs/JointTrajectory (YAML or JSON)"));
   const YamlElement names = trajectory.need("joint_names");
@@ -264,8 +264,7 @@ void write_path_csv(const Path& path, const RobotModel& model, const std::filesy
   geometric::replace_file(file, to_csv(path, model));
 }
 
-Path read_path(const RobotModel& model, const std::filesystem::path& file,
-               const std::optional<Configuration>& rest) {
+Path read_path(const RobotModel& model, const std::filesystem::path& file, JointsAtRest* rest) {
   return is_joint_trajectory(file) ? read_joint_trajectory(model, file, rest)
                                    : TableReader(model, file, rest).read();
 }

@@ -5,8 +5,8 @@
 #include "handway/planning/export.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace handway::planning {
 
@@ -27,6 +27,12 @@ namespace handway::planning {
 HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::RobotModel& model,
                                             const std::filesystem::path& file);
 
+/// Joints that a path's file does not have, as a controller's of the arm has none of the hand.
+struct JointsAtRest {
+  geometric::Configuration q;           ///< Where they stay.
+  std::vector<std::string> names = {};  ///< Which they are.
+};
+
 /// Reads such a table. Columns may come in any order; "time" and the columns of
 /// coupled joints may be missing, but where they are there they must agree with
 /// the coupling within 1e-4. Columns "JOINT.velocity" and "JOINT.acceleration" of
@@ -35,11 +41,10 @@ HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::R
 ///
 /// A trajectory_msgs/JointTrajectory as YAML or JSON, also in the messages around one, is a path
 /// through its positions.
-/// @param rest where joints stay that the file does not have, as a controller's file of the arm has
-/// none of the hand; without it every joint must be there.
+/// @param rest without it every joint must be there; its names are found.
 /// @throws InputError naming line and column or element for anything else.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT Path
-read_path(const geometric::RobotModel& model, const std::filesystem::path& file,
-          const std::optional<geometric::Configuration>& rest = std::nullopt);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Path read_path(const geometric::RobotModel& model,
+                                                     const std::filesystem::path& file,
+                                                     JointsAtRest* rest = nullptr);
 
 }  // namespace handway::planning
