@@ -1,5 +1,7 @@
 #include "handway/geometric/robot/group_proposal.h"
 
+#include "handway/geometric/robot/base_joint.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -70,7 +72,7 @@ class GroupFinder {
 
   // From `link` to where the tree branches, or ends.
   void follow(int link) {
-    if (link > 0) {
+    if (link > 0 && !is_of_base(link)) {
       add(proposal_.arm, link);
     }
     std::vector<int> branches = moving_branches(link);
@@ -83,6 +85,13 @@ class GroupFinder {
       keep_if_any(branches, [&](int branch) { return !is_wheel(branch); });
       std::ranges::for_each(branches, [&](int branch) { follow(branch); });
     }
+  }
+
+  // A robot stands, unless somebody says that its base moves.
+  [[nodiscard]] bool is_of_base(int link) const {
+    return std::ranges::any_of(model_.description().base_joints, [&](const BaseJoint& base) {
+      return std::ranges::count(joints_of(base), model_.joint(link).name) > 0;
+    });
   }
 
   static void keep_if_any(std::vector<int>& branches, const auto& wanted) {

@@ -1,3 +1,4 @@
+#include <handway/geometric/robot/base_joint.h>
 #include <handway/geometric/robot/group_proposal.h>
 
 #include <gmock/gmock.h>
@@ -174,6 +175,14 @@ TEST(GroupProposal, TakesNoWheelsForArms) {
   const GroupProposal groups = propose_groups(Tree(cart).add_arm("root", "").model());
   EXPECT_THAT(groups.arm, ElementsAre("a_joint", "b_joint", "c_joint"));
   EXPECT_EQ(groups.tip, "c");
+}
+
+TEST(GroupProposal, TakesNoFloatingBaseForAnArm) {
+  RobotDescription robot = Tree().add_arm("root", "").add_fingers("c", "f").model().description();
+  add_moving_root(robot, {"base", BaseMotion::kFloating}, "root", "world");
+  const GroupProposal groups = propose_groups(RobotModel(robot));
+  EXPECT_THAT(groups.arm, ElementsAre("a_joint", "b_joint", "c_joint"));
+  EXPECT_EQ(groups.hand.size(), 4U);
 }
 
 TEST(GroupProposal, LeavesGroupsThatAreThere) {

@@ -34,7 +34,8 @@ struct GroupProposal {
 /// wheels being none; all that leads there is the arm. One or two joints that lead to the fingers
 /// of a robot without other arm are a wrist, and three within 0.15 m. Where branches are longer
 /// they are arms, each with what it carries: those with a hand, if any has one, so that wheels,
-/// heads and legs are neither arm nor hand. A robot that does not branch is an arm.
+/// heads and legs are neither arm nor hand, and nor is a base that moves. A robot that does not
+/// branch is an arm.
 ///
 /// Of several hands, `palm` is the first one's.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal propose_groups(const RobotModel& model);
