@@ -308,20 +308,22 @@ void ScenePainter::paint_marks(const PictureFrame& frame) {
   glPopAttrib();
 }
 
-// Fine pictures are rare, and what they are painted on is several times as large as they are.
 void ScenePainter::paint_finely(const PictureFrame& frame, unsigned target) {
-  QOpenGLFramebufferObjectFormat format;
-  format.setSamples(frame.samples);
-  format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-  QOpenGLFramebufferObject smooth(frame.pixels, format);
-  const bool is_smooth = smooth.bind();
+  if (!smooth_.frame || smooth_.pixels != frame.pixels || smooth_.samples != frame.samples) {
+    QOpenGLFramebufferObjectFormat format;
+    format.setSamples(frame.samples);
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    smooth_ = {frame.pixels, frame.samples, nullptr};  // the one before goes first
+    smooth_.frame = std::make_unique<QOpenGLFramebufferObject>(frame.pixels, format);
+  }
+  const bool is_smooth = smooth_.frame->bind();
   if (!is_smooth) {
     bind_frame(target);
   }
   paint_all(frame);
   if (is_smooth) {
     bind_frame(target);
-    QOpenGLFramebufferObject::blitFramebuffer(nullptr, &smooth);
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, smooth_.frame.get());
     bind_frame(target);
   }
 }

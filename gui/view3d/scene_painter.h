@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 
+class QOpenGLFramebufferObject;
 class QOpenGLShaderProgram;
 class SoGLRenderAction;
 class SoNode;
@@ -106,6 +107,14 @@ class ScenePainter {
   SceneGraph& graph_;
   std::unique_ptr<SoGLRenderAction> action_;
   std::unique_ptr<QOpenGLShaderProgram> program_;  ///< Null: layers can't be had.
+  /// What fine pictures are painted on, several times as large as they are. It is kept, as drivers
+  /// give such memory back late: two and more were there at times.
+  struct Smooth {
+    QSize pixels;
+    int samples = 0;
+    std::unique_ptr<QOpenGLFramebufferObject> frame;
+  };
+  Smooth smooth_;
   PictureLayer still_;
   struct Veil {
     PictureLayer picture;
