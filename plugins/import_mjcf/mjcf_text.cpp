@@ -3,14 +3,17 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
-#include "mujoco_schema.h"
 
 #include <fmt/format.h>
+#include <mujoco/mujoco.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
+#include <map>
+#include <set>
+#include <sstream>
 #include <string_view>
 
 namespace handway::import_mjcf {
@@ -45,6 +48,39 @@ bool is_left_out(std::string_view parent, std::string_view name) {
 bool is_left_out_attribute(std::string_view element, std::string_view name) {
   return element == "key" ? !is_one_of(name, {"name", "qpos"})
                           : element == "material" && name == "texture";
+}
+
+using Schema = std::map<std::string, std::set<std::string>>;  // attributes by element
+
+// MuJoCo prints `element (?)  attribute attribute …`, and more of them on lines of their own. It
+// stands for `body` and `worldbody` as `(world)body`.
+Schema printed_schema() {
+  constexpr std::size_t kRoom = std::size_t{1} << 18;
+  std::vector<char> text(kRoom);
+  mj_printSchema(nullptr, text.data(), static_cast<int>(kRoom), 0, 0);
+  Schema schema;
+  std::set<std::string>* attributes = nullptr;
+  std::istringstream lines(text.data());
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
+    if (line.find('(') != std::string::npos) {
+      words >> word;
+      attributes = &schema[word.substr(word.find(')') + 1)];
+      words >> word;
+    }
+    while (attributes != nullptr && words >> word) {
+      attributes->insert(word);
+    }
+  }
+  return schema;
+}
+
+// Whether MuJoCo 2.2 knows an attribute of an element; of one that it does not know, too.
+bool knows_attribute(const std::string& element, const std::string& attribute) {
+  static const Schema kSchema = printed_schema();
+  const auto known = kSchema.find(element);
+  return known == kSchema.end() || known->second.contains(attribute);
 }
 
 // What would change the robot if it were left out for a slip of the pen.
