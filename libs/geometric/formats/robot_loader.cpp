@@ -160,6 +160,9 @@ void find_allowed_collisions(RobotDescription& robot) {
 
 // An SRDF may call its groups otherwise: MoveIt has no names for them.
 void find_groups(RobotDescription& robot) {
+  if (has_group(robot, "arm") && has_group(robot, "hand")) {
+    return;
+  }
   const GroupProposal proposal = propose_groups(RobotModel(robot));
   if (robot.groups.empty()) {
     for (const GroupQuestion& question : proposal.questions) {

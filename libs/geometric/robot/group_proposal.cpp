@@ -150,18 +150,18 @@ class GroupFinder {
   }
 
   // Whether a branch is but a bar of the linkage that keeps the tip of a finger in line, as
-  // grippers with parallel jaws have them: it begins beside the finger, goes the same way with it
-  // and has fewer joints.
+  // grippers with parallel jaws have them: it begins beside the finger, turns with it to the same
+  // side and has fewer joints.
   [[nodiscard]] bool is_bar_beside(int bar, int finger) const {
     const std::vector<int> of_bar = drives(bar);
     const std::vector<int> of_finger = drives(finger);
     const auto base = [&](int link) { return model_.joint(link).X_PJ.translation(); };
-    const auto way = [&](int link) -> Eigen::Vector3d {
+    const auto axis = [&](int link) -> Eigen::Vector3d {
       return model_.joint(link).X_PJ.linear() * model_.joint(link).axis *
              model_.drive(link).multiplier;
     };
     return of_bar.size() < of_finger.size() && (base(bar) - base(finger)).norm() < kBesideFinger &&
-           way(bar).dot(way(finger)) >= 0.0 &&
+           axis(bar).dot(axis(finger)) >= 0.0 &&
            std::ranges::all_of(of_bar, [&](int variable) { return variable == of_finger.front(); });
   }
 
@@ -219,11 +219,11 @@ class GroupFinder {
   GroupProposal proposal_;
 };
 
+}  // namespace
+
 bool has_group(const RobotDescription& robot, const std::string& name) {
   return std::ranges::count(robot.groups, name, &JointGroup::name) > 0;
 }
-
-}  // namespace
 
 std::vector<std::string> GroupProposal::hand_with_wrist() const {
   std::vector<std::string> joints = wrist;

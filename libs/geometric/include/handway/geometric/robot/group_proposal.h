@@ -40,6 +40,9 @@ struct GroupProposal {
 /// Of several hands, `palm` is the first one's.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal propose_groups(const RobotModel& model);
 
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool has_group(const RobotDescription& robot,
+                                                      const std::string& name);
+
 /// Adds the groups "arm" and "hand" of the proposal, those that have joints, and the end effector
 /// of the hand. Groups and end effectors that are there stay.
 HANDWAY_GEOMETRIC_EXPORT void add_groups(const GroupProposal& proposal, RobotDescription& robot);
