@@ -45,6 +45,10 @@ bool has_directions(const PlanningProblem& problem) {
   return problem.basis && !problem.basis->directions.empty();
 }
 
+Vector3d nearest_in(const geometric::Aabb& box, const Vector3d& p) {
+  return p.cwiseMax(box.lower).cwiseMin(box.upper);
+}
+
 HandClosing::HandClosing(const PlanningProblem& problem, int palm)
     : problem_(problem), palm_(palm) {
   find_fingers();
@@ -77,8 +81,7 @@ Eigen::VectorXd HandClosing::towards(const Finger& finger, const Eigen::VectorXd
   const std::vector<Pose> X_BL = link_poses(posture);
   const Vector3d tip_O = X_PO.inverse() * last_link(finger, X_BL) * finger.p_LTip;
   const Pose X_BO = X_BL[static_cast<std::size_t>(palm_)] * X_PO;
-  const Vector3d nearest_O = tip_O.cwiseMax(box.lower).cwiseMin(box.upper);
-  const Vector3d direction_B = X_BO.linear() * (nearest_O - tip_O).normalized();
+  const Vector3d direction_B = X_BO.linear() * (nearest_in(box, tip_O) - tip_O).normalized();
   const geometric::Jacobian J =
       geometric::point_jacobian(model, X_BL, finger.links.back(), finger.p_LTip);
   const Eigen::VectorXd of_hand = (J.topRows<3>().transpose() * direction_B)

@@ -18,6 +18,9 @@ namespace handway::planning {
 
 [[nodiscard]] bool has_directions(const PlanningProblem& problem);
 
+/// The point of a box that is nearest to another one, in the box's frame.
+[[nodiscard]] Eigen::Vector3d nearest_in(const geometric::Aabb& box, const Eigen::Vector3d& p);
+
 /// Opened preshapes of a problem's hand, drawn from its PMD box or else from its joints' ranges,
 /// and how its fingers close.
 class HandClosing {

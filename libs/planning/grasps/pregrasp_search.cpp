@@ -61,6 +61,13 @@ const geometric::SceneObject& needed_object(const PlanningProblem& problem, std:
   return *object;
 }
 
+// In [-1, 1].
+double signed_uniform(sampling::RandomStream& random) { return 2.0 * random.uniform() - 1.0; }
+
+Vector3d signed_vector(sampling::RandomStream& random) {
+  return Vector3d(signed_uniform(random), signed_uniform(random), signed_uniform(random));
+}
+
 class PregraspSearch {
  public:
   PregraspSearch(const PlanningProblem& problem, const geometric::SceneObject& object,
@@ -72,8 +79,7 @@ class PregraspSearch {
             palm_link(problem.model(), problem.arm, problem.hand), problem.arm),
         hand_(problem, ik_.palm()),
         box_(geometric::bounding_box(*geometric::tessellate(object.shape))),
-        X_WO_(object.X_PO),
-        X_BW_(problem.scene->robots.front().X_WB.inverse()),
+        X_BO_(problem.scene->robots.front().X_WB.inverse() * object.X_PO),
         with_object_(checker_->world().pairs_with(object.name)),
         object_(object.name) {
     for (int link = 0; link < problem.model().link_count(); ++link) {
@@ -128,7 +134,7 @@ class PregraspSearch {
     const HandClosing::Preshape& preshape = fitting[random.below(fitting.size())];
     const Pose X_OP = palm_at(preshape, R_OG, random);
     const Configuration opened = hand_.with_hand(problem_.start, preshape.open);
-    const std::vector<Configuration> solutions = ik_.all(opened, X_BW_ * X_WO_ * X_OP);
+    const std::vector<Configuration> solutions = ik_.all(opened, X_BO_ * X_OP);
     if (solutions.empty()) {
       ++rejections_.out_of_reach;
       return;
@@ -155,7 +161,7 @@ class PregraspSearch {
 
   [[nodiscard]] std::string why_none() const {
     return why_no_grasp(rejections_, object_, narrowest_, hand_.widest(),
-                        (X_BW_ * X_WO_ * box_.centre()).norm());
+                        (X_BO_ * box_.centre()).norm());
   }
 
   [[nodiscard]] std::vector<Pregrasp> best() {
@@ -229,16 +235,14 @@ class PregraspSearch {
   /// Of the grip (the fingers' row, opposition, and what is square to both) in the object's frame:
   /// the row along one of its edges, more or less.
   [[nodiscard]] static Eigen::Matrix3d orientation(sampling::RandomStream& random) {
-    const auto signed_uniform = [&] { return 2.0 * random.uniform() - 1.0; };
     const auto edge = static_cast<int>(random.below(3));
     const Vector3d row = (random.below(2) == 0 ? 1.0 : -1.0) * Vector3d::Unit(edge);
-    const Vector3d across = Eigen::AngleAxisd(std::numbers::pi * signed_uniform(), row) *
+    const Vector3d across = Eigen::AngleAxisd(std::numbers::pi * signed_uniform(random), row) *
                             Vector3d::Unit((edge + 1) % 3);
     Eigen::Matrix3d R_OG;
     R_OG << row, across, row.cross(across);
     const double share = random.uniform();  // some nearly straight: a narrow gripper needs them
-    const Vector3d tilt =
-        share * kTilt * Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
+    const Vector3d tilt = share * kTilt * signed_vector(random);
     return tilt.norm() > 0.0
                ? R_OG * Eigen::AngleAxisd(tilt.norm(), tilt.normalized()).toRotationMatrix()
                : R_OG;
@@ -247,15 +251,13 @@ class PregraspSearch {
   /// With the object between the thumb and the fingers, anywhere from their tips to the palm.
   [[nodiscard]] Pose palm_at(const HandClosing::Preshape& preshape, const Eigen::Matrix3d& R_OG,
                              sampling::RandomStream& random) const {
-    const auto signed_uniform = [&] { return 2.0 * random.uniform() - 1.0; };
     Eigen::Matrix3d R_PG;
     R_PG << preshape.row, preshape.opposition, preshape.row.cross(preshape.opposition);
     Pose X_OP = Pose::Identity();
     X_OP.linear() = R_OG * R_PG.transpose();
     const Vector3d p_O = held_point(random);
     const double share = random.uniform();
-    const Vector3d aside =
-        share * kAside * Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
+    const Vector3d aside = share * kAside * signed_vector(random);
     const double depth = 1.0 - kDeepest * random.uniform();
     X_OP.translation() = p_O - X_OP.linear() * (depth * preshape.grip + aside);
     return X_OP;
@@ -263,10 +265,9 @@ class PregraspSearch {
 
   /// Its longest side has room to choose; what is broad is held near an end of one of both.
   [[nodiscard]] Vector3d held_point(sampling::RandomStream& random) const {
-    const auto signed_uniform = [&] { return 2.0 * random.uniform() - 1.0; };
     const Vector3d size = box_.size();
     Vector3d p_O = box_.centre();
-    p_O[longest_] += 0.35 * signed_uniform() * size[longest_];
+    p_O[longest_] += 0.35 * signed_uniform(random) * size[longest_];
     if (has_rim_) {
       Eigen::Index shortest = 0;
       size.minCoeff(&shortest);
@@ -380,19 +381,19 @@ class PregraspSearch {
   }
 
   [[nodiscard]] Pose object_in_palm(const Configuration& q) const {
-    return ik_.pose(q).inverse() * X_BW_ * X_WO_;
+    return ik_.pose(q).inverse() * X_BO_;
   }
 
   void take(const Configuration& q) {
     Pregrasp grasp{q};
     checker_->place(q);
-    const Pose X_OB = (X_BW_ * X_WO_).inverse();
+    const Pose X_OB = X_BO_.inverse();
     std::vector<Vector3d> sides;  // of the object, on which the fingers are
     for (const HandClosing::Finger& finger : hand_.fingers()) {
       if (const auto nearest = nearest_link(finger)) {
         const Vector3d p_O = X_OB * checker_->link_poses()[static_cast<std::size_t>(*nearest)] *
                              middles_[static_cast<std::size_t>(*nearest)];
-        sides.push_back((p_O - p_O.cwiseMax(core_.lower).cwiseMin(core_.upper)).normalized());
+        sides.push_back((p_O - nearest_in(core_, p_O)).normalized());
       }
     }
     grasp.fingers = static_cast<int>(sides.size());
@@ -456,8 +457,7 @@ class PregraspSearch {
   geometric::Aabb core_;      ///< What is left of the box less half its shortest side all around.
   bool is_narrow_ = false;    ///< Fingers get around it anywhere along its longest side.
   bool has_rim_ = false;      ///< It is broad and flat.
-  Pose X_WO_;
-  Pose X_BW_;
+  Pose X_BO_;
   std::vector<int> with_object_;
   std::vector<int> with_others_;
   std::vector<int> of_hand_;       ///< Pairs of its links.
