@@ -3,12 +3,14 @@
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
+#include "handway/device/hand/joint_recording.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/group_proposal.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "numbers.h"
@@ -51,8 +53,10 @@ std::string quality_text(const MappedRecording& recording) {
       quality.duration, quality.rate, quality.duplicates, quality.gaps, quality.largest_gap);
   const bool counts = recording.calibrated;
   const double scale = counts ? 1.0 : 1.0 / geometric::kDegree;
-  fmt::format_to(out, "  {:<18}{:>8}{:>8}{:>8}\n", counts ? "sensor, counts" : "sensor, deg",
-                 "least", "most", "noise");
+  if (!quality.sensors.empty()) {
+    fmt::format_to(out, "  {:<18}{:>8}{:>8}{:>8}\n", counts ? "sensor, counts" : "sensor, deg",
+                   "least", "most", "noise");
+  }
   for (const SensorQuality& sensor : quality.sensors) {
     fmt::format_to(out, "  {:<18}{:>8.1f}{:>8.1f}{:>8.2f}{}\n",
                    device::cyberglove_sensors()[static_cast<std::size_t>(sensor.sensor)].name,
@@ -171,7 +175,9 @@ std::string basis_text(const sampling::PmdBasis& basis) {
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';
   }
-  return text;
+  return basis.directions.empty()
+             ? text + "  warning: no direction: no joint moves within its limits\n"
+             : text;
 }
 
 namespace fs = std::filesystem;
@@ -182,6 +188,7 @@ struct PcaOptions {
   std::vector<fs::path> recordings;
   fs::path mapping;
   std::string retarget;
+  std::string joints_of;
   fs::path against;
   fs::path calibration;
   std::vector<std::string> free;
@@ -217,6 +224,12 @@ HandSource hand_source(const PcaOptions& options, const device::GloveCalibration
     made.model = geometric::load_robot(made.robot);
   };
   const fs::path folder = fs::absolute(file).parent_path();
+  if (!options.joints_of.empty()) {
+    load(options.joints_of, fs::current_path(), "--joints-of");
+    made.model = geometric::hand_alone(made.model);
+    made.source = std::make_unique<device::OwnJoints>(*made.model);
+    return made;
+  }
   if (!options.retarget.empty() || device::is_retargeting(file)) {
     device::RetargetingSettings settings;
     if (options.retarget.empty()) {
@@ -368,7 +381,9 @@ int pca(const PcaOptions& options) {
   const std::vector<int> free = free_joints(options, mapper.joints());
   std::vector<MappedRecording> recordings;
   for (const fs::path& file : options.recordings) {
-    recordings.push_back(map_file(file, calibration, options.steps, mapper));
+    recordings.push_back(options.joints_of.empty()
+                             ? map_file(file, calibration, options.steps, mapper)
+                             : map_joints(file, *hand.model, options.steps, mapper));
     fmt::print("{}", quality_text(recordings.back()));
     if (recordings.back().calibrated && options.calibration.empty()) {
       fmt::print("  warning: counts are taken for those of a typical hand: give --calibration\n");
@@ -450,8 +465,11 @@ void add_steps(CLI::App& command, RecordingSteps& steps) {
 void add_pca_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<PcaOptions>();
   CLI::App* command =
-      app.add_subcommand("pca", "Find principal motion directions in recordings of a glove");
-  command->add_option("recordings", options->recordings, "Recordings of a glove")->required();
+      app.add_subcommand("pca", "Find principal motion directions in recordings of a hand");
+  command
+      ->add_option("recordings", options->recordings,
+                   "Recordings of a glove, or (--joints-of) of a robot's hand")
+      ->required();
   command->add_option("--mapping", options->mapping,
                       "Mapping of the glove to a hand, or its retargeting by fingertips (default: "
                       "Table 1 for the SAH hand)");
@@ -460,10 +478,21 @@ void add_pca_command(CLI::App& app, int& exit_code) {
                    "Retarget to this robot hand by its fingertips, without a mapping")
       ->type_name("ROBOT")
       ->excludes("--mapping");
-  command->add_option("--against", options->against,
-                      "Another mapping to the same hand: compare what both make of the recordings");
-  command->add_option("--calibration", options->calibration,
-                      "Calibration of glove and person (default: a typical right hand's)");
+  command
+      ->add_option("--joints-of", options->joints_of,
+                   "Recordings are of this robot hand's own joints, by their names: no glove, no "
+                   "mapping")
+      ->type_name("ROBOT")
+      ->excludes("--mapping")
+      ->excludes("--retarget");
+  command
+      ->add_option("--against", options->against,
+                   "Another mapping to the same hand: compare what both make of the recordings")
+      ->excludes("--joints-of");
+  command
+      ->add_option("--calibration", options->calibration,
+                   "Calibration of glove and person (default: a typical right hand's)")
+      ->excludes("--joints-of");
   command
       ->add_option("--free", options->free,
                    "A joint that gets an axis of its own (default: thumb_base); \"none\"")
@@ -483,8 +512,10 @@ void add_pca_command(CLI::App& app, int& exit_code) {
       ->option_text("limits|range [limits]");
   command->add_flag("--robust", options->robust, "Set outliers aside");
   command->add_flag("--compare", options->compare, "Also analyse each recording by itself");
-  command->add_flag("--fingertips", options->fingertips,
-                    "Compare fingertips with the person's, of the mapping and of retargeting");
+  command
+      ->add_flag("--fingertips", options->fingertips,
+                 "Compare fingertips with the person's, of the mapping and of retargeting")
+      ->excludes("--joints-of");
   add_steps(*command, options->steps);
   command->add_option("--out", options->out, "Write the basis here (YAML)");
   command->add_option("--postures", options->postures,

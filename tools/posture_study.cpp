@@ -3,6 +3,7 @@
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording_filters.h"
+#include "handway/device/hand/joint_recording.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/formats/robot_loader.h"
@@ -23,15 +24,9 @@
 
 namespace handway::tools {
 
-MappedRecording map_file(const std::filesystem::path& file,
-                         const device::GloveCalibration& calibration, const RecordingSteps& steps,
-                         const device::PostureSource& mapper) {
-  MappedRecording result;
-  result.file = file;
-  device::Recording recording = device::read_recording(file);
-  result.quality = device::assess(recording);
-  result.calibrated = recording.header.kind == device::RecordingKind::kCounts;
-  recording = device::to_angles(recording, calibration);
+namespace {
+
+device::Recording filtered(device::Recording recording, const RecordingSteps& steps) {
   if (steps.from > 0.0 || steps.to) {
     const double begin = recording.times[0];
     const double end = steps.to.value_or(std::numeric_limits<double>::infinity());
@@ -46,16 +41,36 @@ MappedRecording map_file(const std::filesystem::path& file,
   if (steps.low_pass > 0.0) {
     recording = device::low_passed(recording, steps.low_pass);
   }
-  result.mapped = mapper.map_recording(recording);
-  result.recording = std::move(recording);
-  return result;
+  return recording;
 }
-
-namespace {
 
 constexpr double kStill = 1e-9;  // rad
 
 }  // namespace
+
+MappedRecording map_file(const std::filesystem::path& file,
+                         const device::GloveCalibration& calibration, const RecordingSteps& steps,
+                         const device::PostureSource& mapper) {
+  MappedRecording result;
+  result.file = file;
+  const device::Recording read = device::read_recording(file);
+  result.quality = device::assess(read);
+  result.calibrated = read.header.kind == device::RecordingKind::kCounts;
+  result.recording = filtered(device::to_angles(read, calibration), steps);
+  result.mapped = mapper.map_recording(result.recording);
+  return result;
+}
+
+MappedRecording map_joints(const std::filesystem::path& file, const geometric::RobotModel& hand,
+                           const RecordingSteps& steps, const device::PostureSource& joints) {
+  MappedRecording result;
+  result.file = file;
+  const device::Recording read = device::read_joint_recording(file, hand);
+  result.quality = device::assess(read);
+  result.recording = filtered(read, steps);
+  result.mapped = joints.map_recording(result.recording);
+  return result;
+}
 
 Eigen::MatrixXd normalised_samples(const std::vector<MappedRecording>& recordings,
                                    const device::PostureSource& mapper,

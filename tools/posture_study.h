@@ -44,6 +44,12 @@ struct MappedRecording {
                                        const RecordingSteps& steps,
                                        const device::PostureSource& mapper);
 
+/// The same for a recording of the hand's own joints.
+[[nodiscard]] MappedRecording map_joints(const std::filesystem::path& file,
+                                         const geometric::RobotModel& hand,
+                                         const RecordingSteps& steps,
+                                         const device::PostureSource& joints);
+
 /// How joints are scaled to [0, 1] before their components are found.
 enum class Normalisation {
   kLimits,  ///< Postures clamped to the joint limits, by these limits.

@@ -3,6 +3,7 @@
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/posture_table.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -97,6 +98,28 @@ TEST_F(Pca, KeepsThePosturesThatHandsAreComparedWith) {
   const Outcome wrong = line_.run("check " + scene + " path.csv --postures one.csv");
   EXPECT_EQ(wrong.exit_code, 3);
   EXPECT_THAT(wrong.err, HasSubstr("handway pca --postures"));
+}
+
+// What was recorded from the hand itself, on a robot that is an arm with that hand.
+TEST_F(Pca, TakesTheJointsOfARobotsOwnHand) {
+  std::string joints = "time,index_proximal,index_medial,axis_1\n";
+  for (int row = 0; row < 100; ++row) {
+    joints += fmt::format("{},{},{},0\n", 0.02 * row, -0.5 + 0.4 * std::sin(0.2 * row),
+                          -0.6 + 0.2 * std::sin(0.2 * row));
+  }
+  line_.write("joints.csv", joints);
+  const Outcome pca =
+      line_.run("pca joints.csv --joints-of sah_right --components 1 --out basis.yaml");
+  ASSERT_EQ(pca.exit_code, 0) << pca.err;
+  EXPECT_THAT(pca.out, AllOf(HasSubstr("none of the hand's joints: axis_1"),
+                             HasSubstr("no values of thumb_base"), HasSubstr("50.0 Hz")));
+  const sampling::PmdBasis basis = sampling::read_pmd_basis(line_.folder() / "basis.yaml");
+  EXPECT_EQ(basis.hand, "sah_right");
+  ASSERT_EQ(basis.directions.size(), 1U);
+  const Eigen::VectorXd& moves = basis.directions[0].vector;
+  EXPECT_EQ((moves.array().abs() > 1e-6).count(), 2);
+  const std::string scene = (source_dir() / "scenes" / "can_on_table.yaml").string();
+  EXPECT_EQ(line_.run("plan " + scene + " --set basis=basis.yaml").exit_code, 0);
 }
 
 TEST_F(Pca, JoinsAndComparesRecordings) {

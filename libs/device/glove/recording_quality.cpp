@@ -109,7 +109,7 @@ RecordingQuality assess(const Recording& recording) {
   for (Eigen::Index row = 1; row < recording.values.rows(); ++row) {
     quality.duplicates += recording.values.row(row) == recording.values.row(row - 1) ? 1 : 0;
   }
-  for (Eigen::Index column = 0; column < recording.values.cols(); ++column) {
+  for (Eigen::Index column = 0; column < std::ssize(recording.header.sensors); ++column) {
     quality.sensors.push_back(assess_sensor(recording, column));
   }
   warn(quality, recording.header.kind);

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/posture_source.h"
+#include "handway/device/glove/recording.h"
+#include "handway/geometric/robot/robot_model.h"
+
+#include <filesystem>
+#include <vector>
+
+/// Recordings of a robot hand's own joints, as its driver, a simulation or a data set has them:
+/// postures that need no glove and no mapping.
+
+namespace handway::device {
+
+/// Reads what the joints of a hand went through. What kind of file it is, its content tells:
+///   - a table of text, with the joints' names above the columns, alone or in a longer name:
+///     `index_joint_1`, `index_joint_1_pos`, `/joint_states/index_joint_1/position`. A column
+///     `time` (`t`, `timestamp`, `%time`, …) holds s, or, if its numbers are that large, the ms, µs
+///     or ns since 1970; without times there are 100 rows a second. Angles beyond a whole turn tell
+///     that all are degrees. `rostopic echo -p` writes such tables, too, with names in the rows;
+///   - `sensor_msgs/JointState` messages, one after the other as `ros2 topic echo` prints them, as
+///     lines of JSON or in a list. Joints that a message does not have stay where they were;
+///   - one `trajectory_msgs/JointTrajectory`, as YAML or JSON.
+/// Columns of other joints, velocities and efforts are passed over. Rows that lack a value, and
+/// those whose time runs backwards, are left out; joints of the hand that the file does not have
+/// stay at RobotModel::neutral(). Warnings tell of both.
+/// @returns angles, without sensors: a column is a variable of the hand, in its order, rad (m for
+/// joints that slide).
+/// @throws geometric::InputError for a file that is none of these, has no joint of the hand, or no
+/// row.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT Recording
+read_joint_recording(const std::filesystem::path& file, const geometric::RobotModel& hand);
+
+/// The postures of such a recording: its rows, within the limits.
+class HANDWAY_DEVICE_EXPORT OwnJoints final : public PostureSource {
+ public:
+  explicit OwnJoints(const geometric::RobotModel& hand);
+
+  [[nodiscard]] std::vector<bool> driven() const override;
+  /// @pre the recording is one of read_joint_recording() for the same hand.
+  [[nodiscard]] MappedPostures map_recording(const Recording& recording,
+                                             const std::stop_token& stop) const override;
+  using PostureSource::map_recording;
+};
+
+}  // namespace handway::device

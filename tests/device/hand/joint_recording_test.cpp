@@ -1,0 +1,165 @@
+/// Recordings of a robot hand's own joints, as drivers, plotters and scripts write them.
+#include "handway/device/hand/joint_recording.h"
+
+#include "handway/geometric/math/units.h"
+#include "handway_test/input_errors.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+namespace handway::device {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double kTolerance = 1e-12;
+
+geometric::Joint turning(const std::string& name, const std::string& parent,
+                         const std::string& child) {
+  geometric::Joint joint;
+  joint.name = name;
+  joint.type = geometric::JointType::kRevolute;
+  joint.parent = parent;
+  joint.child = child;
+  joint.limits = {-0.5, 1.5};
+  return joint;
+}
+
+/// A finger of two joints, the second of which starts at 0.
+class JointRecording : public testing::Test {
+ protected:
+  JointRecording() {
+    geometric::RobotDescription finger;
+    finger.name = "finger";
+    for (const char* link : {"palm", "proximal", "distal"}) {
+      finger.links.emplace_back().name = link;
+    }
+    finger.joints = {turning("mcp", "palm", "proximal"), turning("pip", "proximal", "distal")};
+    hand_ = std::make_shared<const geometric::RobotModel>(finger);
+  }
+
+  Recording read(const std::string& text) {
+    std::ofstream(file_) << text;
+    return read_joint_recording(file_, *hand_);
+  }
+
+  void expect_two_rows(const std::string& text, double seconds) {
+    SCOPED_TRACE(text);
+    const Recording recording = read(text);
+    ASSERT_EQ(recording.values.rows(), 2);
+    EXPECT_NEAR(recording.times[1] - recording.times[0], seconds, 1e-6);
+    const Eigen::Matrix2d expected{{0.1, 0.2}, {0.3, 0.4}};
+    EXPECT_LT((recording.values - expected).cwiseAbs().maxCoeff(), kTolerance);
+  }
+
+  test::ScratchFolder folder_;
+  std::filesystem::path file_ = folder_.path() / "joints";
+  std::shared_ptr<const geometric::RobotModel> hand_;
+};
+
+TEST_F(JointRecording, IsATableWithJointsNamesInAnyOrder) {
+  expect_two_rows("time,pip,mcp\n5,0.2,0.1\n5.5,0.4,0.3\n", 0.5);
+  expect_two_rows("mcp;pip\n0,1;0,2\n0,3;0,4\n", 0.01);
+  expect_two_rows("# mcp pip\n1.0e-01 2.0e-01\n3.0e-01 4.0e-01\n", 0.01);
+}
+
+TEST_F(JointRecording, KnowsTheColumnsOfPlottersAndOfRos) {
+  expect_two_rows(
+      "__time,/joint_states/mcp/position,/joint_states/mcp/velocity,/joint_states/pip/position\n"
+      "1700000000.25,0.1,9,0.2\n1700000000.5,0.3,9,0.4\n",
+      0.25);
+  expect_two_rows(
+      "%time,field.header.seq,field.name0,field.name1,field.position0,field.position1\n"
+      "1700000000000000000,1,pip,mcp,0.2,0.1\n1700000000500000000,2,pip,mcp,0.4,0.3\n",
+      0.5);
+  expect_two_rows("timestamp,mcp_pos,pip_pos\n1700000000000,0.1,0.2\n1700000000020,0.3,0.4\n",
+                  0.02);
+}
+
+TEST_F(JointRecording, IsJointStateMessages) {
+  expect_two_rows(
+      "header:\n  stamp:\n    sec: 1700000000\n    nanosec: 0\nname: [mcp, pip]\n"
+      "position: [0.1, 0.2]\nvelocity: []\n---\n"
+      "header:\n  stamp:\n    sec: 1700000001\n    nanosec: 500000000\nname:\n- pip\n- mcp\n"
+      "position:\n- 0.4\n- 0.3\n---\n",
+      1.5);
+  expect_two_rows(
+      R"({"msg": {"header": {"stamp": {"secs": 3, "nsecs": 0}}, "name": ["mcp", "pip"], "position": [0.1, 0.2]}})"
+      "\n"
+      R"({"msg": {"header": {"stamp": {"secs": 4, "nsecs": 0}}, "name": ["mcp", "pip"], "position": [0.3, 0.4]}})"
+      "\n",
+      1.0);
+}
+
+TEST_F(JointRecording, IsAJointTrajectory) {
+  expect_two_rows(
+      "{\n \"joint_names\": [\"pip\", \"mcp\"],\n \"points\": [\n"
+      "  {\"positions\": [0.2, 0.1], \"time_from_start\": {\"sec\": 0, \"nanosec\": 0}},\n"
+      "  {\"positions\": [0.4, 0.3], \"time_from_start\": {\"sec\": 0, \"nanosec\": "
+      "40000000}}]\n}\n",
+      0.04);
+}
+
+TEST_F(JointRecording, HoldsWhatAMessageDoesNotHave) {
+  const Recording recording = read(
+      "name: [mcp]\nposition: [0.1]\n---\nname: [arm_1]\nposition: [3]\n---\n"
+      "name: [pip]\nposition: [0.2]\n---\nname: [mcp]\nposition: [0.3]\n");
+  ASSERT_EQ(recording.values.rows(), 2);
+  EXPECT_EQ(recording.values.row(0), Eigen::RowVector2d(0.1, 0.2));
+  EXPECT_EQ(recording.values.row(1), Eigen::RowVector2d(0.3, 0.2));
+  EXPECT_THAT(recording.warnings, ElementsAre(HasSubstr("arm_1"), HasSubstr("1 rows")));
+}
+
+TEST_F(JointRecording, TakesLargeAnglesForDegrees) {
+  const Recording recording = read("mcp,pip\n10,20\n30,40\n");
+  EXPECT_NEAR(recording.values(1, 1), 40.0 * geometric::kDegree, kTolerance);
+  EXPECT_THAT(recording.warnings, ElementsAre(HasSubstr("degrees")));
+}
+
+TEST_F(JointRecording, SaysWhatItDoesNotHaveAndWhatItLeavesOut) {
+  const Recording recording = read("time,mcp,label\n0,0.1,a\n1,nan,a\n3,0.2,a\n2,0.3,a\n4,0.4,b\n");
+  EXPECT_EQ(recording.values.rows(), 3);
+  EXPECT_TRUE(recording.values.col(1).isZero());
+  EXPECT_THAT(recording.warnings,
+              ElementsAre(HasSubstr("label"), HasSubstr("no values of pip"),
+                          HasSubstr("1 rows that lack"), HasSubstr("1 rows whose time")));
+}
+
+TEST_F(JointRecording, LeavesOutALastLineThatIsCutOff) {
+  const Recording recording = read("mcp,pip\n0.1,0.2\n0.3,0.4\n0.5");
+  EXPECT_EQ(recording.values.rows(), 2);
+  EXPECT_THAT(recording.warnings, IsEmpty());
+}
+
+TEST_F(JointRecording, RefusesWhatIsNone) {
+  const auto refuses = [&](const std::string& text, const std::string& why) {
+    SCOPED_TRACE(text);
+    EXPECT_THAT(test::refusal_of([&] { read(text); }), HasSubstr(why));
+  };
+  refuses("time,j1\n0,1\n", "Its joints are mcp, pip");
+  refuses("mcp,pip\n", "no values of joints of finger");
+  refuses("mcp,pip\n0.1\n0.2,0.3\n", ":2");
+  refuses("# handway postures 1\n# hand: finger\nmcp,pip\n0.1,0.2\n", "normalised postures");
+  refuses("name: [mcp, pip]\nposition: [0.1]\n", "1 positions");
+  refuses("name: [mcp]\n---\nposition: [0.1]\n", "position");
+}
+
+TEST_F(JointRecording, BecomesPosturesWithinTheLimits) {
+  const OwnJoints joints(*hand_);
+  const MappedPostures mapped = joints.map_recording(read("mcp,pip\n-1,0.2\n0.3,2\n"));
+  EXPECT_THAT(mapped.joints, ElementsAre("mcp", "pip"));
+  EXPECT_EQ(mapped.postures, Eigen::Matrix2d({{-0.5, 0.2}, {0.3, 1.5}}));
+  EXPECT_EQ(mapped.unclamped, Eigen::Matrix2d({{-1, 0.2}, {0.3, 2}}));
+  EXPECT_THAT(mapped.clamped, ElementsAre(1, 1));
+}
+
+}  // namespace
+}  // namespace handway::device
