@@ -135,6 +135,11 @@ int column_of(const RecordingHeader& header, int sensor) {
 }
 
 Recording read_recording(const std::filesystem::path& file) {
+  if (has_joint_messages(geometric::head_of(file))) {
+    throw geometric::InputError({file.string(), "", "messages of a robot's joints",
+                                 "a recording of a glove",
+                                 "handway pca --joints-of ROBOT reads them"});
+  }
   if (geometric::has_extension(file, ".yaml") || geometric::has_extension(file, ".yml")) {
     return read_mapped_table(file);
   }

@@ -375,7 +375,8 @@ Layout layout_by_number(const std::filesystem::path& file, const Table& table) {
                      table.names.empty() ? "without names" : "of which none is called as a sensor"),
          "names of sensors above them; or 18 or 22, in the order of a glove's "
          "records, or 23, VirtualHand's; or 63, x, y and z of 21 landmarks",
-         "Write a map of the table's columns (YAML)."});
+         "Write a map of the table's columns (YAML); handway pca --joints-of ROBOT reads "
+         "tables of a robot hand's joints"});
   }
   if (timed) {
     layout.time = ColumnUse{-1, first};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <regex>
 
 namespace handway::device {
 
@@ -41,6 +42,16 @@ char separator_of(std::string_view line) {
   };
   const bool decimal_commas = !all_numbers(',') && all_numbers(' ');
   return line.find(',') != std::string_view::npos && !decimal_commas ? ',' : ' ';
+}
+
+bool has_joint_messages(std::string_view head) {
+  // Landmarks have names and positions, too, but not as lists side by side.
+  static const std::regex names(R"re((^|\n)name:|"name"\s*:\s*\[)re");
+  static const std::regex positions(R"re((^|\n)position:|"position"\s*:\s*\[)re");
+  const auto has = [&](const std::regex& key) {
+    return std::regex_search(head.begin(), head.end(), key);
+  };
+  return head.find("joint_names") != std::string_view::npos || (has(names) && has(positions));
 }
 
 std::string text_field(const std::string& key, const std::string& text) {

@@ -38,6 +38,9 @@ using geometric::trimmed;
 /// As parse_number(), with a decimal comma too unless cells are separated by commas.
 [[nodiscard]] std::optional<double> parse_cell(std::string_view cell, char separator);
 
+/// Whether a file that begins so has ROS messages of a robot's joints, as YAML or JSON.
+[[nodiscard]] bool has_joint_messages(std::string_view head);
+
 /// `key: "text"` as a line; nothing for an empty text.
 [[nodiscard]] std::string text_field(const std::string& key, const std::string& text);
 

@@ -308,12 +308,6 @@ class Messages {
   Rows rows_;
 };
 
-bool are_messages(std::string_view head) {
-  return head.find("joint_names") != std::string_view::npos ||
-         head.find("position:") != std::string_view::npos ||
-         head.find("\"position\"") != std::string_view::npos;
-}
-
 // Joints that no row has stay in the middle.
 void fill_missing(const RobotModel& hand, Rows& rows, std::vector<std::string>& warnings) {
   std::vector<std::string> missing;
@@ -382,7 +376,7 @@ void turn_to_radians(const RobotModel& hand, Eigen::MatrixXd& values,
 
 Recording read_joint_recording(const fs::path& file, const RobotModel& hand) {
   const std::string text = geometric::read_text_file(file, kWhat, kLargestFile);
-  const bool messages = are_messages(std::string_view(text).substr(0, 1U << 16));
+  const bool messages = has_joint_messages(std::string_view(text).substr(0, 1U << 16));
   Rows rows = messages ? Messages(file, hand).read(text) : TableOfJoints(file, hand).read(text);
   const auto is_known = [](const Eigen::VectorXd& row) { return !row.array().isNaN().all(); };
   if (std::ranges::none_of(rows.values, is_known)) {

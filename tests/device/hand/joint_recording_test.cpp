@@ -152,6 +152,12 @@ TEST_F(JointRecording, RefusesWhatIsNone) {
   refuses("name: [mcp]\n---\nposition: [0.1]\n", "position");
 }
 
+TEST_F(JointRecording, IsNotTakenForAGlovesRecording) {
+  std::ofstream(file_) << "name: [mcp]\nposition: [0.1]\n---\nname: [mcp]\nposition: [0.1]\n";
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(read_recording(file_)); }),
+              HasSubstr("--joints-of"));
+}
+
 TEST_F(JointRecording, BecomesPosturesWithinTheLimits) {
   const OwnJoints joints(*hand_);
   const MappedPostures mapped = joints.map_recording(read("mcp,pip\n-1,0.2\n0.3,2\n"));
