@@ -46,12 +46,12 @@ char separator_of(std::string_view line) {
 
 bool has_joint_messages(std::string_view head) {
   // Landmarks have names and positions, too, but not as lists side by side.
-  static const std::regex names(R"re((^|\n)name:|"name"\s*:\s*\[)re");
-  static const std::regex positions(R"re((^|\n)position:|"position"\s*:\s*\[)re");
+  static const std::regex kNames(R"re((^|\n)name:|"name"\s*:\s*\[)re");
+  static const std::regex kPositions(R"re((^|\n)position:|"position"\s*:\s*\[)re");
   const auto has = [&](const std::regex& key) {
     return std::regex_search(head.begin(), head.end(), key);
   };
-  return head.find("joint_names") != std::string_view::npos || (has(names) && has(positions));
+  return head.find("joint_names") != std::string_view::npos || (has(kNames) && has(kPositions));
 }
 
 std::string text_field(const std::string& key, const std::string& text) {

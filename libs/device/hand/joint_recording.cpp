@@ -64,24 +64,29 @@ bool is_no_position(std::string_view column) {
   });
 }
 
-// The variable whose positions a column of this name holds.
-std::optional<int> variable_of(const RobotModel& hand, std::string_view column) {
-  constexpr std::array<std::string_view, 5> kEndings = {"_position", "_pos", "_rad", "_deg", "_q"};
-  if (const auto whole = hand.find_variable(column)) {
-    return whole;
-  }
-  if (is_no_position(column)) {
-    return std::nullopt;
-  }
-  std::optional<int> found;
-  for (const std::string_view part : parts(column, "/.[]")) {
-    std::optional<int> variable = hand.find_variable(part);
-    for (const std::string_view ending : kEndings) {
-      if (!variable && part.ends_with(ending)) {
-        variable = hand.find_variable(part.substr(0, part.size() - ending.size()));
-      }
+// A joint's name, alone or with what says that positions are meant.
+std::optional<int> variable_called(const RobotModel& hand, std::string_view name) {
+  constexpr std::array<std::string_view, 7> kEndings = {"_position", ".position", "_pos", ".pos",
+                                                        "_rad",      "_deg",      "_q"};
+  std::optional<int> found = hand.find_variable(name);
+  for (const std::string_view ending : kEndings) {
+    if (!found && name.ends_with(ending)) {
+      found = hand.find_variable(name.substr(0, name.size() - ending.size()));
     }
-    found = variable ? variable : found;
+  }
+  return found;
+}
+
+// The variable whose positions a column of this name holds. Joints' names may have dots.
+std::optional<int> variable_of(const RobotModel& hand, std::string_view column) {
+  std::optional<int> found = hand.find_variable(column);
+  if (found || is_no_position(column)) {
+    return found;
+  }
+  for (const std::string_view separators : {"", "/", "/.[]"}) {
+    for (const std::string_view part : parts(column, separators)) {
+      found = found ? found : variable_called(hand, part);
+    }
   }
   return found;
 }

@@ -36,13 +36,15 @@ geometric::Joint turning(const std::string& name, const std::string& parent,
 /// A finger of two joints, the second of which starts at 0.
 class JointRecording : public testing::Test {
  protected:
-  JointRecording() {
+  JointRecording() { build("mcp"); }
+
+  void build(const std::string& mcp) {
     geometric::RobotDescription finger;
     finger.name = "finger";
     for (const char* link : {"palm", "proximal", "distal"}) {
       finger.links.emplace_back().name = link;
     }
-    finger.joints = {turning("mcp", "palm", "proximal"), turning("pip", "proximal", "distal")};
+    finger.joints = {turning(mcp, "palm", "proximal"), turning("pip", "proximal", "distal")};
     hand_ = std::make_shared<const geometric::RobotModel>(finger);
   }
 
@@ -82,6 +84,14 @@ TEST_F(JointRecording, KnowsTheColumnsOfPlottersAndOfRos) {
       0.5);
   expect_two_rows("timestamp,mcp_pos,pip_pos\n1700000000000,0.1,0.2\n1700000000020,0.3,0.4\n",
                   0.02);
+}
+
+TEST_F(JointRecording, KnowsJointsWithDotsInTheirNames) {
+  build("joint_0.0");
+  expect_two_rows("joint_0.0,pip\n0.1,0.2\n0.3,0.4\n", 0.01);
+  expect_two_rows("joint_0.0.position,pip.position\n0.1,0.2\n0.3,0.4\n", 0.01);
+  expect_two_rows("/js/joint_0.0/position,/js/joint_0.0/effort,/js/pip\n0.1,7,0.2\n0.3,7,0.4\n",
+                  0.01);
 }
 
 TEST_F(JointRecording, IsJointStateMessages) {
