@@ -6,8 +6,10 @@
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/glove/recording_quality.h"
+#include "handway/device/hand/joint_recording.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/group_proposal.h"
 #include "handway/sampling/postures/pmd_basis.h"
 
 #include <QFileDialog>
@@ -156,25 +158,52 @@ std::vector<int> free_joints(const sampling::PmdBasis* basis,
   return result.size() < joints.size() ? result : std::vector<int>{};
 }
 
+// Those of some joints, in their order. Joints that the hand does not have are in the middle.
+Eigen::MatrixXd postures_of(const device::PostureSource& joints,
+                            const device::MappedPostures& mapped) {
+  Eigen::MatrixXd postures(mapped.postures.rows(), joints.lower().size());
+  for (Eigen::Index j = 0; j < postures.cols(); ++j) {
+    const auto found =
+        std::ranges::find(mapped.joints, joints.joints()[static_cast<std::size_t>(j)]);
+    if (found == mapped.joints.end()) {
+      postures.col(j).setConstant(0.5 * (joints.lower()[j] + joints.upper()[j]));
+    } else {
+      postures.col(j) = mapped.postures.col(found - mapped.joints.begin());
+    }
+  }
+  return postures;
+}
+
 }  // namespace
 
 PostureRecordings read_postures(const std::vector<std::filesystem::path>& files,
                                 const device::GloveCalibration& calibration,
                                 const device::PostureSource& source,
-                                const std::vector<int>& left_out, const std::stop_token& stop) {
+                                const std::vector<int>& left_out, const geometric::RobotModel& hand,
+                                const std::stop_token& stop) {
   PostureRecordings result{CapturedPostures(source.joints(), left_out), {}};
   std::vector<device::GloveAngles> measured;
   double begin = 0.0;
   for (const std::filesystem::path& file : files) {
-    const device::Recording angles = device::to_angles(device::read_recording(file), calibration);
+    const bool has_joints = device::is_joint_recording(file, hand);
+    const device::Recording angles =
+        has_joints ? device::read_joint_recording(file, hand)
+                   : device::to_angles(device::read_recording(file), calibration);
+    if (has_joints) {
+      result.warnings.push_back(file.string() + ": taken for the robot hand's own joints");
+    }
     result.warnings.insert(result.warnings.end(), angles.warnings.begin(), angles.warnings.end());
-    const device::MappedPostures mapped = source.map_recording(angles, stop);
-    Eigen::MatrixXd samples(mapped.postures.rows(), mapped.postures.cols());
+    const Eigen::MatrixXd postures =
+        has_joints ? postures_of(source, device::OwnJoints(hand).map_recording(angles))
+                   : source.map_recording(angles, stop).postures;
+    Eigen::MatrixXd samples(postures.rows(), postures.cols());
     for (Eigen::Index row = 0; row < samples.rows(); ++row) {
-      samples.row(row) = normalised(source, mapped.postures.row(row).transpose()).transpose();
+      samples.row(row) = normalised(source, postures.row(row).transpose()).transpose();
       result.postures.add(begin + angles.times[row] - angles.times[0],
                           samples.row(row).transpose());
-      measured.push_back(device::angles_of_row(angles, row));
+      if (!has_joints) {
+        measured.push_back(device::angles_of_row(angles, row));
+      }
     }
     begin = result.postures.duration();
     const double rate = device::assess(angles).rate;
@@ -347,10 +376,11 @@ void CapturePages::show_recordings(const QStringList& files) {
   files_ = files;
   explorer_->show_errors(tr("Reading the recordings…"));
   reading_.run(
-      [this, paths, kept, calibration = session_.calibration(),
+      [this, paths, kept, calibration = session_.calibration(), robot = session_.robot(),
        left_out = no_postures().left_out()](const std::stop_token& stop) -> LatestJob::Answer {
+        const auto hand = geometric::hand_alone(robot);
         auto recordings = std::make_shared<PostureRecordings>(
-            read_postures(paths, calibration, *kept, left_out, stop));
+            read_postures(paths, calibration, *kept, left_out, *hand, stop));
         return [this, recordings] { take_recordings(recordings); };
       });
 }

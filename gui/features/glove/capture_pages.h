@@ -147,14 +147,17 @@ class CapturePages : public QObject {
   LatestJob comparing_;
 };
 
-/// Recordings through calibration and mapping or retargeting, as postures normalised to [0, 1].
+/// Recordings as postures normalised to [0, 1]: those of a glove through calibration and mapping or
+/// retargeting, those of the robot hand's own joints as they are.
 /// @param left_out as for CapturedPostures.
+/// @param hand whose joints those are.
 /// @param stop nobody waits for them any more.
 /// @throws geometric::InputError if one can't be read or lacks a sensor.
 [[nodiscard]] PostureRecordings read_postures(const std::vector<std::filesystem::path>& files,
                                               const device::GloveCalibration& calibration,
                                               const device::PostureSource& source,
                                               const std::vector<int>& left_out,
+                                              const geometric::RobotModel& hand,
                                               const std::stop_token& stop = {});
 
 }  // namespace handway::gui

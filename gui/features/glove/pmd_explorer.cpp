@@ -139,7 +139,9 @@ PmdExplorer::PmdExplorer(QWidget* parent)
       kFromFile,
       tr("Reads files, makes postures of this hand of them as 'Hand by' says, and shows them and "
          "their principal motion directions. Several files count together, each as a person of "
-         "its own in Report. The scene changes with 'Use for planning' only.") +
+         "its own in Report. Recordings of the robot hand's own joints, as JointState messages or "
+         "tables with the joints' names, are shown as they are. The scene changes with 'Use for "
+         "planning' only.") +
           QStringLiteral("\n\n") + recording_kinds(),
       Qt::ToolTipRole);
   method_->addItems({tr("Joint mapping"), tr("Fingertip retargeting")});

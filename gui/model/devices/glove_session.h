@@ -138,6 +138,8 @@ class GloveSession : public QObject {
   /// A mapping that doesn't fit gives way to the paper's Table 1, or to one that is proposed for
   /// the hand. @param model null: no robot.
   void set_robot(std::shared_ptr<const geometric::RobotModel> model);
+  /// Null: there is none.
+  [[nodiscard]] const std::shared_ptr<const geometric::RobotModel>& robot() const { return model_; }
   /// Its ranges go into the mapping, its bones into retargeting. Nothing: the typical one.
   void set_calibration(std::optional<device::GloveCalibration> calibration);
   void set_mapping(device::HandMapping mapping);

@@ -415,6 +415,26 @@ Recording read_joint_recording(const fs::path& file, const RobotModel& hand) {
   return recording;
 }
 
+bool is_joint_recording(const fs::path& file, const RobotModel& hand) {
+  const std::string head = geometric::head_of(file);
+  if (has_joint_messages(head)) {
+    return true;
+  }
+  std::set<int> named;
+  for (const TextLine& line : text_lines(head)) {
+    const std::string_view header = trimmed(line.text);
+    for (const std::string_view cell : cells(header, separator_of(header))) {
+      if (const auto variable = variable_of(hand, cell)) {
+        named.insert(*variable);
+      }
+    }
+    if (!named.empty()) {
+      break;
+    }
+  }
+  return !named.empty() && 2 * std::ssize(named) >= hand.variable_count();
+}
+
 OwnJoints::OwnJoints(const RobotModel& hand) {
   for (int v = 0; v < hand.variable_count(); ++v) {
     joints_.push_back(hand.variable(v).name);

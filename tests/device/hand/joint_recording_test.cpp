@@ -168,6 +168,18 @@ TEST_F(JointRecording, IsNotTakenForAGlovesRecording) {
               HasSubstr("--joints-of"));
 }
 
+TEST_F(JointRecording, IsKnownByItsMessagesOrHalfOfTheJoints) {
+  const auto is_one = [&](const std::string& text) {
+    std::ofstream(file_) << text;
+    return is_joint_recording(file_, *hand_);
+  };
+  EXPECT_TRUE(is_one("name: [mcp]\nposition: [0.1]\n"));
+  EXPECT_TRUE(is_one("# made by a script\ntime,arm_1,pip\n0,0,0.1\n"));
+  EXPECT_FALSE(is_one("time,IndexMPJ,ThumbMPJ\n0,0,0.1\n"));
+  EXPECT_FALSE(is_one(R"([{"name": "wrist", "position": [0, 0, 0]}])"));
+  EXPECT_FALSE(is_joint_recording(file_ / "nowhere", *hand_));
+}
+
 TEST_F(JointRecording, BecomesPosturesWithinTheLimits) {
   const OwnJoints joints(*hand_);
   const MappedPostures mapped = joints.map_recording(read("mcp,pip\n-1,0.2\n0.3,2\n"));

@@ -119,6 +119,27 @@ TEST_F(CapturePages, SaveABasisThatTheSceneNamesUntilThatIsUndone) {
   EXPECT_EQ(window().document().loaded().basis, used);
 }
 
+// Recorded on the robot: no sensor, nothing to map.
+TEST_F(CapturePages, ShowRecordingsOfTheHandsOwnJoints) {
+  const std::filesystem::path file = cell().folder() / "joint_states.yaml";
+  std::ofstream out(file);
+  for (int row = 0; row < 100; ++row) {
+    out << "name: [left, right]\nposition: [" << 0.2 + 0.1 * std::sin(0.1 * row) << ", "
+        << 0.2 + 0.1 * std::cos(0.1 * row) << "]\n---\n";
+  }
+  out.close();
+  panel().come_to_front("explore");
+  panel().capture().show_recordings({QString::fromStdString(file.string())});
+  const auto& source = part<QComboBox>("explorer_source");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return source.currentText() == "joint_states.yaml"; }));
+  auto& basis = part<QComboBox>("explorer_basis");
+  basis.setCurrentIndex(1);
+  emit basis.activated(1);
+  const std::filesystem::path saved = cell().folder() / "own.yaml";
+  panel().capture().explorer().save(saved);
+  EXPECT_EQ(sampling::read_postures(cell().folder() / "own_postures.csv").postures.rows(), 100);
+}
+
 TEST_F(CapturePages, CompareTheBasisWithAnother) {
   show_recording();
   ASSERT_FALSE(::testing::Test::HasFatalFailure());
