@@ -6,6 +6,8 @@
 #include "planner_model.h"
 #include "scene_questions.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 #include <limits>
@@ -95,7 +97,16 @@ planning::PathCheckResult check(const SceneModel& scene, const Array& array, dou
 }
 
 py::array_t<double> read_path(const SceneModel& scene, const py::object& file) {
-  const planning::Path path = planning::read_path(scene.robot(), std::string(py::str(file)));
+  planning::JointsAtRest rest{scene.problem().start};
+  const planning::Path path = planning::read_path(scene.robot(), std::string(py::str(file)), &rest);
+  if (!rest.names.empty()) {
+    const std::string warning =
+        fmt::format("{} has not all joints: {} stay{} at the start", std::string(py::str(file)),
+                    fmt::join(rest.names, ", "), rest.names.size() == 1 ? "s" : "");
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) {
+      throw py::error_already_set();
+    }
+  }
   return to_array(path.waypoints, scene.robot().variable_count());
 }
 
@@ -220,8 +231,11 @@ void bind_paths(py::class_<SceneModel>& scene) {
            "path: [waypoints, variables], rad or m. resolution: how far any point of the robot\n"
            "moves at most from one check to the next, m. start, goal: [variables]; the scene's\n"
            "if None. goal_pose: as in Planner.plan().")
-      .def("read_path", &read_path, py::arg("file"),
-           "Reads a path (CSV). Returns [waypoints, variables], rad or m.")
+      .def(
+          "read_path", &read_path, py::arg("file"),
+          "Reads a path (CSV, or a JointTrajectory as YAML or JSON). Returns [waypoints,\n"
+          "variables], rad or m. Joints that the file does not have stay as at the scene's start;\n"
+          "a UserWarning names them.")
       .def("write_path", &write_path, py::arg("path"), py::arg("file"),
            "Writes a path [waypoints, variables] as `handway plan --out` does (CSV).");
 }

@@ -151,6 +151,18 @@ class Paths(unittest.TestCase):
             scene.write_path(path, file)
             np.testing.assert_array_equal(scene.read_path(file), path)
 
+    def test_of_some_joints_leave_the_others_at_the_start(self):
+        scene = can_on_table()
+        moved = scene.variables.index(scene.arm[0])
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "arm.csv"
+            file.write_text(f"time,{scene.arm[0]}\n0,0.1\n1,0.2\n")
+            with self.assertWarnsRegex(UserWarning, scene.arm[1]):
+                path = scene.read_path(file)
+        expected = np.tile(scene.start, (2, 1))
+        expected[:, moved] = [0.1, 0.2]
+        np.testing.assert_array_equal(path, expected)
+
 
 if __name__ == "__main__":
     unittest.main()
