@@ -485,8 +485,9 @@ void SceneView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 bool SceneView::event(QEvent* event) {
+  // Events of other kinds come while the members are being made.
   const bool is_press = event->type() == QEvent::KeyPress;
-  if (gizmo_.is_dragging() && (is_press || event->type() == QEvent::ShortcutOverride) &&
+  if ((is_press || event->type() == QEvent::ShortcutOverride) && gizmo_.is_dragging() &&
       take_drag_key(*static_cast<QKeyEvent*>(event), is_press)) {
     event->accept();
     return true;
