@@ -128,7 +128,8 @@ double off_line(const std::vector<RobotFinger>& fingers, std::size_t left_out, V
     }
   }
   points.colwise() -= Vector3d(points.rowwise().mean());
-  const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(points, Eigen::ComputeThinU);
+  // Of a type with as many rows, its workspace has their size, which two fingers don't fill.
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(points, Eigen::ComputeThinU);
   along = svd.matrixU().col(0);
   return svd.singularValues().size() > 1 ? svd.singularValues()[1] : 0.0;
 }
