@@ -41,6 +41,7 @@ struct Rows {
   std::vector<Eigen::VectorXd> values;  ///< NaN: not there; shape [variables].
   std::set<std::string> others;         ///< Columns and joints that are none of the hand's.
   bool holds = false;                   ///< What a row lacks stays where it was.
+  bool is_cut_off = false;              ///< The last message was no whole one.
 };
 
 std::vector<std::string_view> parts(std::string_view name, std::string_view separators) {
@@ -240,11 +241,23 @@ class Messages {
       }
       document.append(line.text).append("\n");
     }
-    take(document);
+    take_last(document);
     return std::move(rows_);
   }
 
  private:
+  // Who stops a recording stops it within a message.
+  void take_last(const std::string& document) {
+    try {
+      take(document);
+    } catch (const InputError&) {
+      if (rows_.values.empty()) {
+        throw;
+      }
+      rows_.is_cut_off = true;
+    }
+  }
+
   void take(const std::string& document) {
     if (trimmed(document).empty()) {
       return;
@@ -400,6 +413,9 @@ Recording read_joint_recording(const fs::path& file, const RobotModel& hand) {
     recording.warnings.push_back(fmt::format("passed over, as none of the hand's joints: {}{}",
                                              fmt::join(rows.others.begin(), end, ", "),
                                              more > 0 ? fmt::format(" and {} more", more) : ""));
+  }
+  if (rows.is_cut_off) {
+    recording.warnings.emplace_back("the last message is not whole and is left out");
   }
   fill_missing(hand, rows, recording.warnings);
   keep_whole_rows(rows, recording.warnings);

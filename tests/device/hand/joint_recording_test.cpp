@@ -149,6 +149,17 @@ TEST_F(JointRecording, LeavesOutALastLineThatIsCutOff) {
   EXPECT_THAT(recording.warnings, IsEmpty());
 }
 
+TEST_F(JointRecording, LeavesOutALastMessageThatIsCutOff) {
+  const std::string whole = "name: [mcp, pip]\nposition: [0.1, 0.2]\n---\n";
+  for (const char* rest : {"name: [mcp, p", "name: [mcp, pip]\n", "header:\n  stamp:\n    se",
+                           "name: [mcp, pip]\nposition: [0.1]\n"}) {
+    SCOPED_TRACE(rest);
+    const Recording recording = read(whole + rest);
+    EXPECT_EQ(recording.values.rows(), 1);
+    EXPECT_THAT(recording.warnings, ElementsAre(HasSubstr("last message")));
+  }
+}
+
 TEST_F(JointRecording, RefusesWhatIsNone) {
   const auto refuses = [&](const std::string& text, const std::string& why) {
     SCOPED_TRACE(text);

@@ -22,7 +22,8 @@ namespace handway::device {
 ///   - `sensor_msgs/JointState` messages, one after the other as `ros2 topic echo` prints them, as
 ///     lines of JSON or in a list. Joints that a message does not have stay where they were;
 ///   - one `trajectory_msgs/JointTrajectory`, as YAML or JSON.
-/// Columns of other joints, velocities and efforts are passed over. Rows that lack a value, and
+/// Columns of other joints, velocities and efforts are passed over, and so is a last line or
+/// message that is not whole, as a recording that is stopped leaves it. Rows that lack a value, and
 /// those whose time runs backwards, are left out; joints of the hand that the file does not have
 /// stay at RobotModel::neutral(). Warnings tell of both.
 /// @returns angles, without sensors: a column is a variable of the hand, in its order, rad (m for
