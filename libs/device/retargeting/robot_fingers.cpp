@@ -64,9 +64,8 @@ std::vector<std::vector<int>> longest_of_branches(const std::vector<std::vector<
 std::pair<int, std::vector<std::vector<int>>> finger_chains(const RobotModel& model,
                                                             const std::vector<int>& leaves) {
   std::vector<std::vector<int>> chains;
-  for (const int leaf : leaves) {
-    chains.push_back(chain_to(model, leaf));
-  }
+  std::ranges::transform(leaves, std::back_inserter(chains),
+                         [&](int leaf) { return chain_to(model, leaf); });
   std::size_t common = 0;
   const auto all_have = [&](std::size_t place) {
     return std::ranges::all_of(chains, [&](const std::vector<int>& chain) {
