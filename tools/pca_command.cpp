@@ -381,9 +381,10 @@ int pca(const PcaOptions& options) {
   const std::vector<int> free = free_joints(options, mapper.joints());
   std::vector<MappedRecording> recordings;
   for (const fs::path& file : options.recordings) {
-    recordings.push_back(options.joints_of.empty()
-                             ? map_file(file, calibration, options.steps, mapper)
-                             : map_joints(file, *hand.model, options.steps, mapper));
+    const device::Recording read = options.joints_of.empty()
+                                       ? device::read_recording(file)
+                                       : device::read_joint_recording(file, *hand.model);
+    recordings.push_back(mapped_recording(file, read, calibration, options.steps, mapper));
     fmt::print("{}", quality_text(recordings.back()));
     if (recordings.back().calibrated && options.calibration.empty()) {
       fmt::print("  warning: counts are taken for those of a typical hand: give --calibration\n");

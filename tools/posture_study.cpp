@@ -3,7 +3,6 @@
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording_filters.h"
-#include "handway/device/hand/joint_recording.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/formats/robot_loader.h"
@@ -48,27 +47,15 @@ constexpr double kStill = 1e-9;  // rad
 
 }  // namespace
 
-MappedRecording map_file(const std::filesystem::path& file,
-                         const device::GloveCalibration& calibration, const RecordingSteps& steps,
-                         const device::PostureSource& mapper) {
+MappedRecording mapped_recording(const std::filesystem::path& file, const device::Recording& read,
+                                 const device::GloveCalibration& calibration,
+                                 const RecordingSteps& steps, const device::PostureSource& mapper) {
   MappedRecording result;
   result.file = file;
-  const device::Recording read = device::read_recording(file);
   result.quality = device::assess(read);
   result.calibrated = read.header.kind == device::RecordingKind::kCounts;
   result.recording = filtered(device::to_angles(read, calibration), steps);
   result.mapped = mapper.map_recording(result.recording);
-  return result;
-}
-
-MappedRecording map_joints(const std::filesystem::path& file, const geometric::RobotModel& hand,
-                           const RecordingSteps& steps, const device::PostureSource& joints) {
-  MappedRecording result;
-  result.file = file;
-  const device::Recording read = device::read_joint_recording(file, hand);
-  result.quality = device::assess(read);
-  result.recording = filtered(read, steps);
-  result.mapped = joints.map_recording(result.recording);
   return result;
 }
 
@@ -163,8 +150,8 @@ PostureStudy study_postures(const fs::path& recording, Normalisation normalisati
       geometric::ResourceKind::kRobot, mapping.hand, file.parent_path(), file.string()));
   const device::HandMapper mapper(mapping, *hand, true);
   const std::vector<int> free = joint_indices({kThumbBase}, mapper.joints());
-  const std::vector<MappedRecording> mapped = {
-      map_file(recording, device::typical_calibration(), {}, mapper)};
+  const std::vector<MappedRecording> mapped = {mapped_recording(
+      recording, device::read_recording(recording), device::typical_calibration(), {}, mapper)};
   PostureStudy study;
   study.recording = recording;
   study.normalisation = normalisation;

@@ -38,17 +38,13 @@ struct MappedRecording {
   device::MappedPostures mapped;
 };
 
-/// Reads, calibrates (counts only), filters in the order of the steps, and maps.
-[[nodiscard]] MappedRecording map_file(const std::filesystem::path& file,
-                                       const device::GloveCalibration& calibration,
-                                       const RecordingSteps& steps,
-                                       const device::PostureSource& mapper);
-
-/// The same for a recording of the hand's own joints.
-[[nodiscard]] MappedRecording map_joints(const std::filesystem::path& file,
-                                         const geometric::RobotModel& hand,
-                                         const RecordingSteps& steps,
-                                         const device::PostureSource& joints);
+/// Calibrates (counts only), filters in the order of the steps, and maps.
+/// @param read from `file`.
+[[nodiscard]] MappedRecording mapped_recording(const std::filesystem::path& file,
+                                               const device::Recording& read,
+                                               const device::GloveCalibration& calibration,
+                                               const RecordingSteps& steps,
+                                               const device::PostureSource& mapper);
 
 /// How joints are scaled to [0, 1] before their components are found.
 enum class Normalisation {

@@ -195,4 +195,16 @@ RobotDescription iiwa14() {
   return dh_arm("iiwa14", kRows, kLimits);
 }
 
+Joint turning(const std::string& name, const std::string& parent, const std::string& child,
+              double lower, double upper) {
+  Joint joint;
+  joint.name = name;
+  joint.type = JointType::kRevolute;
+  joint.parent = parent;
+  joint.child = child;
+  joint.limits.lower = lower;
+  joint.limits.upper = upper;
+  return joint;
+}
+
 }  // namespace handway::test

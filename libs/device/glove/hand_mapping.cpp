@@ -18,6 +18,7 @@
 #include <limits>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace handway::device {
 namespace {
@@ -272,10 +273,7 @@ MappedPostures HandMapper::map_recording(const Recording& recording,
   if (recording.header.kind != RecordingKind::kAngles) {
     throw InputError({"recording", "", "raw counts", "angles", "Give a calibration of the glove"});
   }
-  MappedPostures result;
-  result.joints = joints_;
-  result.unclamped.resize(recording.values.rows(), lower_.size());
-  result.postures.resize(recording.values.rows(), lower_.size());
+  Eigen::MatrixXd unclamped(recording.values.rows(), lower_.size());
   for (Eigen::Index j = 0; j < lower_.size(); ++j) {
     const JointWire& wire = wires_[static_cast<std::size_t>(j)];
     const int column = wire.sensor < 0 ? -1 : column_of(recording.header, wire.sensor);
@@ -287,13 +285,10 @@ MappedPostures HandMapper::map_recording(const Recording& recording,
                         "Wire the joint to another sensor in the mapping, or fix it there"});
     }
     for (Eigen::Index row = 0; row < recording.values.rows(); ++row) {
-      result.unclamped(row, j) = value(j, column < 0 ? kNaN : recording.values(row, column));
+      unclamped(row, j) = value(j, column < 0 ? kNaN : recording.values(row, column));
     }
-    const auto all = result.unclamped.col(j).array();
-    result.postures.col(j) = all.max(lower_[j]).min(upper_[j]);
-    result.clamped.push_back((all < lower_[j] || all > upper_[j]).count());
   }
-  return result;
+  return within_limits(std::move(unclamped));
 }
 
 }  // namespace handway::device

@@ -326,6 +326,18 @@ class Messages {
   Rows rows_;
 };
 
+void name_others(const Rows& rows, std::vector<std::string>& warnings) {
+  if (rows.others.empty()) {
+    return;
+  }
+  constexpr std::ptrdiff_t kNamed = 5;
+  const std::ptrdiff_t more = std::ssize(rows.others) - kNamed;
+  const auto end = more > 0 ? std::next(rows.others.begin(), kNamed) : rows.others.end();
+  warnings.push_back(fmt::format("passed over, as none of the hand's joints: {}{}",
+                                 fmt::join(rows.others.begin(), end, ", "),
+                                 more > 0 ? fmt::format(" and {} more", more) : ""));
+}
+
 // Joints that no row has stay in the middle.
 void fill_missing(const RobotModel& hand, Rows& rows, std::vector<std::string>& warnings) {
   std::vector<std::string> missing;
@@ -406,14 +418,7 @@ Recording read_joint_recording(const fs::path& file, const RobotModel& hand) {
   Recording recording;
   recording.header.kind = RecordingKind::kAngles;
   recording.header.origin = "joints of " + hand.name();
-  if (!rows.others.empty()) {
-    constexpr std::ptrdiff_t kNamed = 5;
-    const std::ptrdiff_t more = std::ssize(rows.others) - kNamed;
-    const auto end = more > 0 ? std::next(rows.others.begin(), kNamed) : rows.others.end();
-    recording.warnings.push_back(fmt::format("passed over, as none of the hand's joints: {}{}",
-                                             fmt::join(rows.others.begin(), end, ", "),
-                                             more > 0 ? fmt::format(" and {} more", more) : ""));
-  }
+  name_others(rows, recording.warnings);
   if (rows.is_cut_off) {
     recording.warnings.emplace_back("the last message is not whole and is left out");
   }
@@ -463,16 +468,7 @@ std::vector<bool> OwnJoints::driven() const { return std::vector<bool>(joints_.s
 
 MappedPostures OwnJoints::map_recording(const Recording& recording,
                                         const std::stop_token& /*stop*/) const {
-  MappedPostures mapped;
-  mapped.joints = joints_;
-  mapped.unclamped = recording.values;
-  mapped.postures = recording.values;
-  for (Eigen::Index j = 0; j < lower_.size(); ++j) {
-    const auto all = mapped.unclamped.col(j).array();
-    mapped.postures.col(j) = all.max(lower_[j]).min(upper_[j]);
-    mapped.clamped.push_back((all < lower_[j] || all > upper_[j]).count());
-  }
-  return mapped;
+  return within_limits(recording.values);
 }
 
 }  // namespace handway::device

@@ -4,6 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
+#include "handway_test/robots.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,24 +17,14 @@
 namespace handway::device {
 namespace {
 
+using test::turning;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr double kTolerance = 1e-12;
 
-geometric::Joint turning(const std::string& name, const std::string& parent,
-                         const std::string& child) {
-  geometric::Joint joint;
-  joint.name = name;
-  joint.type = geometric::JointType::kRevolute;
-  joint.parent = parent;
-  joint.child = child;
-  joint.limits = {-0.5, 1.5};
-  return joint;
-}
-
-/// A finger of two joints, the second of which starts at 0.
+/// A finger of two joints.
 class JointRecording : public testing::Test {
  protected:
   JointRecording() { build("mcp"); }
@@ -44,7 +35,8 @@ class JointRecording : public testing::Test {
     for (const char* link : {"palm", "proximal", "distal"}) {
       finger.links.emplace_back().name = link;
     }
-    finger.joints = {turning(mcp, "palm", "proximal"), turning("pip", "proximal", "distal")};
+    finger.joints = {turning(mcp, "palm", "proximal", -0.5, 1.5),
+                     turning("pip", "proximal", "distal", -0.5, 1.5)};
     hand_ = std::make_shared<const geometric::RobotModel>(finger);
   }
 

@@ -2,6 +2,7 @@
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/geometric/robot/robot_state.h"
 #include "handway_test/input_errors.h"
+#include "handway_test/robots.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 namespace handway::geometric {
 namespace {
 
+using test::turning;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -20,18 +22,6 @@ using testing::IsEmpty;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = std::numbers::pi;
-
-Joint turning(const std::string& name, const std::string& parent, const std::string& child,
-              double lower, double upper) {
-  Joint joint;
-  joint.name = name;
-  joint.type = JointType::kRevolute;
-  joint.parent = parent;
-  joint.child = child;
-  joint.limits.lower = lower;
-  joint.limits.upper = upper;
-  return joint;
-}
 
 /// A finger whose "tip" follows its "knuckle" (-1 to 2 rad).
 RobotDescription finger(double multiplier, double offset, double lower, double upper) {

@@ -12,6 +12,7 @@ namespace handway::planning {
 namespace {
 
 using geometric::Pose;
+using test::turning;
 
 PalmIk palm_ik(const PlanningProblem& problem) {
   const geometric::RobotModel& model = problem.model();
@@ -24,18 +25,6 @@ TEST(PalmIk, TakesTheLinkThatCarriesAllFingers) {
   const geometric::RobotModel& model = problem.model();
   EXPECT_EQ(model.link(palm_link(model, problem.arm, problem.hand)).name, "Palm");
   EXPECT_EQ(palm_link(model, problem.arm, {}), model.variable_link(problem.arm.back()));
-}
-
-geometric::Joint turning(const std::string& name, const std::string& parent,
-                         const std::string& child) {
-  geometric::Joint joint;
-  joint.name = name;
-  joint.type = geometric::JointType::kRevolute;
-  joint.parent = parent;
-  joint.child = child;
-  joint.limits.lower = -1.0;
-  joint.limits.upper = 1.0;
-  return joint;
 }
 
 TEST(PalmIk, TakesThePalmBeyondAWristThatCountsToTheHand) {

@@ -26,6 +26,11 @@ void add_sah_hand(geometric::RobotDescription& robot, const std::string& mount);
 /// tx90_urdf_style with the hand: 25 links, 19 variables.
 [[nodiscard]] geometric::RobotDescription tx90_sah();
 
+/// A joint that turns about z, with limits in rad.
+[[nodiscard]] geometric::Joint turning(const std::string& name, const std::string& parent,
+                                       const std::string& child, double lower = -1.0,
+                                       double upper = 1.0);
+
 /// Arms of other makers from their published modified Denavit-Hartenberg parameters and limits:
 /// links "base", "link_1" and so on, the last with the flange's frame, joints "joint_1" and so on.
 /// Six joints with an offset wrist that turn a whole turn each way; seven with offsets at elbow and

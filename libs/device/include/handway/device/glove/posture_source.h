@@ -50,6 +50,10 @@ class HANDWAY_DEVICE_EXPORT PostureSource {
   PostureSource& operator=(const PostureSource&) = default;
   PostureSource& operator=(PostureSource&&) = default;
 
+  /// Clamped to the limits, and counted where they were not within.
+  /// @param unclamped shape [samples, joints].
+  [[nodiscard]] MappedPostures within_limits(Eigen::MatrixXd unclamped) const;
+
   std::vector<std::string> joints_;
   Eigen::VectorXd lower_;
   Eigen::VectorXd upper_;
