@@ -57,7 +57,7 @@ FingertipErrors fingertip_errors(std::span<const GloveAngles> rows,
 }
 
 std::function<Eigen::Matrix3Xd(const Eigen::VectorXd&)> normalised_fingertips(
-    std::shared_ptr<const FingertipRetargeter> hand, const PostureSource& source) {
+    const std::shared_ptr<const FingertipRetargeter>& hand, const PostureSource& source) {
   return
       [hand, all = HandPostures(source.joints(), *hand), lower = source.lower(),
        range = Eigen::VectorXd(source.upper() - source.lower())](const Eigen::VectorXd& posture) {

@@ -35,6 +35,7 @@ fingertip_errors(std::span<const GloveAngles> rows, const std::vector<std::strin
 /// limits, shape [joints]: in the frame of the hand's palm, m, a column for each finger. Joints as
 /// in fingertip_errors().
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::function<Eigen::Matrix3Xd(const Eigen::VectorXd&)>
-normalised_fingertips(std::shared_ptr<const FingertipRetargeter> hand, const PostureSource& source);
+normalised_fingertips(const std::shared_ptr<const FingertipRetargeter>& hand,
+                      const PostureSource& source);
 
 }  // namespace handway::device
