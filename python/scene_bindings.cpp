@@ -6,8 +6,6 @@
 #include "planner_model.h"
 #include "scene_questions.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 #include <limits>
@@ -100,9 +98,7 @@ py::array_t<double> read_path(const SceneModel& scene, const py::object& file) {
   planning::JointsAtRest rest{scene.problem().start};
   const planning::Path path = planning::read_path(scene.robot(), std::string(py::str(file)), &rest);
   if (!rest.names.empty()) {
-    const std::string warning =
-        fmt::format("{} has not all joints: {} stay{} at the start", std::string(py::str(file)),
-                    fmt::join(rest.names, ", "), rest.names.size() == 1 ? "s" : "");
+    const std::string warning = rest.remark(std::string(py::str(file)));
     if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) {
       throw py::error_already_set();
     }

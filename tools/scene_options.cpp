@@ -91,8 +91,7 @@ planning::Path read_path(const planning::PlanningProblem& problem,
   planning::JointsAtRest rest{problem.start};
   planning::Path path = planning::read_path(problem.model(), file, &rest);
   if (!rest.names.empty()) {
-    fmt::print(stderr, "handway: {} has not all joints: {} stay{} at the start\n", file.string(),
-               fmt::join(rest.names, ", "), rest.names.size() == 1 ? "s" : "");
+    fmt::print(stderr, "handway: {}\n", rest.remark(file));
   }
   return path;
 }

@@ -68,7 +68,10 @@ std::optional<gui::Options> parse_options(int argc, char** argv, int& exit_code)
   app.add_option("--size", size, "Size of the window (default: as last time; of pictures 1440x900)")
       ->type_name("WxH")
       ->check(check_size);
-  app.add_flag("--play", options.play, "Plan at once, then play the path in a loop");
+  app.add_option("--path", options.path, "Show this path or trajectory (CSV, YAML, JSON)")
+      ->type_name("FILE");
+  app.add_flag("--play", options.play,
+               "Plan at once, unless a path is given, then play the path in a loop");
   app.add_option("--planner", options.planner, "Planner (default: the scene's)");
   app.add_option("--seed", options.seed, "Seed of all random choices");
   app.add_option("--set", settings, "A parameter of the planner")

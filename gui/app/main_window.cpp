@@ -8,6 +8,7 @@
 #include "app/start/start_page.h"
 #include "app/view_actions.h"
 #include "handway/geometric/formats/mesh_reader.h"
+#include "handway/planning/paths/path_file.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"
@@ -135,8 +136,14 @@ void MainWindow::connect_document() {
   connect(&workbench_.validity, &PathValidity::changed, this, &MainWindow::show_validity);
   connect(&workbench_.editor, &SceneEditor::modified_changed, this, &QWidget::setWindowModified);
   connect(files_, &FileCommands::saved, this, &MainWindow::update_title);
+  connect(&workbench_, &Workbench::failed, this, &MainWindow::failed);
   connect(&workbench_.session, &PlanningSession::ended, this, [this](bool solved) {
     if (solved && workbench_.options.play) {
+      workbench_.player.play();
+    }
+  });
+  connect(&workbench_.session, &PlanningSession::given_shown, this, [this] {
+    if (workbench_.options.play) {
       workbench_.player.play();
     }
   });
@@ -171,6 +178,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString file = event->mimeData()->urls().front().toLocalFile();
   if (workbench_.document.scene() && geometric::is_mesh_file(file.toStdString())) {
     emit workbench_.mesh_dropped(file);
+  } else if (workbench_.document.scene() && planning::is_path_file(file.toStdString())) {
+    emit workbench_.path_dropped(file);
   } else {
     open(file);
   }
@@ -200,7 +209,7 @@ void MainWindow::show_scene() {
     emit failed(message);
     return;
   }
-  if (workbench_.options.play) {
+  if (workbench_.options.play && workbench_.options.path.empty()) {
     workbench_.session.start();
   }
   emit workbench_.ready();

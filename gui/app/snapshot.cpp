@@ -26,10 +26,14 @@ Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
   connect(&window_, &MainWindow::ready, &poll_, qOverload<>(&QTimer::start));
   connect(&window_, &MainWindow::failed, this,
           [this](const QString& message) { emit done(kUnreadable, message); });
-  connect(&window_.session(), &PlanningSession::ended, this, [this](bool solved) {
+  const auto show_moment = [this] {
+    window_.player().pause();
+    window_.player().seek(kMoment);
+  };
+  connect(&window_.session(), &PlanningSession::given_shown, this, show_moment);
+  connect(&window_.session(), &PlanningSession::ended, this, [show_moment](bool solved) {
     if (solved) {
-      window_.player().pause();
-      window_.player().seek(kMoment);
+      show_moment();
     }
   });
 }

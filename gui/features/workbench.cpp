@@ -89,9 +89,12 @@ void Workbench::remember_path() {
   if (!analysis.curves()) {
     return;
   }
-  const QString source = tr("%1, seed %2")
-                             .arg(QString::fromStdString(plan_settings.choice().name))
-                             .arg(plan_settings.request().seed);
+  const QString& given = session.given_origin();
+  const QString source = given.isEmpty()
+                             ? tr("%1, seed %2")
+                                   .arg(QString::fromStdString(plan_settings.choice().name))
+                                   .arg(plan_settings.request().seed)
+                             : given;
   history.add({label_of(source, *analysis.motion(), QTime::currentTime()), document.scene(),
                document.palm(), analysis.motion(), analysis.curves(), nullptr, std::nullopt});
 }

@@ -162,6 +162,8 @@ class Workbench : public QObject {
   void failed(const QString& message);
   /// A file of a mesh was dropped on the window.
   void mesh_dropped(const QString& file);
+  /// A file of a path was.
+  void path_dropped(const QString& file);
   /// Whether there is room in the view for handles of what is selected.
   void handles_welcome(bool welcome);
   void theme_changed();

@@ -189,6 +189,26 @@ TEST_F(PathCsv, LeavesJointsThatItHasNotWhereTheyRest) {
   EXPECT_EQ(printed.waypoints, path.waypoints);
 }
 
+TEST_F(PathCsv, NamesJointsThatRest) {
+  EXPECT_EQ(JointsAtRest{}.remark("arm.csv"), "");
+  EXPECT_EQ((JointsAtRest{{}, {"left", "thumb"}}.remark("arm.csv")),
+            "arm.csv does not have all joints: left, thumb stay at the start");
+  EXPECT_EQ((JointsAtRest{{}, {"thumb"}}.remark("arm.csv")),
+            "arm.csv does not have all joints: thumb stays at the start");
+}
+
+TEST_F(PathCsv, IsKnownByItsNameOrItsBeginning) {
+  EXPECT_TRUE(is_path_file("Path.CSV"));
+  const auto written = [this](const char* name, const char* text) {
+    std::ofstream(folder_.path() / name) << text;
+    return folder_.path() / name;
+  };
+  EXPECT_TRUE(is_path_file(written("t.yaml", "joint_names: [a]\npoints: []\n")));
+  EXPECT_TRUE(is_path_file(written("t.json", R"({"trajectory": {"joint_names": ["a"]}})")));
+  EXPECT_FALSE(is_path_file(written("scene.yaml", "handway: 1\nname: Scene\n")));
+  EXPECT_FALSE(is_path_file(folder_.path() / "none.yaml"));
+}
+
 TEST_F(PathCsv, RefusesMissingAndRepeatedJoints) {
   EXPECT_THAT(refusal("time,shoulder,elbow,thumb,left\n0,0,0,0,0\n"),
               AllOf(HasSubstr("0 columns"), HasSubstr("right")));

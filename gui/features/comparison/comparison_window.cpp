@@ -366,17 +366,29 @@ void ComparisonWindow::show_figures() {
     return record ? record->figures : std::nullopt;
   };
   table_->show_figures(figures(shown_[0]), figures(shown_[1]));
-  if (!shown_[0] || !shown_[1]) {
-    note_->setText(
-        tr("There is one path so far: plan again with another seed or planner (it comes here by "
-           "itself), or open one from a file."));
-  } else if (shown_[0]->motion == shown_[1]->motion) {
-    note_->setText(tr("Both sides show the same path."));
-  } else if (shown_[0]->scene != shown_[1]->scene) {
-    note_->setText(tr("The two paths are of different scenes."));
-  } else {
-    note_->setText(tr("Bold and green: the better of the two. Both views look from one place."));
+  QStringList notes{note_on_both()};
+  for (const auto& shown : shown_) {
+    if (shown && !shown->remark.isEmpty()) {
+      notes << shown->remark + QLatin1Char('.');
+    }
   }
+  notes.removeDuplicates();
+  note_->setText(notes.join(QLatin1Char(' ')));
+}
+
+QString ComparisonWindow::note_on_both() const {
+  if (!shown_[0] || !shown_[1]) {
+    return tr(
+        "There is one path so far: plan again with another seed or planner (it comes here by "
+        "itself), or open one from a file.");
+  }
+  if (shown_[0]->motion == shown_[1]->motion) {
+    return tr("Both sides show the same path.");
+  }
+  if (shown_[0]->scene != shown_[1]->scene) {
+    return tr("The two paths are of different scenes.");
+  }
+  return tr("Bold and green: the better of the two. Both views look from one place.");
 }
 
 void ComparisonWindow::ask_for_file(std::size_t side) {
@@ -402,9 +414,15 @@ void ComparisonWindow::open_file(std::size_t side, const QString& file) {
     }
     const auto curves = std::make_shared<const MotionCurves>(
         motion_curves(*problem, query.postures, timed.motion->trajectory, stop));
-    return [this, side,
-            record = PathRecord{QFileInfo(file).fileName(), query.scene, query.palm, timed.motion,
-                                curves, nullptr, std::nullopt}] {
+    PathRecord record{QFileInfo(file).fileName(),
+                      query.scene,
+                      query.palm,
+                      timed.motion,
+                      curves,
+                      nullptr,
+                      std::nullopt};
+    record.remark = QString::fromStdString(rest.remark(record.label.toStdString()));
+    return [this, side, record = std::move(record)] {
       const auto motion = history_.add(record);
       const std::vector<PathRecord> paths = history_.paths();
       const auto place = std::ranges::find(paths, motion, &PathRecord::motion);

@@ -88,6 +88,7 @@ class ComparisonWindow : public QDialog {
   void ask_for_file(std::size_t side);
   void show_side(std::size_t side);
   void show_figures();
+  [[nodiscard]] QString note_on_both() const;
   void show_moment();
   void update_player();
 

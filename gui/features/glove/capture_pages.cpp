@@ -297,6 +297,7 @@ void CapturePages::show_again() {
   reading_.cancel();
   comparing_.cancel();
   explorer_->show_errors({});
+  explorer_->set_persons(true);
   explorer_->show_postures(live_, {}, session_.mapping().hand);
   update_report();
   if (!files_.isEmpty() && session_.source()) {
@@ -392,11 +393,14 @@ void CapturePages::take_recordings(const std::shared_ptr<PostureRecordings>& rec
     names << QFileInfo(file).fileName();
   }
   explorer_->show_errors(reading_notes());
+  explorer_->set_persons(!shows_own_joints());
   explorer_->show_postures(recordings_->postures, names.join(QStringLiteral(" + ")),
                            session_.mapping().hand);
   compare_methods(recordings_->measured);
   update_report();
 }
+
+bool CapturePages::shows_own_joints() const { return recordings_ && recordings_->measured.empty(); }
 
 // What the recordings were taken for, without their folders.
 QString CapturePages::reading_notes() const {
@@ -428,8 +432,11 @@ QString error_row(const QString& method, const std::optional<device::FingertipEr
 
 // Both methods on what was measured, by the same measure.
 void CapturePages::compare_methods(std::vector<device::GloveAngles> measured) {
+  if (shows_own_joints()) {
+    return;
+  }
   if (!session_.retargeter()) {
-    explorer_->show_errors(session_.retargeting_error().toHtmlEscaped());
+    explorer_->show_errors(reading_notes() + session_.retargeting_error().toHtmlEscaped());
     return;
   }
   if (measured.empty()) {

@@ -128,6 +128,8 @@ class CapturePages : public QObject {
   /// Other postures are to be shown: of the same recordings by another source, or live ones.
   void show_again();
   void take_recordings(const std::shared_ptr<PostureRecordings>& recordings);
+  /// Of the robot's hand, recorded without a person.
+  [[nodiscard]] bool shows_own_joints() const;
   [[nodiscard]] QString reading_notes() const;
   void compare_methods(std::vector<device::GloveAngles> measured);
   void update_report();

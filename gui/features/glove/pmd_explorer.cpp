@@ -145,9 +145,7 @@ PmdExplorer::PmdExplorer(QWidget* parent)
           QStringLiteral("\n\n") + recording_kinds(),
       Qt::ToolTipRole);
   method_->addItems({tr("Joint mapping"), tr("Fingertip retargeting")});
-  method_->setToolTip(
-      tr("What makes postures of this hand from a person's: sensor by sensor, as Mapping says, or "
-         "by where the person's fingertips are"));
+  set_persons(true);
   errors_->setWordWrap(true);
   errors_->setTextFormat(Qt::RichText);
   errors_->hide();
@@ -226,6 +224,15 @@ void PmdExplorer::showEvent(QShowEvent* event) {
 
 void PmdExplorer::show_method(PostureMethod method) {
   method_->setCurrentIndex(static_cast<int>(method));
+}
+
+void PmdExplorer::set_persons(bool persons) {
+  method_->setEnabled(persons);
+  method_->setToolTip(
+      persons ? tr("What makes postures of this hand from a person's: sensor by sensor, as Mapping "
+                   "says, or by where the person's fingertips are")
+              : tr("The recordings are of the robot hand's own joints, which are shown as they "
+                   "are"));
 }
 
 void PmdExplorer::show_errors(const QString& text) {

@@ -75,6 +75,8 @@ class PmdExplorer : public QWidget {
                      const std::string& hand);
   /// What made the postures of the person's.
   void show_method(PostureMethod method);
+  /// Whether the postures are a person's, so that a method has to be chosen.
+  void set_persons(bool persons);
   /// How far each method's fingertips are from the person's; for people.
   void show_errors(const QString& text);
   [[nodiscard]] BasisReportView& report() { return *report_; }

@@ -1,5 +1,6 @@
 #include "features/playback/plots_panel.h"
 
+#include "features/playback/path_opening.h"
 #include "features/playback/path_traces.h"
 #include "features/workbench.h"
 #include "handway/geometric/io/replace_file.h"
@@ -543,6 +544,7 @@ void PlotsPanel::write(const QString& file) const {
 }
 
 void add_playback(Workbench& workbench) {
+  workbench.own<PathOpening>(workbench);
   workbench.own<PathTraces>(workbench.document, workbench.player, workbench.view,
                             workbench.playback_bar.traces());
   auto* plots = new PlotsPanel(workbench.document, workbench.player, workbench.analysis);

@@ -95,6 +95,7 @@ struct PathRecord {
   std::shared_ptr<const PlanRun> run;  ///< Null: from a file, or a path that follows edits.
   std::optional<PathFigures> figures;  ///< Once there are curves.
   int opened_scene = 0;                ///< Of the scenes of a session, one after the other.
+  QString remark = {};                 ///< What is to be known of a file's, a sentence.
 
   [[nodiscard]] bool has_figures() const { return figures.has_value(); }
   /// Has its run found a path?

@@ -9,9 +9,11 @@
 namespace handway::gui {
 namespace {
 
-QString text_of(const planning::PathConflict& conflict, const PathTimeline& timeline) {
+QString text_of(const planning::PathConflict& conflict, const PathTimeline& timeline,
+                bool was_valid) {
   const double waypoint = static_cast<double>(conflict.waypoint) + conflict.share;
-  return QObject::tr("Out of date, the scene was edited: %1 at %2 s of the path.")
+  return (was_valid ? QObject::tr("Out of date, the scene was edited: %1 at %2 s of the path.")
+                    : QObject::tr("Not valid in this scene: %1 at %2 s of the path."))
       .arg(QString::fromStdString(conflict.text))
       .arg(timeline.fraction_at(waypoint) * timeline.duration(), 0, 'f', 2);
 }
@@ -42,13 +44,17 @@ void PathValidity::look() {
   } else if (player_.made_from() == scene_->revision()) {
     set(State::kValid);
   } else {
-    set(State::kOutOfDate, tr("Out of date, the scene was edited: checking the path again…"));
+    set(State::kOutOfDate, was_valid()
+                               ? tr("Out of date, the scene was edited: checking the path again…")
+                               : tr("Checking whether the path is valid in this scene…"));
     check();
   }
 }
 
+bool PathValidity::was_valid() const { return player_.made_from() != planning::Revision{}; }
+
 void PathValidity::check() {
-  job_.run([this, prepared = scene_,
+  job_.run([this, prepared = scene_, was_valid = was_valid(),
             timeline = player_.timeline()](const std::stop_token& stop) -> LatestJob::Answer {
     const PreparedProblem::Problem problem = prepared->wait(stop);
     if (!problem) {
@@ -57,7 +63,7 @@ void PathValidity::check() {
     planning::PathConflictSearch search(*problem);
     const auto conflict =
         search.run(timeline.path().waypoints, [&stop] { return stop.stop_requested(); });
-    return [this, reason = conflict ? text_of(*conflict, timeline) : QString(),
+    return [this, reason = conflict ? text_of(*conflict, timeline, was_valid) : QString(),
             revision = prepared->revision()] {
       if (reason.isEmpty()) {
         player_.confirm(revision);

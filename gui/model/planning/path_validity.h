@@ -21,7 +21,7 @@ class PathValidity : public QObject {
   enum class State {
     kNoPath,
     kValid,
-    kOutOfDate,  ///< It was valid before an edit; the check goes on.
+    kOutOfDate,  ///< It was valid before an edit, or in no scene so far; the check goes on.
     kInvalid,
   };
 
@@ -40,6 +40,8 @@ class PathValidity : public QObject {
 
  private:
   void look();
+  /// In some revision of the scene.
+  [[nodiscard]] bool was_valid() const;
   void check();
   void set(State state, const QString& reason = {});
 

@@ -67,6 +67,7 @@ void PlanningSession::forget() {
   cancel();
   live_.end();
   shown_.reset();
+  given_origin_.clear();
   player_.clear();
   emit forgotten();
   forget_roadmap();
@@ -152,6 +153,7 @@ void PlanningSession::take_optimized(const OptimizeOutcome& outcome) {
   const PathRecord record = record_of(begun_.request, result, begun_.number);
   emit result_found(result, {});
   shown_ = record.run;
+  given_origin_.clear();
   replace_path(result.path, document_.revision());
   live_.begin(document_.problem(), result.path, begun_.request);
   emit run_ended(record);
@@ -200,6 +202,16 @@ void PlanningSession::show(const PathRecord& record, const QString& note) {
   emit path_changed();
   player_.seek(0.0);
   live_.begin(document_.problem(), result.path, record.run->request);
+}
+
+void PlanningSession::show_given(const planning::Path& path, const QString& origin,
+                                 const QString& note) {
+  forget();
+  given_origin_ = origin;
+  player_.set_timeline(PathTimeline(*document_.robot()->model, path));
+  emit path_changed();
+  player_.seek(0.0);
+  emit given_shown(note);
 }
 
 void PlanningSession::take_result(const planning::PlanResult& result) {
@@ -280,9 +292,21 @@ void PlanningSession::take_edit(const SceneState& before) {
   if (live_.is_active()) {
     forget_roadmap();
     live_.follow(document_.scene(), document_.revision());
+  } else if (!given_origin_.isEmpty()) {
+    keep_given(before);
   } else {
     forget();
   }
+}
+
+// Its times, and whether it is valid, are found anew.
+void PlanningSession::keep_given(const SceneState& before) {
+  const geometric::RobotInstance* robot = document_.robot();
+  if (!robot || before.scene->robots.front().model != robot->model) {
+    forget();
+    return;
+  }
+  replace_path(planning::Path(player_.timeline().path()), {});
 }
 
 void PlanningSession::try_scene(const SceneState& state) { live_.follow(state.scene, {}); }

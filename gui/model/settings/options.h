@@ -23,8 +23,9 @@ struct Options {
   bool view_only = false;            ///< The picture shows the 3-D view alone, of that size.
   /// Nothing: as last time; at first, and for pictures, kUsualSize.
   std::optional<QSize> size;
-  bool play = false;    ///< Plan at once, then play in a loop.
-  std::string planner;  ///< Empty: the scene's.
+  std::filesystem::path path;  ///< File of a path to show at once; empty: none.
+  bool play = false;           ///< Plan at once, unless there is a path, then play in a loop.
+  std::string planner;         ///< Empty: the scene's.
   std::optional<std::uint64_t> seed;
   std::vector<std::pair<std::string, std::string>> settings;
   std::string glove;               ///< Device to connect to at once; empty: none.

@@ -1,6 +1,7 @@
 #include "handway/planning/paths/path_file.h"
 
 #include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
@@ -8,6 +9,7 @@
 #include "handway/planning/core/objective.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -262,6 +264,17 @@ std::string to_csv(const Path& path, const RobotModel& model) {
 
 void write_path_csv(const Path& path, const RobotModel& model, const std::filesystem::path& file) {
   geometric::replace_file(file, to_csv(path, model));
+}
+
+std::string JointsAtRest::remark(const std::filesystem::path& file) const {
+  return names.empty()
+             ? std::string()
+             : fmt::format("{} does not have all joints: {} stay{} at the start", file.string(),
+                           fmt::join(names, ", "), names.size() == 1 ? "s" : "");
+}
+
+bool is_path_file(const std::filesystem::path& file) {
+  return geometric::has_extension(file, ".csv") || is_joint_trajectory(file);
 }
 
 Path read_path(const RobotModel& model, const std::filesystem::path& file, JointsAtRest* rest) {

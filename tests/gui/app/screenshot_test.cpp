@@ -5,6 +5,8 @@
 #include <QProcess>
 #include <QProcessEnvironment>
 
+#include <fstream>
+
 namespace handway::test {
 namespace {
 
@@ -46,6 +48,23 @@ TEST_F(Screenshot, IsRefusedForABrokenFile) {
             3);
   EXPECT_THAT(said_, HasSubstr("broken.yaml:5"));
   EXPECT_FALSE(std::filesystem::exists(cell_.folder() / "out.png"));
+}
+
+TEST_F(Screenshot, ShowsAPathOfAFile) {
+  std::ofstream(cell_.folder() / "arm.csv") << "time,shoulder,elbow\n0,0,0\n1,0,1.5\n";
+  const QString scene = QString::fromStdString(cell_.post_aside().string());
+  ASSERT_EQ(run({scene, "--screenshot", path("still.png"), "--view-only"}), 0) << said_;
+  ASSERT_EQ(
+      run({scene, "--path", path("arm.csv"), "--screenshot", path("moved.png"), "--view-only"}), 0)
+      << said_;
+  EXPECT_NE(QImage(path("still.png")), QImage(path("moved.png")));
+}
+
+TEST_F(Screenshot, IsRefusedForAPathThatCannotBeRead) {
+  EXPECT_EQ(run({QString::fromStdString(cell_.post().string()), "--path", path("none.csv"),
+                 "--screenshot", path("out.png")}),
+            3);
+  EXPECT_THAT(said_, HasSubstr("none.csv"));
 }
 
 TEST_F(Screenshot, NeedsASizeThatMakesSense) {

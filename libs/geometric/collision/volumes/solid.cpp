@@ -185,7 +185,9 @@ SideGrid::Index SideGrid::index_of(const Eigen::Vector3d& p) const {
 }
 
 std::size_t SideGrid::number_of(const Index& cell) const {
-  return static_cast<std::size_t>(cell.x() + count_.x() * (cell.y() + count_.y() * cell.z()));
+  const Eigen::Array<std::size_t, 3, 1> at = cell.cast<std::size_t>();
+  const Eigen::Array<std::size_t, 3, 1> count = count_.cast<std::size_t>();
+  return at.x() + count.x() * (at.y() + count.y() * at.z());
 }
 
 bool SideGrid::is_inside(const Eigen::Vector3d& p,

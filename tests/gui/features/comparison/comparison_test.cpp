@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QTableWidget>
 
+#include <fstream>
+
 namespace handway::test {
 namespace {
 
@@ -91,6 +93,20 @@ TEST_F(Comparison, TakesPathsOfFiles) {
   dialog.open_file(0, QString::fromStdString((cell().folder() / "none.csv").string()));
   const auto& note = *dialog.findChild<QLabel*>(QStringLiteral("comparison_note"));
   EXPECT_TRUE(QTest::qWaitFor([&] { return note.text().contains("none.csv: "); }, kPatienceMs));
+}
+
+TEST_F(Comparison, NamesTheJointsThatAFileLacks) {
+  open(cell().post());
+  plan_with(1);
+  gui::ComparisonWindow& dialog = begin();
+  const std::filesystem::path arm = cell().folder() / "arm.csv";
+  std::ofstream(arm) << "time,shoulder,elbow\n0,0,0\n1,0,0.1\n";
+  dialog.open_file(1, QString::fromStdString(arm.string()));
+  const auto& note = *dialog.findChild<QLabel*>(QStringLiteral("comparison_note"));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return note.text().contains("arm.csv does not have all joints: left, right stay"); },
+      kPatienceMs));
+  EXPECT_TRUE(note.text().contains("the better of the two"));
 }
 
 }  // namespace

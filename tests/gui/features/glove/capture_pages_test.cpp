@@ -132,12 +132,17 @@ TEST_F(CapturePages, ShowRecordingsOfTheHandsOwnJoints) {
   panel().capture().show_recordings({QString::fromStdString(file.string())});
   const auto& source = part<QComboBox>("explorer_source");
   ASSERT_TRUE(QTest::qWaitFor([&] { return source.currentText() == "joint_states.yaml"; }));
+  EXPECT_FALSE(part<QComboBox>("explorer_method").isEnabled()) << "there is nothing to map";
+  EXPECT_THAT(part<QLabel>("explorer_errors").text().toStdString(),
+              HasSubstr("joint_states.yaml: taken for the robot hand's own joints"));
   auto& basis = part<QComboBox>("explorer_basis");
   basis.setCurrentIndex(1);
   emit basis.activated(1);
   const std::filesystem::path saved = cell().folder() / "own.yaml";
   panel().capture().explorer().save(saved);
   EXPECT_EQ(sampling::read_postures(cell().folder() / "own_postures.csv").postures.rows(), 100);
+  emit part<QComboBox>("explorer_source").activated(0);
+  EXPECT_TRUE(part<QComboBox>("explorer_method").isEnabled()) << "live, of a person";
 }
 
 TEST_F(CapturePages, CompareTheBasisWithAnother) {

@@ -29,9 +29,16 @@ HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::R
 
 /// Joints that a path's file does not have, as a controller's of the arm has none of the hand.
 struct JointsAtRest {
-  geometric::Configuration q;           ///< Where they stay.
+  geometric::Configuration q;           ///< Where they stay: at the start.
   std::vector<std::string> names = {};  ///< Which they are.
+
+  /// A sentence that names file and joints, without a full stop; empty if the file has all.
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string remark(const std::filesystem::path& file) const;
 };
+
+/// Whether a file is more likely such a table or message than anything else: by its name or how it
+/// begins. False if it can't be read.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_path_file(const std::filesystem::path& file);
 
 /// Reads such a table. Columns may come in any order; "time" and the columns of
 /// coupled joints may be missing, but where they are there they must agree with
