@@ -195,6 +195,8 @@ TEST_F(PathCsv, NamesJointsThatRest) {
             "arm.csv does not have all joints: left, thumb stay at the start");
   EXPECT_EQ((JointsAtRest{{}, {"thumb"}}.remark("arm.csv")),
             "arm.csv does not have all joints: thumb stays at the start");
+  EXPECT_EQ((JointsAtRest{{}, {"a", "b", "c", "d", "e", "f", "g"}}.remark("arm.csv")),
+            "arm.csv does not have all joints: a, b, c and 4 more stay at the start");
 }
 
 TEST_F(PathCsv, IsKnownByItsNameOrItsBeginning) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,8 @@ using geometric::RobotModel;
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
+constexpr std::size_t kMostNamed = 6;        // of joints at rest; of more
+constexpr std::size_t kFirstNamed = 3;       // these
 
 char separator_of(const std::string& header) {
   for (const char separator : {',', ';', '\t', ' '}) {
@@ -267,10 +270,14 @@ void write_path_csv(const Path& path, const RobotModel& model, const std::filesy
 }
 
 std::string JointsAtRest::remark(const std::filesystem::path& file) const {
-  return names.empty()
-             ? std::string()
-             : fmt::format("{} does not have all joints: {} stay{} at the start", file.string(),
-                           fmt::join(names, ", "), names.size() == 1 ? "s" : "");
+  if (names.empty()) {
+    return {};
+  }
+  const std::span named(names.begin(), names.size() > kMostNamed ? kFirstNamed : names.size());
+  const std::size_t others = names.size() - named.size();
+  return fmt::format("{} does not have all joints: {}{} stay{} at the start", file.string(),
+                     fmt::join(named, ", "), others > 0 ? fmt::format(" and {} more", others) : "",
+                     names.size() == 1 ? "s" : "");
 }
 
 bool is_path_file(const std::filesystem::path& file) {

@@ -32,7 +32,8 @@ struct JointsAtRest {
   geometric::Configuration q;           ///< Where they stay: at the start.
   std::vector<std::string> names = {};  ///< Which they are.
 
-  /// A sentence that names file and joints, without a full stop; empty if the file has all.
+  /// A sentence that names file and joints (of many the first), without a full stop; empty if the
+  /// file has all.
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string remark(const std::filesystem::path& file) const;
 };
 
