@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@ constexpr std::size_t kMostJointsOfWrist = 2;    // of any length
 constexpr std::size_t kMostJointsOfCompact = 3;  // of a compact one
 constexpr double kCompactWrist = 0.15;           // m
 constexpr double kBesideFinger = 0.03;           // m: bars of a linkage begin that near to it
+constexpr int kMostJointsOfNeck = 3;
 
 class GroupFinder {
  public:
@@ -27,7 +29,9 @@ class GroupFinder {
       : model_(model),
         children_(static_cast<std::size_t>(model.link_count())),
         moves_(children_.size()),
-        reach_(children_.size()) {
+        reach_(children_.size()),
+        is_palm_(children_.size()),
+        joints_to_palm_(children_.size()) {
     for (int link = model.link_count() - 1; link > 0; --link) {
       const auto i = static_cast<std::size_t>(link);
       const auto above = static_cast<std::size_t>(model.parent(link));
@@ -37,6 +41,9 @@ class GroupFinder {
       moves_[above] = moves_[above] || moves_[i];
       const double slide = joint.type == JointType::kPrismatic ? joint.limits.range() : 0.0;
       reach_[above] = std::max(reach_[above], reach_[i] + joint.X_PJ.translation().norm() + slide);
+    }
+    for (int link = model.link_count() - 1; link >= 0; --link) {
+      find_palm(link);
     }
   }
 
@@ -81,7 +88,13 @@ class GroupFinder {
     } else if (is_palm(link)) {
       add_hand(link, branches);
     } else {
-      keep_if_any(branches, [&](int branch) { return carries_hand(branch); });
+      keep_if_any(branches, [&](int branch) { return joints_to_palm(branch) > kMostJointsOfNeck; });
+      if (std::ranges::any_of(branches, [&](int b) { return joints_to_palm(b).has_value(); })) {
+        keep_if_any(branches, [&](int branch) {
+          return joints_to_palm(branch).value_or(joints_to_end(branch)) > kMostJointsOfNeck;
+        });
+        keep_if_any(branches, [&](int branch) { return joints_to_palm(branch).has_value(); });
+      }
       keep_if_any(branches, [&](int branch) { return !is_wheel(branch); });
       std::ranges::for_each(branches, [&](int branch) { follow(branch); });
     }
@@ -100,14 +113,73 @@ class GroupFinder {
     }
   }
 
-  [[nodiscard]] bool is_palm(int link) const {
-    return reach_[static_cast<std::size_t>(link)] <= kLongestFinger &&
-           std::ranges::count_if(moving_branches(link), [&](int b) { return !is_wheel(b); }) > 1;
+  [[nodiscard]] bool is_palm(int link) const { return is_palm_[static_cast<std::size_t>(link)]; }
+
+  // Of the joints that lead from `link`, its own counted, to the palm farthest from it; none where
+  // it leads to none.
+  [[nodiscard]] std::optional<int> joints_to_palm(int link) const {
+    return joints_to_palm_[static_cast<std::size_t>(link)];
   }
 
-  [[nodiscard]] bool carries_hand(int link) const {
-    return is_palm(link) ||
-           std::ranges::any_of(moving_branches(link), [&](int b) { return carries_hand(b); });
+  // The most joints on the way from `link`, its own counted, to an end.
+  [[nodiscard]] int joints_to_end(int link) const {
+    int most = 0;
+    for (const int branch : moving_branches(link)) {
+      most = std::max(most, joints_to_end(branch));
+    }
+    return most + (model_.joint(link).type != JointType::kFixed ? 1 : 0);
+  }
+
+  // Whether `link` is a palm, and how far one is, as known of all that it carries.
+  void find_palm(int link) {
+    const auto i = static_cast<std::size_t>(link);
+    const std::vector<int> branches = moving_branches(link);
+    std::vector<int> fingers = branches;
+    std::erase_if(fingers, [&](int branch) { return is_wheel(branch); });
+    is_palm_[i] = reach_[i] <= kLongestFinger && can_meet(fingers);
+    if (is_palm_[i]) {
+      joints_to_palm_[i] = 0;
+    } else {
+      for (const int branch : branches) {
+        joints_to_palm_[i] = std::max(joints_to_palm_[i], joints_to_palm(branch));
+      }
+    }
+    if (joints_to_palm_[i] && link > 0 && model_.joint(link).type != JointType::kFixed) {
+      ++*joints_to_palm_[i];
+    }
+  }
+
+  // Whether two of these branches are long enough to touch what is between them: eyes are not.
+  // Where nothing has a shape, nobody knows.
+  [[nodiscard]] bool can_meet(const std::vector<int>& branches) const {
+    const auto base = [&](int link) { return model_.joint(link).X_PJ.translation(); };
+    for (auto one = branches.begin(); one != branches.end(); ++one) {
+      for (auto other = std::next(one); other != branches.end(); ++other) {
+        if ((!has_shape(*one) && !has_shape(*other)) ||
+            (base(*one) - base(*other)).norm() <= sweep(*one) + sweep(*other)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // m, from the joint of `link` to the farthest that it, or what it carries, gets.
+  [[nodiscard]] double sweep(int link) const {
+    const Joint& joint = model_.joint(link);
+    double farthest = 0.0;
+    for (const auto* shapes : {&model_.link(link).visual, &model_.link(link).collision}) {
+      for (const LinkGeometry& shape : *shapes) {
+        const auto mesh = tessellate(shape.shape);
+        for (const Eigen::Vector3d& p_G : mesh->vertices) {
+          farthest = std::max(farthest, (shape.X_LG * p_G).norm());
+        }
+      }
+    }
+    for (const int child : children_[static_cast<std::size_t>(link)]) {
+      farthest = std::max(farthest, model_.joint(child).X_PJ.translation().norm() + sweep(child));
+    }
+    return farthest + (joint.type == JointType::kPrismatic ? joint.limits.range() : 0.0);
   }
 
   // Whether all of a branch that moves is one joint that turns without end.
@@ -140,11 +212,17 @@ class GroupFinder {
                                [&](int child) { return has_shape(child); });
   }
 
+  // It ends where the last shape is: frames beyond, as of the jaw on the other side, are no tips.
   void add_finger(int link, bool grasps) {
     add(proposal_.hand, link);
-    const std::vector<int> branches = moving_branches(link);
-    std::ranges::for_each(branches, [&](int branch) { add_finger(branch, grasps); });
-    if (branches.empty() && grasps) {
+    const bool is_drawn = has_shape(link);
+    bool goes_on = false;
+    for (const int branch : moving_branches(link)) {
+      const bool is_more = has_shape(branch) || !is_drawn;
+      add_finger(branch, grasps && is_more);
+      goes_on = goes_on || is_more;
+    }
+    if (grasps && !goes_on) {
       proposal_.fingertips.push_back(last_link(link));
     }
   }
@@ -185,7 +263,8 @@ class GroupFinder {
 
   // The end of a chain of fixed joints; where it branches, of the one that goes farthest.
   [[nodiscard]] std::string last_link(int link) const {
-    const std::vector<int>& children = children_[static_cast<std::size_t>(link)];
+    std::vector<int> children = children_[static_cast<std::size_t>(link)];
+    std::erase_if(children, [&](int child) { return moves_[static_cast<std::size_t>(child)]; });
     if (children.empty()) {
       return model_.link(link).name;
     }
@@ -216,6 +295,8 @@ class GroupFinder {
   std::vector<std::vector<int>> children_;  // by link
   std::vector<bool> moves_;                 // the link or one that it carries
   std::vector<double> reach_;  // m, from the link to the farthest end of what it carries
+  std::vector<bool> is_palm_;
+  std::vector<std::optional<int>> joints_to_palm_;
   GroupProposal proposal_;
 };
 

@@ -60,8 +60,20 @@ class Tree {
     return *this;
   }
 
-  Tree& draw(const std::string& link) {
-    std::ranges::find(robot_.links, link, &Link::name)->visual.emplace_back();
+  /// As a box around its frame, m.
+  Tree& draw(const std::string& link, double size = 0.1) {
+    std::ranges::find(robot_.links, link, &Link::name)
+        ->visual.push_back({Box{Eigen::Vector3d::Constant(size)}, Pose::Identity(), {}});
+    return *this;
+  }
+
+  /// Two joints that turn balls of 3 cm, which are 10 cm from each other.
+  Tree& add_eyes(const std::string& head) {
+    for (const double side : {-0.05, 0.05}) {
+      const std::string eye = side < 0.0 ? "right_eye" : "left_eye";
+      add(head, eye, 0.05).draw(eye, 0.03);
+      robot_.joints.back().X_PJ.translation().y() = side;
+    }
     return *this;
   }
 
@@ -138,7 +150,7 @@ TEST(GroupProposal, TakesAJawThatClosesAgainstALongerOneForAFinger) {
 
 TEST(GroupProposal, TakesNoMotorThatIsNotDrawnForAFinger) {
   Tree tree = Tree().add("root", "motor", 0.01).add_fingers("root", "f");
-  tree.draw("f1").draw("f4");
+  tree.draw("f2").draw("f4");
   const GroupProposal groups = propose_groups(tree.model());
   EXPECT_THAT(groups.fingertips, ElementsAre("ftip", "f4"));
   EXPECT_EQ(groups.hand.size(), 5U);
@@ -168,6 +180,38 @@ TEST(GroupProposal, TakesNoHeadAndNoLegForAnArmWhereAnArmHasAHand) {
   EXPECT_THAT(groups.arm, ElementsAre("torso_joint", "la_joint", "lb_joint", "lc_joint"));
   EXPECT_EQ(groups.hand.size(), 4U);
   EXPECT_EQ(groups.palm, "lc");
+}
+
+TEST(GroupProposal, TakesNoEyesForAHand) {
+  const Tree head = Tree().add("root", "pan", 0.1).add("pan", "tilt", 0.05).add_eyes("tilt");
+  EXPECT_THAT(propose_groups(head.model()).hand, IsEmpty());
+  const GroupProposal groups =
+      propose_groups(Tree(head).add_arm("root", "").add_fingers("c", "f").model());
+  EXPECT_THAT(groups.arm, ElementsAre("a_joint", "b_joint", "c_joint"));
+  EXPECT_EQ(groups.palm, "c");
+}
+
+TEST(GroupProposal, TakesWhatIsOnANeckForNoHandWhereArmsAreLonger) {
+  Tree robot = Tree().add("root", "pan", 0.1).add("pan", "tilt", 0.05).add_fingers("tilt", "ear");
+  robot.add_arm("root", "").add("c", "d", 0.1).add_fingers("d", "f");
+  const GroupProposal groups = propose_groups(robot.model());
+  EXPECT_THAT(groups.arm, ElementsAre("a_joint", "b_joint", "c_joint", "d_joint"));
+  EXPECT_EQ(groups.palm, "d");
+  EXPECT_EQ(groups.hand.size(), 4U);
+}
+
+TEST(GroupProposal, TakesWhatIsOnANeckForNoHandWhereArmsHaveNone) {
+  Tree robot = Tree().add("root", "pan", 0.1).add("pan", "tilt", 0.05).add_fingers("tilt", "ear");
+  robot.add_arm("root", "l").add("lc", "ld", 0.1).add_arm("root", "r").add("rc", "rd", 0.1);
+  const GroupProposal groups = propose_groups(robot.model());
+  EXPECT_EQ(groups.arm.size(), 8U);
+  EXPECT_THAT(groups.hand, IsEmpty());
+}
+
+TEST(GroupProposal, EndsFingersWhereTheirShapesEnd) {
+  Tree tree = Tree().add_fingers("root", "f").add("f4", "frame", 0.0, JointType::kPrismatic);
+  tree.draw("f2").draw("f4");
+  EXPECT_THAT(propose_groups(tree.model()).fingertips, ElementsAre("ftip", "f4"));
 }
 
 TEST(GroupProposal, TakesNoWheelsForArms) {

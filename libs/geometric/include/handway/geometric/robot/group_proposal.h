@@ -30,12 +30,14 @@ struct GroupProposal {
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> hand_with_wrist() const;
 };
 
-/// Finds arm and hand by the tree alone. A hand is what branches into fingers of at most 0.4 m,
-/// wheels being none; all that leads there is the arm. One or two joints that lead to the fingers
+/// Finds arm and hand by the tree, and how large what it carries is. A hand is what branches into
+/// fingers of at most 0.4 m that can reach each other, wheels being none, nor eyes; all that leads
+/// there is the arm. One or two joints that lead to the fingers
 /// of a robot without other arm are a wrist, and three within 0.15 m. Where branches are longer
 /// they are arms, each with what it carries: those with a hand, if any has one, so that wheels,
-/// heads and legs are neither arm nor hand, and nor is a base that moves. A robot that does not
-/// branch is an arm.
+/// heads and legs are neither arm nor hand, and nor is a base that moves. What leads
+/// there by up to three joints is a neck, whatever is on its head, beside arms of more joints. A
+/// robot that does not branch is an arm.
 ///
 /// Of several hands, `palm` is the first one's.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal propose_groups(const RobotModel& model);
