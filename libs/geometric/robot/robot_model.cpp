@@ -23,6 +23,7 @@ namespace {
 constexpr double kLargestValue = 1e6;  // of a joint's limit, multiplier or offset
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLimitTolerance = 1e-9;  // rad or m: roundings of a file's numbers
+constexpr double kUnnoticed = 0.001;      // of a range: limits of followers have four digits
 
 [[noreturn]] void refuse(const RobotDescription& robot, const std::string& element,
                          const std::string& found, const std::string& expected,
@@ -162,9 +163,11 @@ void narrow_leader(RobotDescription& robot, int leading_link, int coupled_link,
   }
   narrowed.upper = std::max(narrowed.lower, narrowed.upper);
   if (narrowed.lower != leader.limits.lower || narrowed.upper != leader.limits.upper) {
-    robot.warnings.push_back(fmt::format(
-        "joint {} is limited to {}: beyond, {}, which follows it, would leave its own limits",
-        leader.name, shown(leader, narrowed), coupled.name));
+    if (narrowed.range() < (1.0 - kUnnoticed) * leader.limits.range()) {
+      robot.warnings.push_back(fmt::format(
+          "joint {} is limited to {}: beyond, {}, which follows it, would leave its own limits",
+          leader.name, shown(leader, narrowed), coupled.name));
+    }
     leader.limits = narrowed;
   }
 }

@@ -45,6 +45,13 @@ TEST(CoupledLimits, NarrowTheRangeOfTheJointThatLeads) {
               ElementsAre(AllOf(HasSubstr("knuckle"), HasSubstr("28.65"), HasSubstr("tip"))));
 }
 
+// Makers round the limits of what follows.
+TEST(CoupledLimits, NarrowItWithoutAWordWhereNobodyWouldNotice) {
+  const RobotModel model(finger(2.0, 0.0, -2.0, 3.998));
+  EXPECT_DOUBLE_EQ(model.upper()[0], 1.999);
+  EXPECT_THAT(model.description().warnings, IsEmpty());
+}
+
 TEST(CoupledLimits, NarrowItForAJointThatTurnsTheOtherWay) {
   const RobotModel model(finger(-1.0, 0.0, -0.8, 0.3));
   EXPECT_DOUBLE_EQ(model.lower()[0], -0.3);
