@@ -3,6 +3,7 @@
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/base_joint.h"
@@ -26,6 +27,7 @@
 #include <sdf/Collision.hh>
 #include <sdf/Console.hh>
 #include <sdf/Cylinder.hh>
+#include <sdf/Element.hh>
 #include <sdf/Ellipsoid.hh>
 #include <sdf/Error.hh>
 #include <sdf/Geometry.hh>
@@ -315,6 +317,9 @@ class Reader {
     std::vector<Joint> chain = joints_of(from, name);
     for (std::size_t i = 0; i < chain.size(); ++i) {
       Joint& joint = chain[i];
+      if (joint.mimic) {
+        joint.mimic->joint = scope + joint.mimic->joint;
+      }
       joint.parent = i == 0 ? parent : chain[i - 1].child;
       joint.X_PJ = i == 0 ? X_PJ : Pose::Identity();
       joint.child = i + 1 < chain.size() ? joint.name : is_at_child ? child : name + "/frame";
@@ -376,6 +381,7 @@ class Reader {
     ignition::math::Vector3d xyz;
     check(axis->ResolveXyz(xyz, from.Name()), "joint " + name);
     joint.axis = Eigen::Vector3d(xyz.X(), xyz.Y(), xyz.Z()).normalized();
+    joint.mimic = mimic_of(*axis, name);
     joint.limits.lower = axis->Lower();
     joint.limits.upper = axis->Upper();
     if (axis->MaxVelocity() > 0.0) {
@@ -396,6 +402,30 @@ class Reader {
       }
     }
     return joint;
+  }
+
+  // Of SDF 1.11: follower = multiplier * (leader - reference) + offset. To this libsdformat it is
+  // an element that it does not know.
+  std::optional<geometric::Mimic> mimic_of(const sdf::JointAxis& axis, const std::string& name) {
+    const sdf::ElementPtr element = axis.Element();
+    if (!element || !element->HasElement("mimic")) {
+      return std::nullopt;
+    }
+    const sdf::ElementPtr mimic = element->GetElement("mimic");
+    const auto number = [&](const std::string& key, double otherwise) {
+      if (!mimic->HasElement(key)) {
+        return otherwise;
+      }
+      const std::string text = mimic->Get<std::string>(key);
+      const std::optional<double> found = geometric::parse_number(text);
+      if (!found) {
+        refuse("joint " + name + ", mimic", key + " \"" + text + "\"", "a number");
+      }
+      return *found;
+    };
+    const double multiplier = number("multiplier", 1.0);
+    return geometric::Mimic{mimic->Get<std::string>("joint"), multiplier,
+                            number("offset", 0.0) - multiplier * number("reference", 0.0)};
   }
 
   static std::vector<Joint> ball(const std::string& name) {

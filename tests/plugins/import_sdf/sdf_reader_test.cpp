@@ -159,6 +159,25 @@ TEST(SdfReader, SplitsJointsWithSeveralAxes) {
   EXPECT_EQ(model.upper()[model.find_variable("roll").value()], 2.0);
 }
 
+// As grippers of SDF 1.11 have them.
+TEST(SdfReader, CouplesJointsThatMimicOthers) {
+  const auto following = [](const std::string& how) {
+    return SdfRobot("<axis><xyz>0 1 0</xyz></axis>",
+                    "<axis><xyz>0 1 0</xyz><mimic joint=\"lift\">" + how + "</mimic></axis>");
+  };
+  const RobotModel model =
+      following("<multiplier>-2</multiplier><offset>0.1</offset><reference>0.3</reference>")
+          .model();
+  EXPECT_EQ(model.variable_count(), 2);
+  const RobotModel::MimicMapping& wheel = model.drive(model.find_link("wheel").value());
+  EXPECT_EQ(wheel.variable, model.find_variable("lift"));
+  EXPECT_EQ(wheel.multiplier, -2.0);
+  EXPECT_DOUBLE_EQ(wheel.offset, 0.7);
+  const SdfRobot wrong = following("<multiplier>two</multiplier>");
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(read_sdf(wrong.file())); }),
+              HasSubstr("multiplier \"two\""));
+}
+
 // As most worlds are: sun and ground come with Gazebo, the robot has a folder of its own.
 TEST(SdfReader, DoesWithoutIncludesThatAreNotThere) {
   const SdfRobot robot;
