@@ -206,8 +206,21 @@ void add_srdf_beside(const fs::path& file, RobotDescription& robot) {
   }
 }
 
+// Also one that is called *.xml, by its top element.
+bool is_urdf(const fs::path& file) {
+  if (!has_extension(file, ".xml")) {
+    return has_extension(file, ".urdf");
+  }
+  const std::string head = head_of(file);
+  std::size_t tag = head.find('<');
+  while (tag != std::string::npos && head.find_first_of("?!", tag) == tag + 1) {
+    tag = head.find('<', tag + 1);
+  }
+  return tag != std::string::npos && head.compare(tag, 6, "<robot") == 0;
+}
+
 RobotDescription read_description(const fs::path& file) {
-  if (has_extension(file, ".urdf")) {
+  if (is_urdf(file)) {
     return read_urdf(file);
   }
   RobotDescription robot;
@@ -237,7 +250,7 @@ void register_robot_reader(RobotReader reader) {
 }
 
 bool is_robot_file(const fs::path& file) {
-  return has_extension(file, ".urdf") || has_extension(file, ".xacro") || find_reader(file);
+  return is_urdf(file) || has_extension(file, ".xacro") || find_reader(file).has_value();
 }
 
 std::shared_ptr<const RobotModel> load_robot(const fs::path& file) {

@@ -404,6 +404,16 @@ TEST(RobotLoader, FindsTheGroupsThatAnSrdfCallsOtherwise) {
   EXPECT_THAT(model->description().warnings, IsEmpty());
 }
 
+TEST(RobotLoader, KnowsUrdfFilesByTheirTopElementToo) {
+  const ScratchFiles files;
+  const auto file = files.write("r.xml",
+                                "<?xml version=\"1.0\"?>\n<!-- by hand -->\n"
+                                "<robot name=\"r\"><link name=\"a\"/></robot>");
+  EXPECT_TRUE(is_robot_file(file));
+  EXPECT_EQ(load_robot(file)->link_count(), 1);
+  EXPECT_FALSE(is_robot_file(files.write("p.xml", "<Problem name=\"r\"/>")));
+}
+
 TEST(RobotLoader, RefusesOtherKindsOfFiles) {
   const ScratchFiles files;
   const auto file = files.write("r.xacro", "<robot/>");
