@@ -221,6 +221,9 @@ LoadedScene scene_of_robot(const fs::path& file) {
     formats += ", " + importer->name();
   }
   std::string advice;
+  if (geometric::has_extension(file, ".srdf")) {
+    advice = "An SRDF is read with the URDF of the same name beside it: name that";
+  }
   for (const RefusedPlugin& plugin : plugins.refused()) {
     advice += fmt::format("{}{} was not loaded: {}", advice.empty() ? "" : "; ",
                           plugin.file.filename().string(), plugin.reason);
@@ -239,10 +242,13 @@ LoadedScene load_scene(const fs::path& file, const PluginManager& plugins) {
       return scene_of_robot(
           geometric::find_resource(ResourceKind::kRobot, file, geometric::resource_dir()));
     }
+    const bool is_there = fs::exists(file, error);
     throw geometric::InputError({file.string(), "",
-                                 fs::exists(file, error) ? "no regular file" : "no such file",
+                                 fs::is_directory(file, error) ? "a folder"
+                                 : is_there                    ? "no regular file"
+                                                               : "no such file",
                                  "a scene or robot file, or the name of a robot of the library",
-                                 geometric::advise_name(file.string(), robots)});
+                                 is_there ? "" : geometric::advise_name(file.string(), robots)});
   }
   for (const auto& importer : plugins.importers()) {
     if (importer->can_read(file)) {

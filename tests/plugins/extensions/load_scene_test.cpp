@@ -99,9 +99,14 @@ TEST_F(LoadScene, NamesTheFormatsThereAreAndThePluginsThatFailed) {
                               std::to_string(kPluginApiVersion - 1)));
 }
 
+TEST_F(LoadScene, SaysWhereSrdfFilesAreReadFrom) {
+  EXPECT_THAT(complaint(write("robot.srdf", "<robot name=\"r\"/>")),
+              HasSubstr("with the URDF of the same name beside it"));
+}
+
 TEST_F(LoadScene, NamesAFileThatIsMissing) {
   EXPECT_THAT(complaint(scratch_.path() / "absent.yaml"), HasSubstr("no such file"));
-  EXPECT_THAT(complaint(scratch_.path()), HasSubstr("no regular file"));
+  EXPECT_THAT(complaint(scratch_.path()), HasSubstr("found a folder"));
 }
 
 TEST_F(LoadScene, MakesAProblemOfAReferenceFile) {
