@@ -90,7 +90,12 @@ void print_robot(const geometric::RobotInstance& robot) {
     fmt::print("  surfaces, not solids (open collision meshes): {}\n", fmt::join(open, ", "));
   }
   for (const geometric::JointGroup& group : model.description().groups) {
-    fmt::print("  group {}: {} joints\n", group.name, group.joints.size());
+    const auto count = std::ranges::count_if(group.joints, [&](const std::string& joint) {
+      return std::ranges::any_of(model.description().joints, [&](const geometric::Joint& other) {
+        return other.name == joint && other.type != geometric::JointType::kFixed;
+      });
+    });
+    fmt::print("  group {}: {} joint{}\n", group.name, count, count == 1 ? "" : "s");
   }
   for (const geometric::RobotPart& part : robot.parts) {
     fmt::print("  part {}: {}{}\n", part.name, part.model->name(),
@@ -290,6 +295,9 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
     fmt::print("moves: {} ({} of {} joints)\n", fmt::join(scene.group, ", "),
                geometric::moving_variables(scene).size(),
                scene.robots.front().model->variable_count());
+  }
+  if (const std::vector<int> resting = planning::resting_variables(scene); !resting.empty()) {
+    fmt::print("stays: {} joints of arms that the goal leaves at the start\n", resting.size());
   }
   if (checker) {
     print_ends(ends, *checker);

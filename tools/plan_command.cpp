@@ -121,6 +121,12 @@ void print_summary(const PlanResult& result, const planning::PlanningProblem& pr
   if (is_end_invalid && problem.goal_fault.empty()) {
     print_advice(problem, result.status == PlanStatus::kStartInvalid);
   }
+  if (!is_end_invalid && !planning::resting_variables(*problem.scene).empty()) {
+    fmt::print(
+        stderr,
+        "  The arms that the goal leaves at the start stay there: where they are in the way, "
+        "--group lets them move\n");
+  }
 }
 
 int plan(PlanOptions options) {

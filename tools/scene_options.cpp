@@ -5,6 +5,8 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/setup/moving_group.h"
+#include "handway/planning/core/limbs.h"
+#include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_file.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis.h"
@@ -12,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -220,14 +223,41 @@ std::optional<GivenPose> given_pose_of(const std::string& text) {
   return pose;
 }
 
-// The link that `name` says or, if it is empty, the hand or what else the arm carries.
+// The palm of the hand that moves, or what else the arm carries.
+// @throws InputError if several hands may be meant.
+std::string palm_of(const std::string& option, const planning::LoadedScene& loaded) {
+  const geometric::Scene& scene = *loaded.scene;
+  const geometric::RobotModel& model = *scene.robots.front().model;
+  const std::vector<int> moving = geometric::moving_variables(scene);
+  const std::vector<int> resting = planning::resting_variables(scene);
+  const auto moves = [&](int v) {
+    return std::ranges::binary_search(moving, v) && !std::ranges::binary_search(resting, v);
+  };
+  const std::vector<int> hand = planning::hand_variables(scene, loaded.basis.get());
+  const std::vector<int> arm = planning::arm_variables(model, hand);
+  std::vector<std::string> palms;
+  for (const planning::Limb& limb : planning::limbs(model, arm, hand)) {
+    if (!limb.hand.empty() &&
+        (std::ranges::any_of(limb.arm, moves) || std::ranges::any_of(limb.hand, moves))) {
+      palms.push_back(model.link(planning::palm_link(model, limb.arm, limb.hand)).name);
+    }
+  }
+  if (palms.size() > 1) {
+    throw geometric::InputError({scene.file.string(), option,
+                                 fmt::format("no link, of a robot with {} hands", palms.size()),
+                                 fmt::format("the link: {}", fmt::join(palms, ", ")),
+                                 "Write --goal-link LINK, or LINK: before the numbers"});
+  }
+  return palms.empty() ? model.link(planning::palm_link(model, arm, hand)).name : palms.front();
+}
+
+// The link that `name` says or, if it is empty, palm_of().
 std::string goal_link_of(const std::string& name, const std::string& option,
                          const planning::LoadedScene& loaded) {
   const geometric::Scene& scene = *loaded.scene;
   const geometric::RobotModel& model = *scene.robots.front().model;
   if (name.empty()) {
-    const std::vector<int> hand = planning::hand_variables(scene, loaded.basis.get());
-    return model.link(planning::palm_link(model, planning::arm_variables(model, hand), hand)).name;
+    return palm_of(option, loaded);
   }
   const std::optional<int> link = model.find_link(name);
   if (!link || geometric::chain_variables(model, *link).empty()) {
@@ -260,8 +290,9 @@ void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options) {
                    ? std::string()
                    : "\"" + text + "\" is not [LINK:]X,Y,Z or [LINK:]X,Y,Z,ROLL,PITCH,YAW";
       });
-  command.add_option("--goal-link", options.link,
-                     "Link of goal poses that name none (default: the hand, or the arm's last)");
+  command.add_option(
+      "--goal-link", options.link,
+      "Link of goal poses that name none (default: the hand that moves, or the arm's last)");
   command
       .add_option("--goal-tolerance", options.tolerance,
                   "How far goal poses may be missed (default: 0.1 mm and 0.1 degrees)")

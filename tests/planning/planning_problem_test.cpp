@@ -9,9 +9,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -20,6 +25,7 @@ using geometric::Scene;
 using test::planar_configuration;
 using test::refusal_of;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::shared_ptr<Scene> planar_scene() {
@@ -37,6 +43,137 @@ std::string refusal(const std::shared_ptr<Scene>& scene, const sampling::PmdBasi
 
 PlanResult planned(const PlanningProblem& problem) {
   return PlannerRegistry().create("rrt-connect")->plan(problem, {});
+}
+
+/// A turning torso with a planar_hand_arm() at either side, all names of which begin with "l_" or
+/// "r_".
+geometric::RobotDescription two_armed_robot() {
+  geometric::RobotDescription robot;
+  robot.name = "two_armed";
+  robot.links = {{"base", {}, {}}, {"torso", {}, {}}};
+  geometric::Joint joint;
+  joint.name = "torso";
+  joint.type = geometric::JointType::kRevolute;
+  joint.parent = "base";
+  joint.child = "torso";
+  joint.limits = {-1.0, 1.0};
+  robot.joints = {joint};
+  robot.groups = {{"arm", {"torso"}}, {"hand", {}}};
+  for (const auto& [side, y] : {std::pair<std::string, double>("l_", 0.5), {"r_", -0.5}}) {
+    geometric::RobotDescription part = test::planar_hand_arm();
+    for (const geometric::Link& link : part.links) {
+      robot.links.push_back({side + link.name, link.visual, link.collision});
+    }
+    for (geometric::Joint own : part.joints) {
+      own.name = side + own.name;
+      own.parent = side + own.parent;
+      own.child = side + own.child;
+      if (own.mimic) {
+        own.mimic->joint = side + own.mimic->joint;
+      }
+      robot.joints.push_back(own);
+    }
+    joint.name = side + "shoulder_plate";
+    joint.type = geometric::JointType::kFixed;
+    joint.parent = "torso";
+    joint.child = side + part.links.front().name;
+    joint.X_PJ.translation().y() = y;
+    robot.joints.push_back(joint);
+    for (std::size_t g = 0; g < 2; ++g) {
+      for (const std::string& own : part.groups[g].joints) {
+        robot.groups[g].joints.push_back(side + own);
+      }
+    }
+  }
+  test::allow_neighbours(robot);
+  return robot;
+}
+
+std::vector<std::string> joint_names(const PlanningProblem& problem,
+                                     const std::vector<int>& variables) {
+  std::vector<std::string> names;
+  std::ranges::transform(variables, std::back_inserter(names),
+                         [&](int v) { return problem.model().variable(v).name; });
+  return names;
+}
+
+class TwoArmedRobot : public testing::Test {
+ protected:
+  TwoArmedRobot() { scene->start = scene->goal = scene->robots.front().configuration; }
+
+  void set_goal(const std::string& joint, double value) {
+    (*scene->goal)[*scene->robots.front().model->find_variable(joint)] = value;
+  }
+
+  std::shared_ptr<Scene> scene = std::make_shared<Scene>(test::scene_of(two_armed_robot()));
+};
+
+TEST_F(TwoArmedRobot, MovesTheArmAndHandThatTheGoalMoves) {
+  set_goal("r_elbow", 0.5);
+  const PlanningProblem problem = make_problem(scene, nullptr);
+  EXPECT_THAT(joint_names(problem, problem.arm), ElementsAre("torso", "r_shoulder", "r_elbow"));
+  EXPECT_THAT(joint_names(problem, problem.hand), ElementsAre("r_thumb", "r_left", "r_right"));
+}
+
+TEST_F(TwoArmedRobot, MovesBothArmsWhereTheGoalMovesBothOrNeither) {
+  EXPECT_EQ(make_problem(scene, nullptr).arm.size(), 5U);
+  set_goal("torso", 0.2);
+  EXPECT_EQ(make_problem(scene, nullptr).hand.size(), 6U);
+  set_goal("r_elbow", 0.5);
+  set_goal("l_thumb", 0.5);
+  EXPECT_EQ(make_problem(scene, nullptr).arm.size(), 5U);
+}
+
+TEST_F(TwoArmedRobot, MovesTheArmWithTheLinkOfAGoalPose) {
+  geometric::PoseGoal pose;
+  pose.link = "l_palm";
+  pose.X_WG.translation() = Eigen::Vector3d(0.5, 0.6, 0.0);
+  scene->goal_poses = {pose};
+  scene->goal.reset();
+  const PlanningProblem problem = make_problem(scene, nullptr);
+  EXPECT_THAT(joint_names(problem, problem.arm), ElementsAre("torso", "l_shoulder", "l_elbow"));
+}
+
+TEST_F(TwoArmedRobot, MovesWhatItsGroupSays) {
+  scene->group = {"arm"};
+  set_goal("r_elbow", 0.5);
+  EXPECT_EQ(make_problem(scene, nullptr).arm.size(), 5U);
+}
+
+TEST_F(TwoArmedRobot, LeavesTheOtherArmWhereItIsAndAllowsPathsThatDoNot) {
+  set_goal("r_shoulder", 1.0);
+  set_goal("r_left", 1.0);
+  const PlanningProblem problem = make_problem(scene, nullptr);
+  const std::vector<int> resting = resting_variables(*scene);
+  EXPECT_EQ(resting.size(), 5U);
+  for (const std::string& name : PlannerRegistry().names()) {
+    const auto planner = PlannerRegistry().create(name);
+    if (planner->capabilities().needs_basis) {
+      continue;
+    }
+    const PlanResult result = planner->plan(problem, {.optimize_s = 0.2});
+    ASSERT_TRUE(result.solved()) << name << ": " << result.reason;
+    for (const Configuration& q : result.path.waypoints) {
+      EXPECT_EQ(q(resting), problem.start(resting)) << name;
+    }
+  }
+  Path path;
+  path.waypoints = {problem.start, problem.start, problem.goal};
+  path.waypoints[1](resting).array() += 0.1;
+  EXPECT_TRUE(check_path(problem, path, 0.01).valid());
+}
+
+TEST_F(TwoArmedRobot, TakesABasisForTheHandThatTheGoalMoves) {
+  set_goal("r_elbow", 0.5);
+  sampling::PmdBasis basis = test::planar_hand_basis();
+  for (std::string& joint : basis.joints) {
+    joint = "r_" + joint;
+  }
+  const PlanningProblem right =
+      make_problem(scene, std::make_shared<const sampling::PmdBasis>(basis));
+  EXPECT_TRUE(right.basis);
+  EXPECT_EQ(right.hand.size(), 3U);
+  EXPECT_THAT(joint_names(right, right.arm), ElementsAre("torso", "r_shoulder", "r_elbow"));
 }
 
 TEST(PlanningProblem, SplitsTheJointsOfArmAndHand) {

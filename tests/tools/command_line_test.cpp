@@ -336,6 +336,24 @@ TEST_F(Handway, TellsInHowManyConfigurationsAGoalPoseIsFree) {
   EXPECT_EQ(line_.run("check open.yaml path.csv").exit_code, kDone);
 }
 
+TEST_F(Handway, AsksWhichHandAPoseIsForWhereSeveralMayBeMeant) {
+  line_.write("two.yaml", R"(handway: 1
+robots:
+  - {name: left, model: ur5e_class}
+  - {name: left_hand, model: leap_class_right, mount: {robot: left}}
+  - {name: right, model: ur5e_class, mount: {robot: left, link: base_link, pose: {xyz: [0, -1.5, 0]}}}
+  - {name: right_hand, model: leap_class_right, mount: {robot: right}}
+start: {joint_2: -1.5, right/joint_2: -1.5}
+)");
+  const std::string pose = " --goal-pose 0.5,-1.5,0.5";
+  expect_refusal("plan two.yaml" + pose, "no link, of a robot with 2 hands",
+                 "the link: left_hand/palm, right_hand/palm", "--goal-link");
+  const Outcome right = line_.run("plan two.yaml --group right" + pose + " --out path.csv");
+  EXPECT_EQ(right.exit_code, kDone) << right.err;
+  EXPECT_EQ(line_.run("check two.yaml path.csv --goal-link right_hand/palm" + pose).exit_code,
+            kDone);
+}
+
 TEST_F(Handway, SaysWhyAPoseCannotBeComeTo) {
   const Outcome far = line_.run("plan open.yaml --goal-pose 0.9,0,0");
   EXPECT_EQ(far.exit_code, kInvalidQuery);
@@ -435,6 +453,15 @@ TEST_F(Handway, SummarisesTheWarningsOfASceneOnce) {
   const std::size_t first = shown.find("vendor_extension");
   ASSERT_NE(first, std::string::npos) << shown;
   EXPECT_EQ(shown.find("vendor_extension", first + 1), std::string::npos) << shown;
+}
+
+TEST_F(Handway, CountsTheJointsOfAGroupThatMove) {
+  line_.write("one.urdf", R"(<robot name="one"><link name="a"/><link name="b"/><link name="c"/>
+    <joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>
+    <joint name="k" type="fixed"><parent link="b"/><child link="c"/></joint></robot>)");
+  line_.write("one.srdf", R"(<robot name="one"><group name="manipulator">
+    <chain base_link="a" tip_link="c"/></group></robot>)");
+  EXPECT_THAT(line_.run("info one.urdf").out, HasSubstr("group manipulator: 1 joint\n"));
 }
 
 TEST_F(Handway, ShowsWhatAFileHolds) {

@@ -2,14 +2,17 @@
 
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/setup/moving_group.h"
+#include "handway/planning/core/limbs.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -39,6 +42,25 @@ bool has_all(const std::vector<int>& moving, const std::vector<int>& variables) 
                              [&](int v) { return std::ranges::binary_search(moving, v); });
 }
 
+// Where the goal has joints elsewhere than the start, or has to: those that move the links of goal
+// poses. Empty without a goal.
+std::vector<int> variables_with_a_goal(const geometric::Scene& scene) {
+  const geometric::RobotInstance& robot = scene.robots.front();
+  std::vector<int> variables;
+  for (const geometric::PoseGoal& pose : scene.goal_poses) {
+    std::ranges::copy(chain_variables(*robot.model, robot.model->find_link(pose.link).value()),
+                      std::back_inserter(variables));
+  }
+  const Configuration start = scene.start.value_or(robot.configuration);
+  const Configuration goal = robot.model->nearest_equivalent(start, scene.goal.value_or(start));
+  for (int v = 0; v < std::min(start.size(), goal.size()); ++v) {
+    if (std::abs(goal[v] - start[v]) > kAgreement) {
+      variables.push_back(v);
+    }
+  }
+  return variables;
+}
+
 // What moves, of arm and hand, and the basis if it is for what moves.
 void set_joints(const geometric::Scene& scene, std::shared_ptr<const sampling::PmdBasis> basis,
                 PlanningProblem& problem) {
@@ -52,6 +74,10 @@ void set_joints(const geometric::Scene& scene, std::shared_ptr<const sampling::P
     problem.arm = problem.moving;
     std::erase_if(problem.arm, [&](int v) { return std::ranges::count(problem.hand, v) > 0; });
   }
+  const std::vector<int> resting = resting_variables(scene);
+  const auto rests = [&](int v) { return std::ranges::binary_search(resting, v); };
+  std::erase_if(problem.hand, rests);
+  std::erase_if(problem.arm, rests);
 }
 
 // The joint of a basis: of several parts that have such a joint, of the one that moves.
@@ -134,13 +160,46 @@ std::string group_fault(const PlanningProblem& problem) {
       joints.size() == 1 ? "" : "s");
 }
 
+std::vector<int> planned_variables(const PlanningProblem& problem) {
+  std::vector<int> planned = problem.moving;
+  std::erase_if(planned, [&](int v) {
+    return std::ranges::count(problem.arm, v) + std::ranges::count(problem.hand, v) == 0 &&
+           problem.start[v] == problem.goal[v];
+  });
+  return planned;
+}
+
+std::vector<int> resting_variables(const geometric::Scene& scene) {
+  if (!scene.group.empty()) {
+    return {};
+  }
+  const geometric::RobotModel& model = *scene.robots.front().model;
+  const std::vector<int> hand = hand_variables(scene, nullptr);
+  const std::vector<int> wanted = variables_with_a_goal(scene);
+  const auto is_wanted = [&](int v) { return std::ranges::count(wanted, v) > 0; };
+  std::vector<int> resting;
+  bool any_moves = false;
+  for (const Limb& limb : limbs(model, arm_variables(model, hand), hand)) {
+    if (std::ranges::any_of(limb.arm, is_wanted) || std::ranges::any_of(limb.hand, is_wanted)) {
+      any_moves = true;
+    } else {
+      std::ranges::copy(limb.arm, std::back_inserter(resting));
+      std::ranges::copy(limb.hand, std::back_inserter(resting));
+    }
+  }
+  std::ranges::sort(resting);
+  return any_moves ? resting : std::vector<int>();
+}
+
 std::vector<int> hand_variables(const geometric::Scene& scene, const sampling::PmdBasis* basis) {
   const geometric::RobotModel& model = *scene.robots.front().model;
   if (!basis) {
     return model.find_group("hand").value_or(std::vector<int>{});
   }
   std::vector<int> hand;
-  const std::vector<int> moving = geometric::moving_variables(scene);
+  std::vector<int> moving = geometric::moving_variables(scene);
+  const std::vector<int> resting = resting_variables(scene);
+  std::erase_if(moving, [&](int v) { return std::ranges::binary_search(resting, v); });
   for (const std::string& joint : basis->joints) {
     const std::optional<int> variable = hand_variable(model, moving, joint);
     if (!variable) {

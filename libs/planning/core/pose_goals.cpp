@@ -28,12 +28,12 @@ using geometric::PoseGoalMiss;
 using geometric::RobotInstance;
 using geometric::Scene;
 
-constexpr int kMostCandidates = 6;     // of one pose
-constexpr int kStarts = 80;            // of the iterations for one pose
-constexpr int kSpreadStarts = 800;     // the same, where the robot is in collision after these
-constexpr double kInside = 0.99;       // share of the tolerance that is used
-constexpr double kRounding = 1e-6;     // m and rad
-constexpr std::size_t kMostPairs = 3;  // that a message names
+constexpr int kMostCandidates = 6;          // of one pose
+constexpr int kStarts = 80;                 // of the iterations for one pose
+constexpr int kSpreadStarts = 800;          // the same, where the robot is in collision after these
+constexpr double kInside = 0.99;            // share of the tolerance that is used
+constexpr double kRounding = 1e-6;          // m and rad
+constexpr std::size_t kMostNamedPairs = 3;  // that a message names
 
 PoseGoalMiss miss_at(const Scene& scene, const PoseGoal& goal, const Configuration& q) {
   const RobotInstance& robot = scene.robots.front();
@@ -164,13 +164,13 @@ class GoalPoseSearch {
     }
     std::ranges::sort(pairs);
     std::string text;
-    for (std::size_t i = 0; i < std::min(kMostPairs, pairs.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kMostNamedPairs, pairs.size()); ++i) {
       text += fmt::format("{}{} ({} times)", i == 0 ? ": " : ", ",
                           to_string(named_pair(checker_->world(), pairs[i].second, 0.0)),
                           -pairs[i].first);
     }
-    if (pairs.size() > kMostPairs) {
-      text += fmt::format(" and {} more", pairs.size() - kMostPairs);
+    if (pairs.size() > kMostNamedPairs) {
+      text += fmt::format(" and {} more", pairs.size() - kMostNamedPairs);
     }
     return fmt::format(
         "The goal is in collision: {} can be reached, but in none of the {} configurations that "

@@ -4,6 +4,7 @@
 #include "grasps/pregrasp_rejections.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/core/limbs.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
 
@@ -66,6 +67,41 @@ double signed_uniform(sampling::RandomStream& random) { return 2.0 * random.unif
 
 Vector3d signed_vector(sampling::RandomStream& random) {
   return Vector3d(signed_uniform(random), signed_uniform(random), signed_uniform(random));
+}
+
+// Of several hands the one that is nearest to the object where the robot starts; the others, and
+// their arms, stay.
+PlanningProblem with_nearest_hand(const PlanningProblem& problem,
+                                  const geometric::SceneObject& object) {
+  PlanningProblem of_one = problem;
+  if (problem.scene->group.empty() && !problem.basis) {  // a goal is no choice of a hand
+    of_one.hand = hand_variables(*problem.scene, nullptr);
+    of_one.arm = arm_variables(problem.model(), of_one.hand);
+  }
+  std::vector<Limb> found = limbs(problem.model(), of_one.arm, of_one.hand);
+  std::erase_if(found, [](const Limb& limb) { return limb.hand.empty(); });
+  if (found.size() < 2) {
+    return problem;
+  }
+  const geometric::RobotInstance& robot = problem.scene->robots.front();
+  std::vector<Pose> X_BL(static_cast<std::size_t>(problem.model().link_count()));
+  problem.model().forward_kinematics(problem.start, X_BL);
+  const auto distance = [&](const Limb& limb) {
+    const int palm = palm_link(problem.model(), limb.arm, limb.hand);
+    const Pose X_WP = robot.X_WB * X_BL[static_cast<std::size_t>(palm)];
+    return (X_WP.translation() - object.X_PO.translation()).norm();
+  };
+  const auto nearest = std::ranges::min_element(found, {}, distance);
+  for (auto other = found.begin(); other != found.end(); ++other) {
+    if (other != nearest) {
+      std::erase_if(of_one.arm, [&](int v) { return std::ranges::count(other->arm, v) > 0; });
+      std::erase_if(of_one.hand, [&](int v) { return std::ranges::count(other->hand, v) > 0; });
+    }
+  }
+  if (problem.basis && of_one.hand.size() < problem.hand.size()) {
+    of_one.basis = nullptr;  // its directions are of both
+  }
+  return of_one;
 }
 
 class PregraspSearch {
@@ -473,7 +509,9 @@ class PregraspSearch {
 
 Pregrasps find_pregrasps(const PlanningProblem& problem, std::string_view object,
                          const PregraspOptions& options, const std::stop_token& stop) {
-  PregraspSearch search(problem, needed_object(problem, object), options);
+  const geometric::SceneObject& needed = needed_object(problem, object);
+  const PlanningProblem of_hand = with_nearest_hand(problem, needed);
+  PregraspSearch search(of_hand, needed, options);
   if (std::string objection = search.objection(); !objection.empty()) {
     return {{}, std::move(objection)};
   }

@@ -35,7 +35,11 @@ Point between(const Point& from, const Point& to, double share) {
 
 PathOptimizer::PathOptimizer(PlanningContext& context, const ObjectiveWeights& weights,
                              const Path& path, std::uint64_t seed, int patience)
-    : context_(context), objective_(context.problem(), weights), draw_(seed), patience_(patience) {
+    : context_(context),
+      objective_(context.problem(), weights),
+      planned_(planned_variables(context.problem())),
+      draw_(seed),
+      patience_(patience) {
   std::vector<Point> points;
   std::ranges::transform(path.waypoints, std::back_inserter(points),
                          [&](const Configuration& q) { return objective_.point(q); });
@@ -225,9 +229,9 @@ std::vector<Objective::Point> PathOptimizer::draw_inner(const Place& from, const
   // A straight motion of some joints; the others go as they went.
   std::vector<int> joints = draw_.uniform() < 0.5 ? problem.arm : problem.hand;
   if (joints.empty() || draw_.uniform() < 0.5) {
-    const std::size_t count = problem.moving.size();
+    const std::size_t count = planned_.size();
     const auto drawn = static_cast<std::size_t>(draw_.uniform() * static_cast<double>(count));
-    joints = {problem.moving[std::min(count - 1, drawn)]};
+    joints = {planned_[std::min(count - 1, drawn)]};
   }
   double whole = 0.0;
   std::vector<double> at;
@@ -260,8 +264,7 @@ std::optional<PathOptimizer::Replacement> PathOptimizer::draw_waypoint_move() {
   const PlanningProblem& problem = context_.problem();
   const double size = kSmallestMove * std::pow(kLargestMove / kSmallestMove, draw_.uniform());
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(problem.model().variable_count());
-  direction(problem.moving) =
-      (2.0 * draw_.uniform(static_cast<int>(problem.moving.size()))).array() - 1.0;
+  direction(planned_) = (2.0 * draw_.uniform(static_cast<int>(planned_.size()))).array() - 1.0;
   const double part = draw_.uniform();
   if (has_subspace() && part < 0.3) {
     const Point& point = points_[waypoint];

@@ -183,9 +183,8 @@ sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space) {
 }  // namespace
 
 StateSpace::StateSpace(const PlanningProblem& problem) : problem_(problem), arm_(problem.arm) {
-  for (int v = 0; v < problem.model().variable_count(); ++v) {
-    const bool is_listed = std::ranges::count(arm_, v) + std::ranges::count(problem.hand, v) > 0;
-    if (!is_listed && problem.start[v] != problem.goal[v]) {
+  for (const int v : planned_variables(problem)) {
+    if (std::ranges::count(arm_, v) + std::ranges::count(problem.hand, v) == 0) {
       arm_.push_back(v);
     }
   }

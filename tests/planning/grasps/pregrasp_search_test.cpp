@@ -81,9 +81,9 @@ TEST_F(PregraspSearch, GraspsWithHandsThatHaveNoBasis) {
   }
 }
 
-TEST_F(PregraspSearch, GraspsBetweenTwoJawsThatOneJointMoves) {
-  const test::ScratchFolder folder;
-  std::ofstream(folder.path() / "gripper.urdf") << R"(<robot name="gripper">
+// Of two jaws that one joint moves.
+void write_gripper(const std::filesystem::path& file) {
+  std::ofstream(file) << R"(<robot name="gripper">
     <link name="hand"><collision><origin xyz="0 0 0.033"/>
       <geometry><box size="0.06 0.2 0.066"/></geometry></collision></link>
     <link name="left"><collision><origin xyz="0 0.0076 0.027"/>
@@ -96,6 +96,11 @@ TEST_F(PregraspSearch, GraspsBetweenTwoJawsThatOneJointMoves) {
     <joint name="follow" type="prismatic"><origin xyz="0 0 0.067"/><axis xyz="0 -1 0"/>
       <parent link="hand"/><child link="right"/><mimic joint="open"/>
       <limit lower="0.001" upper="0.04" effort="1" velocity="0.2"/></joint></robot>)";
+}
+
+TEST_F(PregraspSearch, GraspsBetweenTwoJawsThatOneJointMoves) {
+  const test::ScratchFolder folder;
+  write_gripper(folder.path() / "gripper.urdf");
   const std::filesystem::path file = folder.path() / "scene.yaml";
   std::ofstream(file) << R"(handway: 1
 robots:
@@ -120,6 +125,31 @@ goal: {}
   EXPECT_TRUE(none.found.empty());
   EXPECT_THAT(none.why_none,
               ::testing::StartsWith("can is too wide for the hand: it is 100 mm across"));
+}
+
+TEST_F(PregraspSearch, GraspsWithTheHandThatIsNearest) {
+  const test::ScratchFolder folder;
+  write_gripper(folder.path() / "gripper.urdf");
+  const std::filesystem::path file = folder.path() / "scene.yaml";
+  std::ofstream(file) << R"(handway: 1
+robots:
+  - {name: left, model: iiwa14_class}
+  - {name: left_hand, model: gripper.urdf, mount: {robot: left}}
+  - {name: right, model: iiwa14_class, mount: {robot: left, link: base_link, pose: {xyz: [0, -1, 0]}}}
+  - {name: right_hand, model: gripper.urdf, mount: {robot: right}}
+objects:
+  - {name: can, cylinder: {radius: 0.033, length: 0.12}, pose: {xyz: [0.5, -1, 0.261]}}
+start: {}
+goal: {joint_1: 0.5}
+)";
+  const PlanningProblem problem = make_problem(load_scene(file, PluginManager()).scene, nullptr);
+  const std::vector<Pregrasp> grasps = find_pregrasps(problem, "can").found;
+  ASSERT_FALSE(grasps.empty());
+  for (int v = 0; v < problem.model().variable_count(); ++v) {
+    if (!problem.model().variable(v).name.starts_with("right")) {
+      EXPECT_EQ(grasps.front().q[v], problem.start[v]) << problem.model().variable(v).name;
+    }
+  }
 }
 
 TEST_F(PregraspSearch, KeepsConstraintsOfTheHandAndOfTheArm) {

@@ -30,8 +30,8 @@ using geometric::Configuration;
 struct PlanningProblem {
   std::shared_ptr<const geometric::Scene> scene;
   std::shared_ptr<const sampling::PmdBasis> basis;  ///< Null: the hand has none.
-  /// Variables that move, ascending (geometric::Scene::group). The others are in neither arm nor
-  /// hand, and planners leave them where the start has them.
+  /// Variables that may move, ascending (geometric::Scene::group). The others are in neither arm
+  /// nor hand, and planners leave them where the start has them.
   std::vector<int> moving;
   std::vector<int> arm;   ///< Variables of the arm, in order.
   std::vector<int> hand;  ///< Variables of the hand, in the basis' joint order.
@@ -54,9 +54,20 @@ struct PlanningProblem {
 /// Why the goal asks for what does not move, as a sentence; empty if it does not.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string group_fault(const PlanningProblem& problem);
 
+/// What planners move, ascending: arm, hand, and what else moves and the goal has elsewhere than
+/// the start.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> planned_variables(
+    const PlanningProblem& problem);
+
+/// Variables of limbs() that stay where they are, ascending: in a scene without a group, where the
+/// goal moves some of a robot's arms or their hands, those of the others. Nothing where the goal
+/// moves none. A path that moves them is valid all the same.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> resting_variables(
+    const geometric::Scene& scene);
+
 /// The hand's variables: of the basis' joints, in its order, or else of the robot's group "hand".
 /// Where several parts have such joints, the basis is for the hand that the scene's group lets
-/// move.
+/// move, or the goal moves.
 /// @param basis may be null. @throws InputError if it names a joint that the robot has not.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> hand_variables(
     const geometric::Scene& scene, const sampling::PmdBasis* basis);
@@ -67,7 +78,8 @@ struct PlanningProblem {
 
 /// Puts a problem together, with hand_variables() and arm_variables(), either of which may be
 /// empty. Where the scene has a group, the arm is all of it that is not of the hand, and a hand of
-/// which only some joints move has no basis. Start and goal are the scene's, a start that is not
+/// which only some joints move has no basis. Without a group resting_variables() are of neither.
+/// Start and goal are the scene's, a start that is not
 /// given is where the robot stands, and the goal has continuous joints within half a turn of the
 /// start. Goal poses are solved by solve_pose_goals().
 /// @param basis may be null.

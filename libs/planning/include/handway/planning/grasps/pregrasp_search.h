@@ -48,7 +48,9 @@ struct Pregrasps {
 /// where that is free every finger closes, its joints by the gradient of the tip's distance to the
 /// core of the object's box, until near contact: joints stop from the palm outwards, so that outer
 /// links go on around the object. Kept are those with two or more
-/// fingers on different sides of the object; similar ones are left out. Same arguments, same bits.
+/// fingers on different sides of the object; similar ones are left out. Of a robot whose arms have
+/// a hand each, the hand that is nearest to the object at the start grasps. Same arguments, same
+/// bits.
 /// @param object of the scene, that stands still.
 /// @returns nothing, without a reason, if `stop` was requested.
 /// @throws InputError if there is no such object or the robot has no hand.

@@ -120,6 +120,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
 
   PlanningContext& context_;
   Objective objective_;
+  std::vector<int> planned_;  ///< Of planned_variables().
   sampling::RandomStream draw_;
   std::vector<Point> points_;
   std::vector<MotionSums> motions_;  ///< Between them.

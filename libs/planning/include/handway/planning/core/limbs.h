@@ -1,0 +1,23 @@
+#pragma once
+
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/planning/export.h"
+
+#include <vector>
+
+namespace handway::planning {
+
+/// One of several arms of a robot, with the hand that it carries.
+struct Limb {
+  std::vector<int> arm;   ///< Its own variables, ascending; none that moves other arms, too.
+  std::vector<int> hand;  ///< In the order of those that were given.
+};
+
+/// The limbs of a robot whose arm branches, in the order of the ends of its arms. What several
+/// arms share, as a torso, is of none of them.
+/// @param arm, hand variables of the robot. @returns one limb where the arm does not branch.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<Limb> limbs(const geometric::RobotModel& model,
+                                                              const std::vector<int>& arm,
+                                                              const std::vector<int>& hand);
+
+}  // namespace handway::planning
