@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 
+#include <fmt/format.h>
 #include <matio.h>
 
 #include <cstddef>
@@ -105,6 +106,15 @@ std::map<std::string, Eigen::MatrixXd> read_matlab_file(const std::filesystem::p
     }
   }
   return matrices;
+}
+
+std::string names_of(const std::map<std::string, Eigen::MatrixXd>& matrices) {
+  std::string text;
+  for (const auto& [name, matrix] : matrices) {
+    text +=
+        fmt::format("{}{} ({} x {})", text.empty() ? "" : ", ", name, matrix.rows(), matrix.cols());
+  }
+  return text.empty() ? "no matrix" : text;
 }
 
 }  // namespace handway::device

@@ -17,4 +17,7 @@ namespace handway::device {
 [[nodiscard]] std::map<std::string, Eigen::MatrixXd> read_matlab_file(
     const std::filesystem::path& file);
 
+/// Their names and sizes, for messages: "angles (400 x 22), emg (400 x 12)".
+[[nodiscard]] std::string names_of(const std::map<std::string, Eigen::MatrixXd>& matrices);
+
 }  // namespace handway::device

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "glove/text_files.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace handway::device {
+
+/// A cell where nothing was measured.
+inline constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+/// A cell of text, as a label.
+inline constexpr double kWord = std::numeric_limits<double>::infinity();
+
+/// Numbers in rows, kGap or kWord where there are none.
+struct NumberTable {
+  std::vector<std::string> names;  ///< Of columns; empty without a header.
+  Eigen::MatrixXd values;
+  std::vector<std::size_t> lines;  ///< In the file, of each row; empty: the row's own number.
+  std::vector<std::string> warnings;
+};
+
+/// The table in the lines of a text, without titles above it and remarks.
+/// @param skip lines before the table.
+/// @param separator nothing: that of its last whole line.
+/// @throws InputError if there are no rows, or not all have as many cells.
+[[nodiscard]] NumberTable read_text_table(const std::filesystem::path& file,
+                                          std::span<const TextLine> all, int skip = 0,
+                                          std::optional<char> separator = {});
+
+}  // namespace handway::device

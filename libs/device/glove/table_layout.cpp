@@ -1,0 +1,328 @@
+#include "glove/table_layout.h"
+
+#include "glove/recording_readers.h"
+#include "glove/sensor_names.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+namespace handway::device {
+namespace {
+
+using geometric::InputError;
+
+constexpr Eigen::Index kAngles = 23;           // of VirtualHand, without the last, unwired slot
+constexpr Eigen::Index kAnglesWithLabel = 22;  // and without the wrist's abduction
+
+std::string row_name(const std::filesystem::path& file, const NumberTable& table,
+                     Eigen::Index row) {
+  const auto index = static_cast<std::size_t>(row);
+  return table.lines.empty() ? fmt::format("{}, row {}", file.string(), row + 1)
+                             : fmt::format("{}:{}", file.string(), table.lines[index]);
+}
+
+/// Those in which all that is used was measured; a warning says how many were not.
+/// @throws InputError if a used cell is text, or if there are none.
+std::vector<Eigen::Index> rows_without_gaps(const std::filesystem::path& file,
+                                            const NumberTable& table, const TableLayout& layout,
+                                            std::vector<std::string>& warnings) {
+  std::vector<ColumnUse> used = layout.columns;
+  if (layout.time) {
+    used.push_back(*layout.time);
+  }
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
+    for (const ColumnUse& use : used) {
+      if (std::isinf(table.values(row, use.column))) {
+        throw InputError({row_name(file, table, row), fmt::format("column {}", use.column + 1),
+                          "no number", "a number", "Leave columns of labels out of the map."});
+      }
+    }
+    if (std::ranges::none_of(used, [&](const ColumnUse& use) {
+          return std::isnan(table.values(row, use.column));
+        })) {
+      rows.push_back(row);
+    }
+  }
+  const auto left_out = static_cast<std::size_t>(table.values.rows()) - rows.size();
+  if (rows.empty()) {
+    throw InputError({file.string(), "", "a gap in each row", "rows of numbers",
+                      "Leave columns that were not measured out of the map."});
+  }
+  if (left_out > 0) {
+    warnings.push_back(fmt::format("{}: {} of {} rows left out, they have gaps", file.string(),
+                                   left_out, table.values.rows()));
+  }
+  return rows;
+}
+
+bool rises(const Eigen::MatrixXd& values, Eigen::Index column) {
+  constexpr Eigen::Index kEnough = 5;
+  const Eigen::Index last = values.rows() - 1;
+  return last + 1 >= kEnough &&
+         (values.col(column).tail(last).array() > values.col(column).head(last).array()).all();
+}
+
+/// VirtualHand's angles in so many columns from column `first` on.
+std::vector<ColumnUse> virtual_hand_columns(Eigen::Index first, Eigen::Index count) {
+  std::vector<ColumnUse> columns;
+  for (int sensor = 0; sensor < kGloveSensors; ++sensor) {
+    const int slot = cyberglove_sensors()[static_cast<std::size_t>(sensor)].slot;
+    if (slot < count) {
+      columns.push_back({sensor, first + slot, virtual_hand_sign(sensor)});
+    }
+  }
+  return columns;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
+double cell_of(const NumberTable& table, Eigen::Index row, const ColumnUse& use) {
+  return use.gain * table.values(row, use.column) + use.offset;
+}
+
+std::vector<ColumnUse> glove_columns(int sensors, Eigen::Index first) {
+  std::vector<ColumnUse> columns;
+  for (const int sensor : cyberglove_wired(sensors)) {
+    columns.push_back({sensor, first + static_cast<Eigen::Index>(columns.size())});
+  }
+  return columns;
+}
+
+std::optional<double> time_unit(const std::string& name) {
+  const std::vector<std::string> words = words_of_name(name);
+  if (words.empty() ||
+      !(has_word({words.front()}, {"t", "times", "seconds", "sec", "timems", "ms"}) ||
+        has_word(words, {"time", "timestamp"}))) {
+    return std::nullopt;
+  }
+  return has_word(words, {"ms", "msec", "milliseconds", "timems"}) ? 1e-3 : 1.0;
+}
+
+MeasuredColumns measured_columns(const NumberTable& table) {
+  const auto is_label = [&](Eigen::Index column) {
+    return table.values.col(column).array().isInf().any();
+  };
+  MeasuredColumns columns{0, table.values.cols(), false};
+  while (columns.end > 0 && is_label(columns.end - 1)) {
+    --columns.end;
+  }
+  while (columns.first < columns.end && is_label(columns.first)) {
+    ++columns.first;
+  }
+  columns.timed = columns.first < columns.end && rises(table.values, columns.first);
+  return columns;
+}
+
+Recording recording_of(const std::filesystem::path& file, const NumberTable& table,
+                       const TableLayout& layout) {
+  Recording recording;
+  recording.header.kind = layout.kind;
+  recording.header.origin = file.filename().string();
+  for (const ColumnUse& use : layout.columns) {
+    recording.header.sensors.push_back(use.sensor);
+  }
+  recording.warnings = table.warnings;
+  const std::vector<Eigen::Index> rows = rows_without_gaps(file, table, layout, recording.warnings);
+  recording.times.resize(static_cast<Eigen::Index>(rows.size()));
+  recording.values.resize(recording.times.size(), static_cast<Eigen::Index>(layout.columns.size()));
+  for (Eigen::Index to = 0; to < recording.times.size(); ++to) {
+    const Eigen::Index row = rows[static_cast<std::size_t>(to)];
+    recording.times[to] =
+        layout.time ? cell_of(table, row, *layout.time) : static_cast<double>(row) / layout.rate;
+    if (to > 0 && recording.times[to] < recording.times[to - 1]) {
+      throw InputError({row_name(file, table, row), "time",
+                        fmt::format("{} after {}", recording.times[to], recording.times[to - 1]),
+                        "time that doesn't run backwards", "Split the file there."});
+    }
+    for (std::size_t c = 0; c < layout.columns.size(); ++c) {
+      const ColumnUse& use = layout.columns[c];
+      const double value = cell_of(table, row, use);
+      const bool counts = layout.kind == RecordingKind::kCounts;
+      if (counts ? value < 0.0 || value > kHighestCounts : std::abs(value) > kWidestAngle) {
+        throw InputError(
+            {row_name(file, table, row),
+             std::string(cyberglove_sensors()[static_cast<std::size_t>(use.sensor)].name),
+             fmt::format("{:.4g}", value), counts ? "counts from 0 to 255" : "an angle in rad",
+             counts ? "" : "If these are degrees, map them with \"unit: deg\"."});
+      }
+      recording.values(to, static_cast<Eigen::Index>(c)) = value;
+    }
+  }
+  return recording;
+}
+
+namespace {
+
+/// Columns by the names of their header.
+/// @throws InputError if none is a sensor's, or two are the same one's.
+TableLayout named_layout(const std::filesystem::path& file, const NumberTable& table) {
+  TableLayout layout;
+  layout.rate = kUsualRate;
+  for (std::size_t c = 0; c < table.names.size(); ++c) {
+    ColumnUse use{-1, static_cast<Eigen::Index>(c)};
+    const auto column = table.values.col(use.column).array();
+    const std::optional<double> unit = time_unit(table.names[c]);
+    if (unit && !layout.time && column.isFinite().any()) {
+      use.gain = *unit;
+      layout.time = use;
+      continue;
+    }
+    const std::optional<int> sensor = sensor_by_any_name(table.names[c]);
+    if (!sensor || !column.isFinite().any()) {
+      if (!table.names[c].empty()) {
+        layout.left_over.push_back(table.names[c]);
+      }
+      continue;
+    }
+    use.sensor = *sensor;
+    if (std::ranges::count(layout.columns, *sensor, &ColumnUse::sensor) > 0) {
+      throw InputError({file.string(), fmt::format("column \"{}\"", table.names[c]),
+                        "a sensor for the second time", "every sensor once",
+                        "Say which by a map of the table (YAML)."});
+    }
+    layout.columns.push_back(use);
+  }
+  if (layout.columns.empty()) {
+    std::string advice;
+    for (const std::string& name : layout.left_over) {
+      advice += advice.empty() ? geometric::advise_name(name, sensor_names()) : "";
+    }
+    throw InputError({file.string(), "", joined(table.names),
+                      "columns named as the glove's sensors",
+                      advice + (advice.empty() ? "Write" : " Or write") +
+                          " a map of the table's columns (YAML)."});
+  }
+  return layout;
+}
+
+/// Columns without names: 18 or 22 in the order of a glove's records, or VirtualHand's 23 angles,
+/// or its 22 and a label; times before them, if the first column rises all along. Labels may stand
+/// on either side.
+TableLayout numbered_layout(const std::filesystem::path& file, const NumberTable& table) {
+  const auto [first, end, timed] = measured_columns(table);
+  const Eigen::Index measured = end - first - (timed ? 1 : 0);
+  const bool labelled = end < table.values.cols();
+  TableLayout layout;
+  layout.rate = kUsualRate;
+  if (measured == kAngles || (measured == kAnglesWithLabel && labelled)) {
+    layout.columns = virtual_hand_columns(first + (timed ? 1 : 0), measured);
+    layout.rate = 1.0;  // postures, rather than a motion
+    layout.order = "VirtualHand, whose signs were turned";
+  } else if (measured == 18 || measured == kGloveSensors) {
+    layout.columns = glove_columns(static_cast<int>(measured), first + (timed ? 1 : 0));
+    layout.order = fmt::format("a glove of {} sensors", measured);
+  } else {
+    throw InputError(
+        {file.string(), "",
+         fmt::format("{} columns {}", end - first,
+                     table.names.empty() ? "without names" : "of which none is called as a sensor"),
+         "names of sensors above them; or 18 or 22, in the order of a glove's "
+         "records, or 23, VirtualHand's; or 63, x, y and z of 21 landmarks",
+         "Write a map of the table's columns (YAML); handway pca --joints-of ROBOT reads "
+         "tables of a robot hand's joints"});
+  }
+  if (timed) {
+    layout.time = ColumnUse{-1, first};
+  }
+  return layout;
+}
+
+}  // namespace
+
+TableLayout layout_of(const std::filesystem::path& file, const NumberTable& table) {
+  const auto known = std::ranges::count_if(
+      table.names, [](const std::string& name) { return sensor_by_any_name(name).has_value(); });
+  const bool by_number =
+      table.names.empty() || (known == 0 && table.values.cols() >= kAnglesWithLabel);
+  return by_number ? numbered_layout(file, table) : named_layout(file, table);
+}
+
+namespace {
+
+bool bends(int sensor) {
+  const std::string_view name = cyberglove_sensors()[static_cast<std::size_t>(sensor)].name;
+  return name.ends_with("MPJ") || name.ends_with("PIJ") || name.ends_with("DIJ");
+}
+
+/// Counts, rad or degrees, and where bending counts negative, by the numbers.
+/// @returns what it was taken for.
+std::string settle_numbers(const std::filesystem::path& file, const NumberTable& table,
+                           TableLayout& layout) {
+  double least = 0.0;
+  double most = 0.0;
+  bool whole = true;
+  bool in_degrees = false;
+  int bending = 0;
+  int negative = 0;
+  for (const ColumnUse& use : layout.columns) {
+    double sum = 0.0;
+    for (const double value : table.values.col(use.column)) {
+      if (std::isfinite(value)) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+        whole &= value == std::round(value);
+        sum += use.gain * value;
+      }
+    }
+    bending += bends(use.sensor) ? 1 : 0;
+    negative += bends(use.sensor) && sum < 0.0 ? 1 : 0;
+    if (const auto column = static_cast<std::size_t>(use.column); column < table.names.size()) {
+      in_degrees |= has_word(words_of_name(table.names[column]), {"deg", "degree", "degrees"}) ||
+                    table.names[column].find("\u00B0") != std::string::npos;
+    }
+  }
+  constexpr double kMostDegrees = 360.0;
+  const double widest = std::max(-least, most);
+  if (whole && least >= 0.0 && most <= kHighestCounts && !in_degrees) {
+    layout.kind = RecordingKind::kCounts;
+    return "counts";
+  }
+  if (widest > kMostDegrees) {
+    throw InputError({file.string(), "", fmt::format("values up to {:.6g}", widest),
+                      "counts from 0 to 255, or angles in rad or degrees",
+                      "Write a map of the table's columns (YAML), with gains."});
+  }
+  in_degrees |= widest > kWidestAngle;
+  constexpr int kEnough = 4;
+  const bool turned = bending >= kEnough && 4 * negative >= 3 * bending;
+  for (ColumnUse& use : layout.columns) {
+    use.gain *=
+        (in_degrees ? geometric::kDegree : 1.0) * (turned ? virtual_hand_sign(use.sensor) : 1.0);
+  }
+  return std::string(in_degrees ? "degrees" : "rad") +
+         (turned ? ", bent fingers negative (turned)" : "");
+}
+
+}  // namespace
+
+Recording recording_by_numbers(const std::filesystem::path& file, const NumberTable& table,
+                               TableLayout layout) {
+  std::string taken = settle_numbers(file, table, layout) + " by its numbers";
+  if (!layout.order.empty()) {
+    taken += ", in the order of " + layout.order;
+  }
+  if (!layout.time) {
+    taken += fmt::format(", {:g} rows a second", layout.rate);
+  }
+  if (!layout.left_over.empty()) {
+    taken += "; passed over: " + joined(layout.left_over);
+  }
+  Recording recording = recording_of(file, table, layout);
+  recording.warnings.push_back(fmt::format("{}: taken for {}", file.string(), taken));
+  return recording;
+}
+
+}  // namespace handway::device

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "glove/number_table.h"
+#include "handway/device/glove/recording.h"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What the columns of a table of postures are, and the recording that they make.
+
+namespace handway::device {
+
+/// What a column is.
+struct ColumnUse {
+  int sensor = -1;
+  Eigen::Index column = 0;
+  double gain = 1.0;  ///< value · gain + offset is counts, or rad with flexion positive.
+  double offset = 0.0;
+};
+
+struct TableLayout {
+  RecordingKind kind = RecordingKind::kAngles;
+  std::vector<ColumnUse> columns;
+  std::optional<ColumnUse> time;       ///< In s.
+  double rate = 1.0;                   ///< Hz, without times.
+  std::string order;                   ///< Whose order columns without names are in; may be empty.
+  std::vector<std::string> left_over;  ///< Names of columns that are nothing of the glove's.
+};
+
+/// Rows a second of a glove's table without times, Hz.
+inline constexpr double kUsualRate = 100.0;
+
+/// The columns between labels on either side, and whether the first of them is times.
+struct MeasuredColumns {
+  Eigen::Index first = 0;
+  Eigen::Index end = 0;
+  bool timed = false;
+};
+[[nodiscard]] MeasuredColumns measured_columns(const NumberTable& table);
+
+/// What a column of that name is multiplied with to be in s; nothing if its name is not of times.
+[[nodiscard]] std::optional<double> time_unit(const std::string& name);
+
+/// The cell of a column that isn't all gaps.
+[[nodiscard]] double cell_of(const NumberTable& table, Eigen::Index row, const ColumnUse& use);
+
+/// Columns in the order of a glove's records, from column `first` on.
+/// @param sensors 18 or 22.
+[[nodiscard]] std::vector<ColumnUse> glove_columns(int sensors, Eigen::Index first);
+
+/// The columns by the names of their header; without such names by their number, as a glove's or
+/// VirtualHand's.
+/// @throws InputError if they are neither.
+[[nodiscard]] TableLayout layout_of(const std::filesystem::path& file, const NumberTable& table);
+
+/// Rows with gaps are left out, with a warning.
+/// @throws InputError naming row and column of what can't be measured, or if no row is whole.
+[[nodiscard]] Recording recording_of(const std::filesystem::path& file, const NumberTable& table,
+                                     const TableLayout& layout);
+
+/// The same, where counts, rad or degrees, and where bending counts negative, are found by the
+/// numbers; a warning says what they were taken for.
+[[nodiscard]] Recording recording_by_numbers(const std::filesystem::path& file,
+                                             const NumberTable& table, TableLayout layout);
+
+}  // namespace handway::device
