@@ -99,18 +99,15 @@ SceneModel::SceneModel(const std::filesystem::path& file, const std::string& bas
 planning::PlanningProblem SceneModel::problem_between(
     const std::optional<Configuration>& start, const std::optional<Configuration>& goal,
     const std::vector<geometric::PoseGoal>& goal_poses) const {
-  const Configuration from = start ? *start : problem_.start;
-  if (goal_poses.empty() && (goal || scene_->goal_poses.empty())) {
-    planning::PlanningProblem problem = problem_;
-    problem.start = from;
-    problem.set_goal(goal_of(*scene_, goal));
-    return problem;
-  }
   auto scene = std::make_shared<Scene>(*scene_);
-  scene->start = from;
-  scene->goal = goal ? goal : scene_->goal;
+  scene->start = start ? *start : problem_.start;
   if (!goal_poses.empty()) {
     scene->goal_poses = goal_poses;
+  } else if (goal) {
+    scene->goal_poses.clear();
+  }
+  if (goal || scene->goal_poses.empty()) {
+    scene->goal = goal_of(*scene_, goal);
   }
   for (const geometric::PoseGoal& pose : scene->goal_poses) {
     if (chain_variables(robot(), needed_link(robot(), pose.link)).empty()) {

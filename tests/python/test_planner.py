@@ -27,6 +27,29 @@ class Planners(unittest.TestCase):
         self.assertTrue(planner.description)
 
 
+class RobotsWithTwoArms(unittest.TestCase):
+    def test_move_the_arm_that_an_argument_moves(self):
+        text = """handway: 1
+robots:
+  - {name: left, model: ur5e_class}
+  - {name: right, model: ur5e_class, mount: {robot: left, link: base_link, pose: {xyz: [0, -2, 0]}}}
+objects:
+  - {name: post, cylinder: {radius: 0.04, length: 0.6}, pose: {xyz: [0.45, -1.7, 0.3]}}
+  - {name: other post, cylinder: {radius: 0.04, length: 0.6}, pose: {xyz: [-0.45, -2.3, 0.3]}}
+start: {joint_2: -1.5, right/joint_2: -0.2}
+goal: {joint_1: 0.5}
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "two.yaml"
+            file.write_text(text)
+            scene = handway.load_scene(file)
+        goal = scene.configuration({"right/joint_1": 1.2}, others=scene.start)
+        path = handway.planner("rrt-connect").plan(scene, goal=goal, time_limit=60).path
+        self.assertGreater(len(path), 2)
+        left = [i for i, name in enumerate(scene.variables) if not name.startswith("right/")]
+        np.testing.assert_array_equal(path[:, left], np.tile(scene.start[left], (len(path), 1)))
+
+
 class Parameters(unittest.TestCase):
     def test_describe_themselves(self):
         for name in handway.planners():
