@@ -86,9 +86,19 @@ void require_configuration(const RobotModel& model, const Configuration& q,
   }
 }
 
+// With as many digits as it takes to tell the value from the limit.
 std::string to_string(const LimitViolation& violation) {
-  return fmt::format("joint {} at {:.4f}, allowed {:.4f} to {:.4f}{}", violation.joint,
-                     violation.value, violation.lower, violation.upper,
+  const double limit = violation.value < violation.lower ? violation.lower : violation.upper;
+  const auto text = [](double number, int digits) {
+    return fmt::format("{:.{}f}", number, digits);
+  };
+  int digits = 4;
+  while (digits < 9 && text(violation.value, digits) == text(limit, digits)) {
+    ++digits;
+  }
+  return fmt::format("joint {} at {}, allowed {} to {}{}", violation.joint,
+                     text(violation.value, digits), text(violation.lower, digits),
+                     text(violation.upper, digits),
                      violation.leader.empty() ? "" : "; it follows " + violation.leader);
 }
 

@@ -164,6 +164,14 @@ TEST(CoupledLimits, AreNamedByTheJointThatFollows) {
   EXPECT_FALSE(state.within_limits());
 }
 
+// As where a scene has a limit with six decimals, or a right angle as 1.5708.
+TEST(LimitViolations, ShowByWhatALimitIsExceeded) {
+  const LimitViolation far{"tip", 0.9, -0.5, 0.5, ""};
+  EXPECT_EQ(to_string(far), "joint tip at 0.9000, allowed -0.5000 to 0.5000");
+  const LimitViolation close{"tip", -0.069813, -1.3089969, -0.0698132, ""};
+  EXPECT_EQ(to_string(close), "joint tip at -0.0698130, allowed -1.3089969 to -0.0698132");
+}
+
 TEST(CoupledLimits, OfAnyJointComeInTheOrderOfTheLinks) {
   RobotDescription robot = finger(0.5, 0.0, -0.5, 1.0);
   robot.links.push_back({"thumb", {}, {}});

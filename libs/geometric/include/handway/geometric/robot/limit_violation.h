@@ -35,7 +35,8 @@ struct LimitViolation {
 HANDWAY_GEOMETRIC_EXPORT void require_configuration(const RobotModel& model, const Configuration& q,
                                                     const std::string& source);
 
-/// "joint J at 0.9000, allowed -0.5000 to 0.5000", and which joint it follows.
+/// "joint J at 0.9000, allowed -0.5000 to 0.5000", and which joint it follows; with more digits
+/// where these four make the value look as if it were the limit.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const LimitViolation& violation);
 
 }  // namespace handway::geometric
