@@ -129,6 +129,34 @@ TEST_F(Optimizer, GivesTheSamePathForTheSameSeed) {
             optimized(path, human_like(), 2000).waypoints);
 }
 
+TEST_F(Optimizer, GoesOnWithPathsThatAreALongWayRound) {
+  struct Smoothed {
+    double length;
+    std::uint64_t checks;
+  };
+  const auto smoothed = [&](const Path& path, int most_rounds) {
+    constexpr int kChecks = 40;
+    PlanningContext context(problem_, request_, {}, observer_);
+    PlanResult result;
+    smooth_result(context, {static_cast<int>(ObjectivePreset::kShortest), {}}, kChecks, path,
+                  result, most_rounds);
+    return Smoothed{cost(result.path, {}), context.statistics().checks()};
+  };
+  const Path past_a_post = found();
+  Path to_and_fro = past_a_post;
+  for (int i = 0; i < 2; ++i) {
+    std::vector<Configuration> back = past_a_post.waypoints;
+    if (i == 0) {
+      std::ranges::reverse(back);
+    }
+    to_and_fro.waypoints.insert(to_and_fro.waypoints.end(), back.begin() + 1, back.end());
+  }
+  const Smoothed once = smoothed(to_and_fro, 1);
+  const Smoothed often = smoothed(to_and_fro, 6);
+  EXPECT_GT(often.checks, once.checks);
+  EXPECT_LT(often.length, 0.9 * once.length);
+}
+
 TEST_F(Optimizer, Converges) {
   PlanningContext context(problem_, request_, {}, observer_);
   PathOptimizer optimizer(context, human_like(), found(), 3);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace handway::planning {
@@ -25,6 +26,8 @@ constexpr int kRound = 64;            // replacements that are drawn before the 
 // For smooth_result().
 constexpr std::uint64_t kWaypoints = 16;  // that a number of checks is for
 constexpr double kDistance = 0.01;        // of the hand from the subspace, that is worth a round
+constexpr double kDetour = 1.5;           // that is worth rounds, as long as …
+constexpr double kShorter = 0.95;         // … each brings the cost to this share or less
 
 Point between(const Point& from, const Point& to, double share) {
   return {from.q + share * (to.q - from.q), from.joints + share * (to.joints - from.joints),
@@ -58,6 +61,10 @@ double PathOptimizer::avoidable_distance() const {
   }
   const double forced = objective_.forced_outside(points_.front(), points_.back());
   return (sum_.outside - forced) / sum_.length;
+}
+
+double PathOptimizer::detour() const {
+  return sum_.length / points_.front().distance_to(points_.back());
 }
 
 double PathOptimizer::cost() const { return objective_.cost(sum_); }
@@ -403,6 +410,13 @@ void smooth_result(PlanningContext& context, const ObjectiveSettings& objective,
     const double more = std::round(optimizer.avoidable_distance() / kDistance);
     optimizer.set_patience(PathOptimizer::kThorough);
     optimizer.advance(round * static_cast<std::uint64_t>(std::clamp(more, 0.0, most_rounds - 1.0)));
+    double before = std::numeric_limits<double>::infinity();
+    for (int i = 0;
+         i < most_rounds && optimizer.detour() > kDetour && optimizer.cost() <= kShorter * before;
+         ++i) {
+      before = optimizer.cost();
+      optimizer.advance(round);
+    }
   }
   result.path = optimizer.path();
 }

@@ -14,6 +14,8 @@ constexpr double kSmallestBall = 0.005;
 constexpr double kSmallestExpansion = 0.02;
 constexpr double kLargestBall = 0.3;
 
+constexpr double kWidenedInVain = 2.0;  // times, before samples are drawn anywhere
+
 constexpr double kOnward = 0.5;  // share of expansions that go on along the edge to the node
 
 // Every size is as likely as any other. @param u uniform in [0, 1].
@@ -75,18 +77,38 @@ TargetSampler::Target TargetSampler::draw(std::uint64_t sample, int end, int fai
 
 TargetSampler::Target TargetSampler::target(const Eigen::VectorXd& u) const {
   if (!in_regions_) {
-    const Eigen::VectorXd range = space().upper() - space().lower();
-    return {range.array().isFinite().select(space().lower() + u.cwiseProduct(range), u), 0, 0.0};
+    return {in_bounds(u), 0, 0.0};
   }
-  Target target = u[0] < settings_.near_ends ? near_end(u) : in_corridor(u);
+  const double share = times_widened() < kWidenedInVain ? 0.0 : settings_.anywhere;
+  Target target = u[0] < share                                           ? anywhere(u)
+                  : (u[0] - share) / (1.0 - share) < settings_.near_ends ? near_end(u)
+                                                                         : in_corridor(u);
   target.pmds = draw_.axes - static_cast<int>(region_.basis().free_joints.size());
   return target;
 }
 
+double TargetSampler::times_widened() const {
+  return std::floor(static_cast<double>(draw_.sample) / settings_.samples_per_width);
+}
+
+// Of the first coordinates of the space. Joints without limits go around once.
+Eigen::VectorXd TargetSampler::in_bounds(const Eigen::VectorXd& u) const {
+  const Eigen::VectorXd lower = space().lower().head(u.size());
+  const Eigen::VectorXd range = space().upper().head(u.size()) - lower;
+  return range.array().isFinite().select(lower + u.cwiseProduct(range), u);
+}
+
+TargetSampler::Target TargetSampler::anywhere(const Eigen::VectorXd& u) const {
+  const int arm_size = space().corridor_dimension();
+  Target target{Eigen::VectorXd(space().dimension()), 0, 0.0};
+  target.coordinates << in_bounds(u.segment(2, arm_size)),
+      sampling::map_to_posture(region_.basis(), u.segment(2 + arm_size, draw_.axes));
+  return target;
+}
+
 TargetSampler::Target TargetSampler::in_corridor(const Eigen::VectorXd& u) const {
-  const double widths = std::floor(static_cast<double>(draw_.sample) / settings_.samples_per_width);
-  const double rho =
-      std::min(settings_.rho_max, settings_.rho_a * std::pow(settings_.rho_growth, widths));
+  const double rho = std::min(settings_.rho_max,
+                              settings_.rho_a * std::pow(settings_.rho_growth, times_widened()));
   const int arm_size = space().corridor_dimension();
   Target target{Eigen::VectorXd(space().dimension()), 0, rho};
   target.coordinates << space().corridor_point(u[1], rho, u.segment(2, arm_size)),

@@ -155,6 +155,32 @@ TEST_F(TargetsOfTheFlatArm, KeepThePosturesOfTheEndsInHalfOfTheDrawsAroundThem) 
   EXPECT_NEAR(as_at_start, kDraws / 4.0, 50.0);
 }
 
+// Half of the samples; the others have the arm next to the straight motion.
+TEST_F(TargetsOfTheFlatArm, AreAnywhereOnceTheCorridorWasWidenedInVain) {
+  PlanningContext context(problem_, {}, stop_.get_token(), observer_);
+  const TargetRegion region{.near_ends = 0.0,
+                            .rho_a = 0.001,
+                            .rho_max = 0.001,
+                            .samples_per_width = kDraws / 2,
+                            .anywhere = 0.5};
+  TargetSampler targets(context, region, HandSpace::kPrincipalDirections, 1);
+  const auto far_from_corridor = [&](std::uint64_t first) {
+    int count = 0;
+    for (std::uint64_t i = first; i < first + kDraws; ++i) {
+      const Configuration q = draw(targets, i);
+      const auto arm = [&](const Configuration& c) -> Eigen::VectorXd {
+        return geometric::normalised(problem_.model(), c)(problem_.arm);
+      };
+      const Eigen::VectorXd along = (arm(problem_.goal) - arm(problem_.start)).normalized();
+      const Eigen::VectorXd off = arm(q) - arm(problem_.start);
+      count += (off - off.dot(along) * along).norm() > 0.01 ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(far_from_corridor(0), 0);
+  EXPECT_NEAR(far_from_corridor(kDraws), 0.5 * kDraws, 0.1 * kDraws);
+}
+
 TEST_F(TargetsOfTheFlatArm, StayWithinTheLimits) {
   PlanningContext context(problem_, {}, stop_.get_token(), observer_);
   const TargetRegion region;

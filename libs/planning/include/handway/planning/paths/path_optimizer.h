@@ -66,6 +66,8 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   /// By how much the hand is on average farther from the PMD subspace than it would be if it went
   /// straight to it, stayed in it and left it for the goal; 0 if that does not count.
   [[nodiscard]] double avoidable_distance() const;
+  /// How many times as long as the straight motion between its ends the path is.
+  [[nodiscard]] double detour() const;
   [[nodiscard]] double cost() const;
 
  private:
@@ -136,7 +138,8 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
 /// the result's smoothing time.
 /// @param checks configurations to spend on it for every 16 waypoints.
 /// @param most_rounds up to so many times as many are spent where the hand stays farther from the
-/// PMD subspace than the ends force it to, and half as many where the length alone counts.
+/// PMD subspace than the ends force it to, and as many again where the path goes a long way round;
+/// half as many where the length alone counts.
 HANDWAY_PLANNING_EXPORT void smooth_result(PlanningContext& context,
                                            const ObjectiveSettings& objective, int checks,
                                            const Path& found, PlanResult& result,

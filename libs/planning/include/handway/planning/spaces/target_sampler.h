@@ -27,6 +27,7 @@ struct TargetRegion {
   double rho_max = 0.4;     ///< … and at most.
   double rho_growth = 1.5;  ///< Factor after every `samples_per_width`.
   int samples_per_width = 300;
+  double anywhere = 0.0;  ///< Share of samples in the arm's whole range, after two widenings.
   int max_pmds = std::numeric_limits<int>::max();  ///< Most principal directions used together.
 };
 
@@ -75,6 +76,9 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
  private:
   [[nodiscard]] Eigen::VectorXd direction(Eigen::Index size, sampling::RandomStream& draw) const;
   [[nodiscard]] Target target(const Eigen::VectorXd& u) const;
+  [[nodiscard]] double times_widened() const;
+  [[nodiscard]] Eigen::VectorXd in_bounds(const Eigen::VectorXd& u) const;
+  [[nodiscard]] Target anywhere(const Eigen::VectorXd& u) const;
   [[nodiscard]] Target in_corridor(const Eigen::VectorXd& u) const;
   [[nodiscard]] Target near_end(const Eigen::VectorXd& u) const;
 
