@@ -188,7 +188,11 @@ void save_scene(const planning::LoadedScene& loaded, const geometric::Configurat
   geometric::Scene scene = *loaded.scene;
   scene.planner = planner;
   if (!scene.robots.empty()) {
-    scene.robots.front().configuration = shown;
+    // Where a task without a start begins.
+    const geometric::Configuration stood = std::exchange(scene.robots.front().configuration, shown);
+    if (!scene.start && (scene.goal || !scene.goal_poses.empty())) {
+      scene.start = stood;
+    }
   }
   if (loaded.basis && scene.hand_basis.empty()) {
     const std::filesystem::path basis = file.parent_path() / (file.stem().string() + "_hand.yaml");

@@ -94,7 +94,8 @@ class RecordedHand : public QObject {
 [[nodiscard]] planning::LoadedScene new_scene(const std::string& robot, const std::string& hand,
                                               const planning::PluginManager& plugins);
 
-/// Writes a scene as Handway's own format, the first robot standing at `shown`.
+/// Writes a scene as Handway's own format, the first robot standing at `shown`. A task without a
+/// start keeps the one that it has: where the robot stood.
 /// The hand's basis of an imported problem goes into `STEM_hand.yaml` beside it.
 /// @param shown shape [variable_count] of the first robot; unused without robots.
 /// @throws InputError if a file can't be written.

@@ -207,6 +207,7 @@ SceneState with_start(const SceneState& state, const Configuration& q) {
 
 SceneState with_goal(const SceneState& state, const Configuration& q) {
   Scene scene = *state.scene;
+  scene.start = scene.start.value_or(scene.robots.front().configuration);
   scene.goal = q;
   scene.goal_poses.clear();
   geometric::keep_still_in_goal(scene);

@@ -29,6 +29,25 @@ TEST(SaveScene, WritesWhatOpensAsTheSame) {
   EXPECT_EQ(after.basis->joints, before.basis->joints);
 }
 
+TEST(SaveScene, KeepsWhereATaskWithoutAStartBegins) {
+  const SmallCell cell;
+  const planning::PluginManager plugins;
+  const planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
+  geometric::Scene scene = *loaded.scene;
+  scene.start.reset();
+  const geometric::Configuration stood = scene.robots.front().configuration;
+  const std::filesystem::path file = cell.folder() / "saved.yaml";
+  gui::save_scene({std::make_shared<const geometric::Scene>(scene), loaded.basis}, *scene.goal, {},
+                  file);
+  const planning::LoadedScene after = planning::load_scene(file, plugins);
+  EXPECT_EQ(after.scene->start, stood);
+  EXPECT_EQ(after.scene->robots.front().configuration, *scene.goal);
+
+  scene.goal.reset();
+  gui::save_scene({std::make_shared<const geometric::Scene>(scene), loaded.basis}, stood, {}, file);
+  EXPECT_FALSE(planning::load_scene(file, plugins).scene->start) << "no task";
+}
+
 TEST(SaveScene, PutsTheBasisOfAnImportedProblemBesideIt) {
   const SmallCell cell;
   const planning::PluginManager plugins;

@@ -161,6 +161,20 @@ TEST_F(EditingAScene, PutsBackWhatIsDraggedOnEscape) {
   EXPECT_FALSE(editor().undo_stack().canUndo());
 }
 
+// Planning began where the robot's file has it, which nobody saw, and the saved scene did not know.
+TEST_F(EditingAScene, ShowsWhereATaskBeginsThatGotItsGoal) {
+  open(cell().folder() / "arm.urdf");
+  ASSERT_FALSE(scene().start);
+  const geometric::Configuration stood = window().document().configuration();
+  const Eigen::Vector4d goal(0.4, 0.9, 0.0, 0.0);
+  window().document().set_configuration(goal);
+  editor().set_goal(goal);
+  EXPECT_EQ(scene().start, stood);
+  EXPECT_EQ(scene().goal, geometric::Configuration(goal));
+  actions().undo->trigger();
+  EXPECT_FALSE(scene().start);
+}
+
 TEST_F(EditingAScene, PlansInTheSceneAsItIsNow) {
   select("post");
   editor().remove();
