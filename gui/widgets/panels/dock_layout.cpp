@@ -209,8 +209,14 @@ bool restore_layout(QMainWindow& window) {
 }
 
 void restore_geometry(QMainWindow& window, const QSize& wanted) {
-  if (!window.restoreGeometry(QSettings().value(geometry_key()).toByteArray())) {
-    window.resize(wanted.boundedTo(window.screen()->availableSize()));
+  if (window.restoreGeometry(QSettings().value(geometry_key()).toByteArray())) {
+    return;
+  }
+  constexpr QSize kFrame{16, 48};  // px; the window's own is known once it is shown
+  const QSize room = window.screen()->availableSize() - kFrame;
+  window.resize(wanted.boundedTo(room));
+  if (window.size() != wanted) {
+    window.setWindowState(window.windowState() | Qt::WindowMaximized);
   }
 }
 

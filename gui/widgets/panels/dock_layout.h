@@ -82,7 +82,8 @@ class PanelArea : public ScrollingPage {
 void save_layout(const QMainWindow& window);
 /// @returns false if there is none, or one of another version of the program.
 bool restore_layout(QMainWindow& window);
-/// Puts the window where it was; at first in the `wanted` size, px, or that of a smaller screen.
+/// Puts the window where it was; at first in the `wanted` size, px, or maximised on a screen that
+/// has no room for that and a frame.
 void restore_geometry(QMainWindow& window, const QSize& wanted);
 
 }  // namespace handway::gui

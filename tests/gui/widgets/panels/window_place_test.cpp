@@ -10,12 +10,23 @@
 namespace handway::test {
 namespace {
 
-TEST(WindowPlace, IsNoLargerThanTheScreenAtFirst) {
+TEST(WindowPlace, IsTheUsualSizeAtFirst) {
   QSettings().remove(QStringLiteral("window"));
   QMainWindow window;
-  gui::restore_geometry(window, {100'000, 500});
-  EXPECT_EQ(window.width(), window.screen()->availableSize().width());
-  EXPECT_EQ(window.height(), 500);
+  gui::restore_geometry(window, {900, 500});
+  EXPECT_EQ(window.size(), QSize(900, 500));
+  EXPECT_FALSE(window.isMaximized());
+}
+
+// The status line was below the lower edge of a screen as large as the window without its frame.
+TEST(WindowPlace, IsTheWholeScreenAtFirstWhereTheFrameHasNoRoom) {
+  QSettings().remove(QStringLiteral("window"));
+  QMainWindow window;
+  const QSize screen = window.screen()->availableSize();
+  gui::restore_geometry(window, screen);
+  EXPECT_TRUE(window.isMaximized());
+  EXPECT_LT(window.height(), screen.height());
+  EXPECT_LT(window.width(), screen.width());
 }
 
 TEST(WindowPlace, IsThatOfLastTime) {
