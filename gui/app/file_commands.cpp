@@ -6,6 +6,7 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/file_dialogs.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/style/theme.h"
 
@@ -217,22 +218,15 @@ void FileCommands::open() {
 
 bool FileCommands::save() {
   const std::filesystem::path& file = workbench_.document.file();
-  return geometric::has_extension(file, ".yaml") ? save_to(QString::fromStdString(file.string()))
-                                                 : save_as();
+  const bool is_own = geometric::has_extension(file, ".yaml") && !is_shipped(file);
+  return is_own ? save_to(QString::fromStdString(file.string())) : save_as();
 }
 
 bool FileCommands::save_as() {
-  QFileDialog dialog(&workbench_.window, tr("Save the scene"), {}, tr("Scenes (*.yaml)"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.selectFile(QString::fromStdString(workbench_.document.file().stem().string() + ".yaml"));
-  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
-    return false;
-  }
-  QString file = dialog.selectedFiles().front();
-  if (QFileInfo(file).suffix().isEmpty()) {
-    file += QStringLiteral(".yaml");
-  }
-  return save_to(file);
+  const QString name = QString::fromStdString(workbench_.document.file().stem().string() + ".yaml");
+  const QString file =
+      ask_where_to_save(&workbench_.window, tr("Save the scene"), name, tr("Scenes (*.yaml)"));
+  return !file.isEmpty() && save_to(file);
 }
 
 bool FileCommands::save_to(const QString& file) {
@@ -250,8 +244,8 @@ bool FileCommands::save_to(const QString& file) {
 }
 
 void FileCommands::save_picture() {
-  const QString file = QFileDialog::getSaveFileName(&workbench_.window, tr("Save a picture"), {},
-                                                    tr("Pictures (*.png)"));
+  const QString file =
+      ask_where_to_save(&workbench_.window, tr("Save a picture"), {}, tr("Pictures (*.png)"));
   if (!file.isEmpty() && !workbench_.view.picture().save(file)) {
     workbench_.show_error(tr("The picture was not saved"), tr("%1 can't be written").arg(file));
   }

@@ -64,7 +64,7 @@ constexpr Help kHelp[] = {
      QT_TRANSLATE_NOOP("Help",
                        "<b>Properties</b><p>The selected object in numbers. Type a number of "
                        "millimetres or degrees, or one with its unit: <i>0.2 m</i>, <i>3.5 cm</i>, "
-                       "<i>1.57 rad</i>. <b>Fixed to</b> lets a link carry the object.</p>")},
+                       "<i>1.57 rad</i>. <b>Attached to</b> lets a link carry the object.</p>")},
     {"messages", QT_TRANSLATE_NOOP("Help",
                                    "<b>Messages</b><p>What was opened, saved and planned, with the "
                                    "warnings of readers and plugins.</p>")},

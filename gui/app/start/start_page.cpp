@@ -36,11 +36,21 @@ void take_words_of_file(ShippedScene& scene) {
 
 }  // namespace
 
+namespace {
+
+fs::path folder_of_scenes() { return geometric::resource_dir().parent_path() / "scenes"; }
+
+}  // namespace
+
+bool is_shipped(const fs::path& scene) {
+  std::error_code not_there;
+  return fs::equivalent(scene.parent_path(), folder_of_scenes(), not_there);
+}
+
 std::vector<ShippedScene> shipped_scenes() {
   std::vector<ShippedScene> scenes;
   std::error_code none;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(geometric::resource_dir().parent_path() / "scenes", none)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of_scenes(), none)) {
     if (entry.path().extension() != ".yaml") {
       continue;
     }

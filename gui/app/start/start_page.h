@@ -22,6 +22,8 @@ struct ShippedScene {
 
 /// In alphabetical order; empty if the program's scenes are not where they belong.
 [[nodiscard]] std::vector<ShippedScene> shipped_scenes();
+/// Whether it is in the folder of these.
+[[nodiscard]] bool is_shipped(const std::filesystem::path& scene);
 
 /// What an empty window shows: scenes to open, robots to begin with, recent files.
 class StartPage : public ScrollingPage {

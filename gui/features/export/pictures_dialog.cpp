@@ -2,13 +2,13 @@
 
 #include "features/export/film_recorder.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/file_dialogs.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/plots/figure_file.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -169,7 +169,7 @@ QFormLayout* PicturesDialog::make_settings() {
   }
   sizes_->setCurrentIndex(1);
   for (const int rate : {10, 15, 25, 30, 60}) {
-    rates_->addItem(tr("%1 pictures a second").arg(rate), rate);
+    rates_->addItem(tr("%1 frames per second").arg(rate), rate);
   }
   rates_->setCurrentIndex(rates_->findData(25));
   offer_speeds(*speeds_);
@@ -262,7 +262,7 @@ void PicturesDialog::browse() {
                          : kind() == Kind::kStrip
                              ? tr("Picture (*.png);;Drawing (*.svg)")
                              : QStringLiteral("%1 (*.%2)").arg(suffix().toUpper(), suffix());
-  const QString file = QFileDialog::getSaveFileName(this, windowTitle(), file_->text(), filter);
+  const QString file = ask_where_to_save(this, windowTitle(), file_->text(), filter);
   if (!file.isEmpty()) {
     file_->setText(file);
   }

@@ -5,11 +5,11 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/file_dialogs.h"
 #include "widgets/style/theme.h"
 
 #include <QDate>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
@@ -483,8 +483,8 @@ void CalibrationGuide::choose_to_save() {
                            ? tr("calibration")
                            : person.toLower().replace(QLatin1Char(' '), QLatin1Char('_'));
   const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save the calibration"), name + QStringLiteral(".yaml"),
-                                   tr("Calibrations (*.yaml)"));
+      ask_where_to_save(this, tr("Save the calibration"), name + QStringLiteral(".yaml"),
+                        tr("Calibrations (*.yaml)"));
   try {
     if (!file.isEmpty()) {
       save(file.toStdString());

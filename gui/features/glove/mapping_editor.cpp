@@ -11,6 +11,7 @@
 #include "handway/sampling/postures/principal_components.h"
 #include "model/document/edit.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/file_dialogs.h"
 #include "widgets/style/theme.h"
 
 #include <QFileDialog>
@@ -564,8 +565,8 @@ void MappingEditor::choose_to_open() {
 }
 
 void MappingEditor::choose_to_save() {
-  QString file = QFileDialog::getSaveFileName(this, tr("Save the mapping"),
-                                              QStringLiteral("mapping.yaml"), filter());
+  const QString file =
+      ask_where_to_save(this, tr("Save the mapping"), QStringLiteral("mapping.yaml"), filter());
   try {
     if (!file.isEmpty()) {
       save(file.toStdString());

@@ -4,6 +4,7 @@
 #include "features/glove/capture_coach.h"
 #include "features/glove/device_field.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/file_dialogs.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -354,8 +355,8 @@ void PmdExplorer::choose_to_open() {
 bool PmdExplorer::choose_to_save() {
   const QString name = QString::fromStdString(hand_.empty() ? "hand" : hand_);
   const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save the hand basis"),
-                                   name + QStringLiteral("_basis.yaml"), tr("Hand bases (*.yaml)"));
+      ask_where_to_save(this, tr("Save the hand basis"), name + QStringLiteral("_basis.yaml"),
+                        tr("Hand bases (*.yaml)"));
   try {
     if (!file.isEmpty()) {
       save(file.toStdString());

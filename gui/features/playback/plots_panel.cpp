@@ -9,6 +9,7 @@
 #include "model/playback/motion_analysis.h"
 #include "model/playback/path_player.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/file_dialogs.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/plots/cursor_plot.h"
@@ -16,7 +17,6 @@
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
@@ -506,15 +506,11 @@ QString PlotsPanel::value_text(std::size_t point) const {
 }
 
 void PlotsPanel::ask_for_file() {
-  QString chosen;
-  QString file = QFileDialog::getSaveFileName(
-      window(), tr("Export the plot"), quantities_->currentText().toLower(),
-      tr("Picture (*.png);;Drawing (*.svg);;Table (*.csv)"), &chosen);
+  const QString file =
+      ask_where_to_save(window(), tr("Export the plot"), quantities_->currentText().toLower(),
+                        tr("Picture (*.png);;Drawing (*.svg);;Table (*.csv)"));
   if (file.isEmpty()) {
     return;
-  }
-  if (QFileInfo(file).suffix().isEmpty()) {
-    file += chosen.section(QLatin1Char('*'), 1).section(QLatin1Char(')'), 0, 0);
   }
   try {
     write(file);

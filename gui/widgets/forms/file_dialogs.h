@@ -1,8 +1,18 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
+
+class QWidget;
 
 namespace handway::gui {
+
+/// Asks where to write a file. A name without an ending gets that of the type that is chosen before
+/// it is asked whether a file that is there may be replaced.
+/// @param name that is proposed, with or without a folder. @param filters as QFileDialog has them.
+/// @returns nothing if it was cancelled.
+[[nodiscard]] QString ask_where_to_save(QWidget* parent, const QString& title, const QString& name,
+                                        const QString& filters);
 
 /// Qt's file dialogs have choices of folder and of type that are narrower than what they hold:
 /// their tooltips show all of it, in every file dialog of the program.

@@ -4,6 +4,7 @@
 #include "patience.h"
 #include "window_test.h"
 
+#include <QFileDialog>
 #include <QFrame>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,6 +12,7 @@
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QTimer>
 
 #include <algorithm>
 #include <utility>
@@ -46,6 +48,21 @@ TEST_F(StartingTheWindow, OpensAShippedSceneFromItsPicture) {
   wait_for_scene();
   EXPECT_EQ(window().document().scene()->name, "Can on a table");
   EXPECT_FALSE(part<QWidget>("start_page").isVisible());
+}
+
+// An example that was tried out was no example any more.
+TEST_F(StartingTheWindow, SavesAShippedSceneUnderANameOfItsOwn) {
+  click("open can_on_table");
+  wait_for_scene();
+  bool asked = false;
+  QTimer::singleShot(0, &window(), [&] {
+    if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+      asked = true;
+      dialog->reject();
+    }
+  });
+  part<QAction>("save").trigger();
+  EXPECT_TRUE(asked);
 }
 
 TEST_F(StartingTheWindow, ShowsAsManyPicturesBesideEachOtherAsThereIsRoomFor) {
