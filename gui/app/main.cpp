@@ -6,10 +6,10 @@
 #include "model/settings/preferences.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/dock_layout.h"
+#include "widgets/style/desktop_theme.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>
-#include <QSettings>
 
 #include <CLI/CLI.hpp>
 
@@ -94,7 +94,7 @@ std::optional<gui::Options> parse_options(int argc, char** argv, int& exit_code)
   app.add_option("--glove-time", options.glove_time,
                  "Listen to glove and tracker for so many s before a screenshot (default 3)")
       ->check(CLI::Range(0.0, 3600.0));
-  app.add_option("--theme", options.theme, "light or dark (default: as last time)")
+  app.add_option("--theme", options.theme, "light or dark (default: as in the preferences)")
       ->check(CLI::IsMember({"light", "dark"}));
   app.add_option("--text-size", options.text_size,
                  "Size of text, in percent (default: as in the preferences)")
@@ -117,10 +117,11 @@ bool has_display() {
   return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY") || std::getenv("QT_QPA_PLATFORM");
 }
 
-gui::Theme theme_of(const gui::Options& options) {
-  const QString kept = QSettings().value(QStringLiteral("theme")).toString();
-  const QString wanted = options.theme.empty() ? kept : QString::fromStdString(options.theme);
-  return wanted == QLatin1String("dark") ? gui::Theme::kDark : gui::Theme::kLight;
+gui::Theme theme_of(const gui::Options& options, const gui::PreferenceValues& preferences) {
+  if (!options.theme.empty()) {
+    return options.theme == "dark" ? gui::Theme::kDark : gui::Theme::kLight;
+  }
+  return preferences.theme.value_or(gui::desktop_theme());
 }
 
 int run(QApplication& application, const gui::Options& options) {
@@ -174,8 +175,9 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("handway"));
   QApplication::setApplicationName(QStringLiteral("handway-workbench"));
   QApplication::setApplicationVersion(QStringLiteral(HANDWAY_VERSION));
-  const int text_size = options->text_size.value_or(gui::Preferences().values().text_size);
-  gui::apply_theme(application, theme_of(*options), text_size / 100.0);
+  const gui::PreferenceValues preferences = gui::Preferences().values();
+  const int text_size = options->text_size.value_or(preferences.text_size);
+  gui::apply_theme(application, theme_of(*options, preferences), text_size / 100.0);
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/handway.svg")));
   return run(application, *options);
 }

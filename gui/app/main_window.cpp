@@ -18,6 +18,7 @@
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tooltips.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -40,6 +41,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget
   setContextMenuPolicy(Qt::NoContextMenu);
   new WheelGuard(this);
   new FileDialogTooltips(this);
+  new WrappedTooltips(this);
   new EnterKey(*this, workbench_.view);
   new FreedMemory(workbench_);
   build_middle();
@@ -88,7 +90,7 @@ void MainWindow::add_commands() {
   QAction* about = workbench_.make_action("", tr("&About Handway"), {}, {});
   QAction* layout =
       workbench_.make_action("", tr("&Reset the layout"), {}, tr("Put all panels back"));
-  workbench_.add_to_menu(MainMenu::kView, {2, 20}, layout);
+  workbench_.add_to_menu(MainMenu::kView, {3, 0}, layout);
   workbench_.add_to_menu(MainMenu::kHelp, {0, 0}, help);
   workbench_.add_to_menu(MainMenu::kHelp, {0, 1}, find);
   workbench_.add_to_menu(MainMenu::kHelp, {0, 2}, about);
@@ -103,9 +105,9 @@ void MainWindow::add_theme_command() {
   dark_->setCheckable(true);
   dark_->setChecked(current_theme() == Theme::kDark);
   workbench_.add_to_bar(MainBar::kTools, {3, 15}, dark_);
-  connect(dark_, &QAction::toggled, this, [this](bool dark) {
+  connect(dark_, &QAction::triggered, this, [this](bool dark) {
     show_theme(dark ? Theme::kDark : Theme::kLight);
-    workbench_.preferences.set(&PreferenceValues::theme, current_theme());
+    workbench_.preferences.set(&PreferenceValues::theme, std::optional(current_theme()));
   });
 }
 

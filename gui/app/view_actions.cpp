@@ -7,6 +7,7 @@
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
+#include "widgets/style/desktop_theme.h"
 #include "widgets/style/theme.h"
 
 #include <QAbstractButton>
@@ -104,7 +105,7 @@ void PreferenceEffects::follow() {
   apply_to_planning(values);
   const bool recolor = values.theme != std::exchange(applied_, values).theme;
   if (recolor) {
-    emit theme_changed(values.theme);
+    emit theme_changed(values.theme.value_or(desktop_theme()));
   }
 }
 

@@ -61,10 +61,13 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const QStringList
 
 void PreferencesDialog::add_appearance(QFormLayout& form) {
   form.addRow(heading(tr("Appearance")));
-  add_choice<Theme>(form, "theme", tr("Theme"),
-                    {{tr("Light"), Theme::kLight}, {tr("Dark"), Theme::kDark}},
-                    [](Values& values) -> Theme& { return values.theme; });
-  add_choice<int>(form, "text_size", tr("Text, at the next start"),
+  add_choice<std::optional<Theme>>(
+      form, "theme", tr("Theme"),
+      {{tr("As the desktop"), std::nullopt},
+       {tr("Light"), Theme::kLight},
+       {tr("Dark"), Theme::kDark}},
+      [](Values& values) -> std::optional<Theme>& { return values.theme; });
+  add_choice<int>(form, "text_size", tr("Text size, from the next start"),
                   {{tr("100 %"), 100}, {tr("125 %"), 125}, {tr("150 %"), 150}, {tr("200 %"), 200}},
                   [](Values& values) -> int& { return values.text_size; });
   add_choice<LengthUnit>(form, "length_unit", tr("Lengths in fields"),
@@ -91,7 +94,7 @@ void PreferencesDialog::add_view(QFormLayout& form) {
        {tr("Right turns, middle moves"), NavigationStyle::kRightTurns}},
       [](Values& values) -> NavigationStyle& { return values.navigation.style; });
   add_choice<bool>(form, "wheel", tr("Wheel forwards"),
-                   {{tr("Goes nearer"), false}, {tr("Goes away"), true}},
+                   {{tr("Zooms in"), false}, {tr("Zooms out"), true}},
                    [](Values& values) -> bool& { return values.navigation.wheel_reversed; });
   add_choice<int>(
       form, "samples", tr("Smooth edges"),
@@ -100,7 +103,7 @@ void PreferencesDialog::add_view(QFormLayout& form) {
   add_choice<bool>(form, "motion_quality", tr("While something moves"),
                    {{tr("Fast pictures"), false}, {tr("Fine pictures"), true}},
                    [](Values& values) -> bool& { return values.always_fine; });
-  add_choice<int>(form, "frame_limit", tr("Frames a second"),
+  add_choice<int>(form, "frame_limit", tr("Frames per second"),
                   {{tr("At most 30"), 30}, {tr("At most 60"), 60}, {tr("No limit"), 0}},
                   [](Values& values) -> int& { return values.frame_limit; });
   add_switch(form, "show_floor", tr("Floor grid"),
@@ -119,7 +122,7 @@ void PreferencesDialog::add_planning(QFormLayout& form, const QStringList& plann
                       [](Values& values) -> QString& { return values.planner; });
   auto* threads = new QSpinBox;
   threads->setRange(0, 1024);
-  threads->setSpecialValueText(tr("One a processor"));
+  threads->setSpecialValueText(tr("One per processor"));
   connect(threads, qOverload<int>(&QSpinBox::valueChanged), this,
           [this](int value) { preferences_.set(&Values::threads, value); });
   show_.emplace_back([this, threads] { threads->setValue(preferences_.values().threads); });

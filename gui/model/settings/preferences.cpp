@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace handway::gui {
@@ -34,7 +35,8 @@ namespace {
 template <typename Value, std::size_t kCount>
 using Words = std::array<std::pair<Value, const char*>, kCount>;
 
-constexpr Words<Theme, 2> kThemes{{{Theme::kLight, "light"}, {Theme::kDark, "dark"}}};
+constexpr Words<std::optional<Theme>, 3> kThemes{
+    {{std::nullopt, "desktop"}, {Theme::kLight, "light"}, {Theme::kDark, "dark"}}};
 constexpr Words<LengthUnit, 4> kLengths{{{LengthUnit::kMillimetre, "mm"},
                                          {LengthUnit::kCentimetre, "cm"},
                                          {LengthUnit::kMetre, "m"},

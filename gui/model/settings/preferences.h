@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QString>
 
+#include <optional>
+
 namespace handway::gui {
 
 enum class LengthUnit { kMillimetre, kCentimetre, kMetre, kInch };
@@ -31,8 +33,8 @@ enum class Theme { kLight, kDark };
 
 /// What a person may wish of the workbench, whatever scene is open. As made: the defaults.
 struct PreferenceValues {
-  Theme theme = Theme::kLight;
-  int text_size = 100;  ///< Percent; from the next start.
+  std::optional<Theme> theme;  ///< Empty: the desktop's.
+  int text_size = 100;         ///< Percent; from the next start.
   QuantityUnits units;
 
   Projection projection = Projection::kPerspective;

@@ -1,5 +1,7 @@
 #include "widgets/style/theme.h"
 
+#include "widgets/style/desktop_theme.h"
+
 #include <QAction>
 #include <QApplication>
 #include <QEvent>
@@ -202,6 +204,7 @@ void apply_theme(QApplication& application, Theme theme) {
 
 void apply_theme(QApplication& application, Theme theme, double text_scale) {
   take_resources();
+  desktop_theme();  // its palette is replaced
   const ThemeColors before = colors_of(std::exchange(applied, theme));
   applied_scale = text_scale;
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

@@ -85,7 +85,7 @@ class PlotsInTheWindow : public WindowTest {
 TEST_F(PlotsInTheWindow, FollowTheTheme) {
   plan_what_is_drawn();
   for (const gui::Theme theme : {gui::Theme::kDark, gui::Theme::kLight, gui::Theme::kDark}) {
-    window().workbench().preferences.set(&gui::PreferenceValues::theme, theme);
+    window().workbench().preferences.set(&gui::PreferenceValues::theme, std::optional(theme));
     expect_all_seen(theme);
   }
 }

@@ -8,6 +8,7 @@
 #include "view3d/orientation_cube.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/quantity_field.h"
+#include "widgets/style/desktop_theme.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
@@ -117,9 +118,12 @@ TEST_F(ThePreferences, PaintFinelyWhileSomethingMovesOrNot) {
 }
 
 TEST_F(ThePreferences, ChangeTheTheme) {
-  choose("theme", 1);
+  choose("theme", 2);
   EXPECT_EQ(gui::current_theme(), gui::Theme::kDark);
   EXPECT_TRUE(part<QAction>("theme").isChecked());
+  choose("theme", 0);
+  EXPECT_EQ(gui::current_theme(), gui::desktop_theme());
+  EXPECT_FALSE(values().theme) << "it stays the desktop's";
 }
 
 TEST_F(ThePreferences, ShowQuantitiesInOtherUnits) {
