@@ -5,6 +5,7 @@
 #include "model/playback/path_player.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "view3d/view_gizmo.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
@@ -18,6 +19,7 @@
 #include <QVariant>
 
 #include <algorithm>
+#include <utility>
 
 namespace handway::gui {
 namespace {
@@ -166,21 +168,23 @@ QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& e
                           : QObject::tr("and %1 more pairs").arg(others));
   }
   if (end.nearest.q) {
-    lines << QObject::tr("A free one is %1° away: %2")
+    lines << QObject::tr("Nearest free posture: %1° away (%2)")
                  .arg(geometric::degrees(end.nearest.distance), 0, 'f', 1)
                  .arg(words(planning::describe_change(model, end.q, *end.nearest.q)));
   } else {
-    lines << QObject::tr("No free one was found within %1°")
+    lines << QObject::tr("No free posture was found within %1°")
                  .arg(geometric::degrees(planning::NearestFreeOptions{}.most_distance), 0, 'f', 0);
   }
+  const QString which = end.is_start ? QObject::tr("Start") : QObject::tr("Goal");
   return QStringLiteral("<b>%1</b><br>%2")
-      .arg(end.is_start ? QObject::tr("The start can't be planned from")
-                        : QObject::tr("The goal can't be planned to"),
+      .arg(end.contacts.empty() ? QObject::tr("%1 not valid").arg(which)
+                                : QObject::tr("%1 in collision").arg(which),
            lines.join(QStringLiteral("<br>")));
 }
 
-DoctorCard::DoctorCard(QWidget* host)
+DoctorCard::DoctorCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen)
     : FloatingCard(host, "doctor", "banner"),
+      to_be_seen_(std::move(to_be_seen)),
       picture_(new QLabel),
       text_(named("doctor_text", new QLabel)),
       area_(new PanelArea),
@@ -226,7 +230,8 @@ QString DoctorCard::text() const {
   return isHidden() ? QString() : text_->text().remove(QLatin1String("&#8203;"));
 }
 
-// As high as its words need, as long as the view has room: then they scroll.
+// As high as its words need, as long as the view has room: then they scroll. At the foot of the
+// view, or at its head where that covers less of what collides.
 void DoctorCard::place() {
   constexpr int kMargin = 12;
   constexpr int kAxes = 108;  // left of it stands the axes cross
@@ -239,9 +244,15 @@ void DoctorCard::place() {
                         picture_->sizeHint().width() - close_->sizeHint().width();
   const int answers = show_->isHidden() ? 0 : show_->sizeHint().height() + layout()->spacing();
   const int left = beside_axes ? std::max(kAxes, (parentWidget()->width() - width) / 2) : kMargin;
+  const std::vector<QPoint> to_be_seen = to_be_seen_();
+  const auto covered = [&](const QRect& card) {
+    return std::ranges::count_if(to_be_seen, [&](const QPoint& p) { return card.contains(p); });
+  };
   const auto stand = [&](int wanted) {
     const int height = std::min(wanted, room.height());
-    setGeometry(left, parentWidget()->height() - height - kMargin, width, height);
+    const QRect head(left, kMargin, width, height);
+    const QRect foot(left, parentWidget()->height() - height - kMargin, width, height);
+    setGeometry(covered(head) < covered(foot) ? head : foot);
     layout()->activate();
   };
   stand(around.top() + text_->heightForWidth(for_words) + answers + around.bottom());
@@ -251,7 +262,10 @@ void DoctorCard::place() {
 
 QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, SceneView& view,
                        QObject* parent)
-    : QObject(parent), document_(document), view_(view), card_(new DoctorCard(&view)) {
+    : QObject(parent),
+      document_(document),
+      view_(view),
+      card_(new DoctorCard(&view, [this] { return to_be_seen(); })) {
   connect(&document_, &Document::opened, this, &QueryCheck::examine);
   connect(&document_, &Document::edited, this, [this](const SceneState& before) {
     if (before.scene != document_.scene()) {
@@ -268,14 +282,33 @@ QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, 
 void QueryCheck::examine() { doctor_.examine(document_.scene(), document_.problem()); }
 
 void QueryCheck::take(const std::vector<EndDiagnosis>& ends) {
-  std::vector<Eigen::Vector3d> places;
+  contacts_.clear();
   if (!ends.empty()) {
     for (const geometric::Contact& contact : ends.front().contacts) {
-      places.push_back(contact.p_W);
+      contacts_.push_back(contact.p_W);
     }
   }
-  view_.set_contacts(places);
+  view_.set_contacts(contacts_);
   card_->show_diagnoses(document_.robot() ? document_.robot()->model : nullptr, ends);
+}
+
+// The contacts, and where the bodies around them begin to be recognised.
+std::vector<QPoint> QueryCheck::to_be_seen() const {
+  constexpr double kAround = 0.1;  // m
+  std::vector<QPoint> places;
+  const auto add = [&](const Eigen::Vector3d& point) {
+    if (view_.camera().place_of(point)) {  // it is before the camera
+      places.push_back(place_of(view_.camera(), view_.size(), point).toPoint());
+    }
+  };
+  for (const Eigen::Vector3d& contact : contacts_) {
+    add(contact);
+    for (int axis = 0; axis < 3; ++axis) {
+      add(contact + kAround * Eigen::Vector3d::Unit(axis));
+      add(contact - kAround * Eigen::Vector3d::Unit(axis));
+    }
+  }
+  return places;
 }
 
 }  // namespace handway::gui

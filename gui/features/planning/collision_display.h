@@ -7,7 +7,9 @@
 #include <QColor>
 #include <QLabel>
 #include <QObject>
+#include <QPoint>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -72,13 +74,14 @@ class Document;
 class Posing;
 class SceneEditor;
 
-/// Floats at the foot of the view while start or goal can't be planned with: says what touches
-/// what, how deep and where, and offers the nearest free posture.
+/// Floats over the view while start or goal can't be planned with: says what touches what, how deep
+/// and where, and offers the nearest free posture.
 class DoctorCard : public FloatingCard {
   Q_OBJECT
 
  public:
-  explicit DoctorCard(QWidget* host);
+  /// @param to_be_seen where in the view something is that it should not cover.
+  DoctorCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen);
 
   /// Shows the first of `ends`; none: hides the card.
   void show_diagnoses(const std::shared_ptr<const geometric::RobotModel>& model,
@@ -95,6 +98,7 @@ class DoctorCard : public FloatingCard {
  private:
   void place() override;
 
+  std::function<std::vector<QPoint>()> to_be_seen_;
   QLabel* picture_;
   QLabel* text_;
   PanelArea* area_;  ///< Where the text scrolls in a small view.
@@ -123,10 +127,12 @@ class QueryCheck : public QObject {
  private:
   void examine();
   void take(const std::vector<EndDiagnosis>& ends);
+  [[nodiscard]] std::vector<QPoint> to_be_seen() const;
 
   Document& document_;
   SceneView& view_;
   QueryDoctor doctor_;
+  std::vector<Eigen::Vector3d> contacts_;  ///< Of the end that is explained, in the world, m.
   DoctorCard* card_;
 };
 

@@ -54,6 +54,7 @@ PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
       optimize_(named("optimize", new QPushButton(tr("Continue optimising")))),
       optimize_limit_(named("optimize_limit", new QDoubleSpinBox)),
       progress_(named("progress", new QProgressBar)),
+      missing_(named("missing", note())),
       validity_(named("path_validity", new QLabel)),
       result_(named("result", new QLabel)),
       all_runs_(named("all_runs", new QPushButton(tr("All runs")))) {
@@ -214,7 +215,9 @@ QWidget* PlanPanel::make_results() {
   all_runs_->setToolTip(tr("Compare the runs of this scene, and put one back"));
   all_runs_->setVisible(false);
   connect(all_runs_, &QPushButton::clicked, this, &PlanPanel::runs_requested);
-  return boxed(in_column({validity_, result_, {all_runs_, 0, Qt::AlignLeft}}, 8), {12, 0, 12, 12});
+  missing_->setWordWrap(true);
+  return boxed(in_column({missing_, validity_, result_, {all_runs_, 0, Qt::AlignLeft}}, 8),
+               {12, 8, 12, 12});
 }
 
 QWidget* PlanPanel::make_optimizing() {
@@ -292,6 +295,8 @@ void PlanPanel::show_whether_several() {
 void PlanPanel::set_ready(bool ready, const QString& why_not) {
   ready_ = ready && settings_.planner() != nullptr;
   plan_->setToolTip(ready ? tr("Find a path from start to goal (Ctrl+P)") : why_not);
+  missing_->setText(why_not.simplified());
+  missing_->setVisible(!ready);
   end_run();
 }
 

@@ -104,6 +104,7 @@ class PlanPanel : public QWidget {
   QPushButton* optimize_;
   QDoubleSpinBox* optimize_limit_;
   QProgressBar* progress_;
+  QLabel* missing_;  ///< Why it can't be planned.
   QLabel* validity_;
   QLabel* result_;
   QPushButton* all_runs_;

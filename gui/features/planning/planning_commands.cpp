@@ -40,7 +40,7 @@ PlanningCommands::PlanningCommands(Workbench& workbench, PlanPanel& panel)
   hypercubes_shown_->setObjectName(QStringLiteral("hypercubes"));
   roadmap_shown_->setCheckable(true);
   hypercubes_shown_->setCheckable(true);
-  allow(*cancel_, tr("Nothing is planned now."));
+  allow(*cancel_, tr("No planner is running."));
   allow(*optimize_, tr("Plan a path first."));
   place_actions();
   connect_session();
@@ -65,8 +65,8 @@ void PlanningCommands::place_actions() {
   for (QAction* action : {plan_, cancel_, optimize_}) {
     workbench_.add_to_menu(MainMenu::kPlan, {0, ++order}, action);
   }
-  workbench_.add_to_menu(MainMenu::kView, {1, 10}, roadmap_shown_);
-  workbench_.add_to_menu(MainMenu::kView, {1, 11}, hypercubes_shown_);
+  workbench_.add_to_menu(MainMenu::kView, {1, 1}, roadmap_shown_);
+  workbench_.add_to_menu(MainMenu::kView, {1, 2}, hypercubes_shown_);
   workbench_.add_to_bar(MainBar::kTools, {1, 0}, plan_, true);
   workbench_.add_to_bar(MainBar::kTools, {1, 1}, cancel_, true);
   workbench_.add_to_bar(MainBar::kTools, {3, 10}, roadmap_shown_);
@@ -105,11 +105,11 @@ void PlanningCommands::update_ready() {
                  : tr("The scene has no goal. Pose the robot with the Joints panel and choose\n"
                       "Plan > Set goal here, or select an object and press Ctrl+G to grasp it.");
   panel_.set_ready(has_query, why_not_);
-  allow(*plan_, workbench_.session.is_running() ? tr("It is planning.") : why_not_);
+  allow(*plan_, workbench_.session.is_running() ? tr("A planner is running.") : why_not_);
 }
 
 void PlanningCommands::show_running() {
-  allow(*plan_, tr("It is planning."));
+  allow(*plan_, tr("A planner is running."));
   allow(*cancel_, {});
 }
 
@@ -129,7 +129,7 @@ void PlanningCommands::show_start() {
 
 void PlanningCommands::show_end(bool solved, const QString& text) {
   allow(*plan_, why_not_);
-  allow(*cancel_, tr("Nothing is planned now."));
+  allow(*cancel_, tr("No planner is running."));
   workbench_.log.add(solved ? LogPanel::Level::kNote : LogPanel::Level::kWarning, text);
 }
 
@@ -167,7 +167,7 @@ void add_planning(Workbench& workbench) {
   QObject::connect(&workbench, &Workbench::ready, &settings, &SettingsHistory::begin);
   auto& collisions = workbench.own<CollisionDisplay>(workbench.collisions, workbench.view);
   workbench.window.statusBar()->addWidget(collisions.label(), 1);
-  workbench.add_to_menu(MainMenu::kView, {2, 10}, collisions.closest_shown());
+  workbench.add_to_menu(MainMenu::kView, {1, 3}, collisions.closest_shown());
   QObject::connect(&workbench, &Workbench::scene_shown, &collisions, &CollisionDisplay::show_scene);
   QObject::connect(&collisions, &CollisionDisplay::failed, &workbench,
                    [&workbench](const QString& message) {

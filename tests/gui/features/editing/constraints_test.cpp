@@ -62,7 +62,7 @@ TEST_F(ConstrainingPaths, KeepsThePalmInARegion) {
   type("region_position_x", "0.9 m");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::QueryCheck>().is_busy(); }, 8000));
   EXPECT_THAT(tool<gui::QueryCheck>().card().text().toStdString(),
-              AllOf(HasSubstr("can't be planned"), HasSubstr("Violates constraint region of palm"),
+              AllOf(HasSubstr("not valid"), HasSubstr("Violates constraint region of palm"),
                     HasSubstr("are allowed")));
   window().document().set_configuration(*scene().goal);
   auto* label = window().findChild<gui::CollisionLabel*>();

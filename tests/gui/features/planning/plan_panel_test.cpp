@@ -3,6 +3,7 @@
 #include "window_test.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 
@@ -13,6 +14,17 @@ namespace handway::test {
 namespace {
 
 class ParametersInThePanel : public WindowTest {};
+
+// A grey button said so in its tool tip alone.
+TEST_F(ParametersInThePanel, ComeWithWhatIsMissingToPlan) {
+  const auto& missing = part<QLabel>("missing");
+  EXPECT_EQ(missing.text(), "Open a scene first.");
+  open(cell().folder() / "arm.urdf");
+  EXPECT_THAT(missing.text().toStdString(), ::testing::StartsWith("The scene has no goal. Pose"));
+  EXPECT_FALSE(missing.isHidden());
+  window().editor().set_goal(window().document().configuration());
+  EXPECT_TRUE(missing.isHidden());
+}
 
 TEST_F(ParametersInThePanel, GoBackToThePlannersOwnValues) {
   open(cell().post());

@@ -27,8 +27,8 @@ TEST_F(GoalDoctor, SaysNothingWhereAllIsWell) {
 TEST_F(GoalDoctor, ExplainsAGoalInCollisionAndMovesItOut) {
   open(cell().goal_in_wall());
   wait_for_diagnosis();
-  EXPECT_THAT(said(), AllOf(HasSubstr("goal can't be planned to"), HasSubstr("<b>wall</b>"),
-                            HasSubstr("mm deep, at ("), HasSubstr("A free one is ")));
+  EXPECT_THAT(said(), AllOf(HasSubstr("Goal in collision"), HasSubstr("<b>wall</b>"),
+                            HasSubstr("mm deep, at ("), HasSubstr("Nearest free posture: ")));
   const geometric::Configuration before = *scene().goal;
   click("doctor_show");
   const geometric::Configuration shown = window().document().configuration();
@@ -41,7 +41,7 @@ TEST_F(GoalDoctor, ExplainsAGoalInCollisionAndMovesItOut) {
   actions().undo->trigger();
   wait_for_diagnosis();
   EXPECT_EQ(*scene().goal, before);
-  EXPECT_THAT(said(), HasSubstr("goal can't be planned to"));
+  EXPECT_THAT(said(), HasSubstr("Goal in collision"));
 }
 
 TEST_F(GoalDoctor, NamesJointsBeyondTheirLimits) {
@@ -49,8 +49,27 @@ TEST_F(GoalDoctor, NamesJointsBeyondTheirLimits) {
   q[0] = 1.9;
   editor().set_start(q);
   wait_for_diagnosis();
-  EXPECT_THAT(said(), AllOf(HasSubstr("start can't be planned from"),
+  EXPECT_THAT(said(), AllOf(HasSubstr("Start not valid"),
                             HasSubstr("Beyond its limits: <b>shoulder</b>"), HasSubstr("5.7°")));
+}
+
+// The card stood before what it spoke of.
+TEST_F(GoalDoctor, LeavesInSightWhatCollides) {
+  open(cell().goal_in_wall());
+  wait_for_diagnosis();
+  const gui::DoctorCard& card = tool<gui::QueryCheck>().card();
+  const gui::OrbitCamera::Placement usual = window().view().camera().placement();
+  ASSERT_FALSE(card.isHidden());
+  for (const double shift : {-0.25, 0.25}) {  // of what is in the middle, in heights of the view
+    gui::OrbitCamera::Placement placement = usual;
+    placement.target.z() += shift * placement.distance;
+    window().view().set_camera(placement);
+    editor().set_goal(*scene().goal + Eigen::Vector4d(0.001 * shift, 0.0, 0.0, 0.0));
+    wait_for_diagnosis();
+    ASSERT_FALSE(card.isHidden());
+    const bool at_head = card.geometry().center().y() < window().view().height() / 2;
+    EXPECT_EQ(at_head, shift > 0.0) << shift;
+  }
 }
 
 TEST_F(GoalDoctor, LeavesOutAnEndThatIsNotThere) {
