@@ -289,7 +289,7 @@ void CampaignsPanel::end(const QString& problem) {
   const auto solved =
       std::ranges::count_if(runs_, &planning::RunRecord::solved, &planning::ArchivedRun::record);
   if (!problem.isEmpty()) {
-    state_->setText(problem);
+    state_->setText(colored(problem, colors_of(current_theme()).bad));
   } else {
     state_->setText(tr("%1: %2 runs, %3 with a path%4")
                         .arg(name_)

@@ -50,13 +50,16 @@ FollowingPlot::FollowingPlot(QWidget* parent)
     : QWidget(parent),
       joints_(named("following_joint", new QComboBox)),
       angles_(new TimePlot({}, tr("angle, °"))),
-      difference_(new TimePlot(tr("time, s"), tr("off, °"))) {
+      difference_(new TimePlot(tr("time, s"), tr("error, °"))) {
   angles_->setFixedHeight(kAnglesHeight);
   angles_->add_curve(tr("planned"), kPlannedColor);
   angles_->add_curve(tr("measured"), kPlotOrange, true);
   angles_->show_legend();
   difference_->setFixedHeight(kDifferenceHeight);
   difference_->add_curve(tr("measured − planned"), kPlotOrange);
+  for (QWidget* plot : {angles_, difference_}) {  // Qwt asks for room for every label of the axis
+    plot->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  }
   lay_out(*this, in_column({joints_, angles_, difference_}, 4));
   connect(joints_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &FollowingPlot::show_joint);
@@ -197,9 +200,9 @@ QString state_text(State state) {
     case State::kConnecting:
       return QObject::tr("Connecting…");
     case State::kConnected:
-      return QObject::tr("Connected, standing");
+      return QObject::tr("Connected, at rest");
     case State::kRunning:
-      return QObject::tr("The robot moves");
+      return QObject::tr("Moving");
     case State::kClosing:
       return QObject::tr("Disconnecting…");
     case State::kOff:
@@ -372,7 +375,7 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
 
 void DevicesPanel::show_progress(double time, double duration, double error) {
   progress_->setValue(static_cast<int>(std::lround(1000.0 * time / std::max(duration, 1e-9))));
-  progress_text_->setText(tr("%1 of %2 s, up to %3° off")
+  progress_text_->setText(tr("%1 of %2 s, largest error %3°")
                               .arg(time, 0, 'f', 1)
                               .arg(duration, 0, 'f', 1)
                               .arg(geometric::degrees(error), 0, 'f', 2));

@@ -136,8 +136,8 @@ MeshImportDialog::MeshImportDialog(const QString& file,
   unit_->setCurrentIndex(!knows_units && largest > kLikelyMost ? 2 : 0);
   picture_->setFixedSize(kPictureSize);
   auto* form = new QFormLayout;
-  form->addRow(tr("Written in"), unit_);
-  form->addRow(tr("Upwards is"), up_);
+  form->addRow(tr("Unit"), unit_);
+  form->addRow(tr("Up axis"), up_);
   form->addRow(tr("Size"), size_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   QPushButton* add = buttons->addButton(tr("Add"), QDialogButtonBox::AcceptRole);

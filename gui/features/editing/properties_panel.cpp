@@ -115,7 +115,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   rows->setVerticalSpacing(5);
   // A short panel shows them both.
   rows->addRow(note(tr("Colour")), in_row({color_, room(1), solid_}));
-  rows->addRow(note(tr("Fixed to")), parent_);
+  rows->addRow(note(tr("Attached to")), parent_);
   solid_->setToolTip(
       tr("What is inside collides. Off: a room or a cell, of which the walls alone count"));
   extent_->setWordWrap(true);

@@ -384,7 +384,7 @@ QTreeWidgetItem* SceneTree::object_row(const geometric::SceneObject& object) con
                {Kind::kObject, "", object.name});
   QString words = std::visit(SizeText{}, object.shape);
   if (object.attachment) {
-    words += tr(", carried by %1").arg(QString::fromStdString(object.attachment->link));
+    words += tr(", attached to %1").arg(QString::fromStdString(object.attachment->link));
   }
   if (state_.is_locked(object.name)) {
     row->setIcon(1, icon("lock"));

@@ -127,7 +127,7 @@ QString legend_row(const QString& name, int count, const geometric::Color& color
 
 // What the colours mean, and what is searched, or was at last.
 QString note_of(const PalmRoadmap& roadmap, int most, bool goes_on) {
-  QString note = most > 0 ? QObject::tr("Nodes by principal directions used") : QString();
+  QString note = most > 0 ? QObject::tr("Nodes by number of PMDs") : QString();
   const auto& [begin, end] = roadmap.roadmap.search_range;
   if ((begin > 0.0 || end < 1.0) && end - begin > 0.005) {
     note = (goes_on ? QObject::tr("Searching %1 to %2 % of the arm's path")
@@ -181,8 +181,8 @@ void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap, const Search& sea
   QString rows;
   for (int count = 0; count <= most; ++count) {
     if (counts[static_cast<std::size_t>(count)] > 0) {
-      rows += legend_row(count > 0 ? QString::number(count) : tr("none"),
-                         counts[static_cast<std::size_t>(count)], pmd_color(count, most));
+      rows += legend_row(QString::number(count), counts[static_cast<std::size_t>(count)],
+                         pmd_color(count, most));
     }
   }
   counts_->setText(QStringLiteral("<table cellspacing='0'>%1</table>").arg(rows));

@@ -257,9 +257,8 @@ void AddRobotDialog::read_chosen() {
 void AddRobotDialog::take_robot(RobotInstance robot) {
   const geometric::RobotModel& model = *robot.model;
   name_->setText(QString::fromStdString(unused_name(*editor_.state().scene, robot.name)));
-  QString words = tr("%1 links, %2 joints that move on their own.")
-                      .arg(model.link_count())
-                      .arg(model.variable_count());
+  QString words =
+      tr("%1 links, %2 independent joints.").arg(model.link_count()).arg(model.variable_count());
   const auto warnings = static_cast<int>(model.description().warnings.size());
   if (warnings > 0) {
     QString warning = QString::fromStdString(model.description().warnings.front());

@@ -37,7 +37,7 @@ class LiveReplanner : public QObject {
   void follow(std::shared_ptr<const geometric::Scene> scene, const planning::Revision& revision);
 
  signals:
-  /// @param origin which means the path came from, one word.
+  /// @param origin how the path was found, a few words.
   void replanned(const handway::gui::DerivedResult& result, const QString& origin);
   /// The scene has changed in a way that needs a new plan.
   void lost();

@@ -71,7 +71,7 @@ class PlanningSession : public QObject {
   void optimized_further(const handway::gui::OptimizeProgress& progress);
   /// What a run, or several seeds together, came to. @param note to be said first; may be empty.
   void result_found(const handway::planning::PlanResult& result, const QString& note);
-  /// A path follows an edit, or there is none. @param origin where it came from, one word.
+  /// A path follows an edit, or there is none. @param origin how it was found, a few words.
   void replanned(const handway::planning::PlanResult& result, const QString& origin);
   void failed(const QString& message);
   /// A path is shown that was not planned here.

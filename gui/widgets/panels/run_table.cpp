@@ -91,14 +91,14 @@ QString result_text(const planning::PlanResult& result, const QString& note) {
 
 QString replanned_text(const planning::PlanResult& result, const QString& source) {
   const ThemeColors colors = colors_of(current_theme());
-  QString text = result.solved()
-                     ? headline(QObject::tr("Path follows the scene"), colors.good)
-                     : headline(QObject::tr("No path in the scene as it is now"), colors.bad) +
-                           paragraph(QString::fromStdString(result.reason));
+  QString text =
+      result.solved()
+          ? headline(QObject::tr("Path follows the scene"), colors.good) + paragraph(source)
+          : headline(QObject::tr("No path in the scene as it is now"), colors.bad) +
+                paragraph(QString::fromStdString(result.reason));
   text += begin_table();
-  text += row(QObject::tr("Planning again"), seconds_text(result.time_s + result.smoothing_s));
+  text += row(QObject::tr("Replanned in"), seconds_text(result.time_s + result.smoothing_s));
   if (result.solved()) {
-    text += row(QObject::tr("From"), source);
     text += row(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
     text += row(QObject::tr("Clearance"),
                 QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));

@@ -199,7 +199,7 @@ std::string describe_change(const geometric::RobotModel& model, const Configurat
                         turns ? "°" : " mm");
   }
   if (const std::size_t others = moved.size() - named; others > 0) {
-    text += fmt::format(" and {} other{} by less", others, others == 1 ? "" : "s");
+    text += fmt::format(", {} more joint{}", others, others == 1 ? "" : "s");
   }
   return text.empty() ? "nothing" : text;
 }

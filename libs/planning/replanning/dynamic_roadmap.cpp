@@ -545,7 +545,8 @@ PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop
 }
 
 const char* to_string(ReplanSource source) {
-  static constexpr std::array kWords{"none", "last path", "roadmap", "repair", "planner"};
+  static constexpr std::array kWords{"No path", "Reused the last path", "Found in the roadmap",
+                                     "Repaired the last path", "Planned from scratch"};
   return kWords.at(static_cast<std::size_t>(source));
 }
 

@@ -110,7 +110,7 @@ TEST(NearestFree, TellsWhatChanged) {
   const Configuration from = planar_configuration(0.0, 0.0);
   const Configuration to = planar_configuration(radians(1.0), radians(-2.0), radians(0.1));
   EXPECT_EQ(describe_change(problem.model(), from, to),
-            "elbow -2.0°, shoulder +1.0° and 1 other by less");
+            "elbow -2.0°, shoulder +1.0°, 1 more joint");
   EXPECT_EQ(describe_change(problem.model(), from, from), "nothing");
 }
 

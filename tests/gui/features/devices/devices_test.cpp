@@ -119,6 +119,7 @@ TEST_F(Devices, RunAPathAndTellHowItWent) {
   connect_emulators();
   choose_speed(1.0);
   arm();
+  const int width = panel().minimumSizeHint().width();
   std::shared_ptr<const gui::ExecutedMotion> executed;
   QObject::connect(&driver(), &MotionDriver::ended, &driver(),
                    [&](const auto& /*outcome*/, const auto& motion) { executed = motion; });
@@ -126,6 +127,7 @@ TEST_F(Devices, RunAPathAndTellHowItWent) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return executed != nullptr; }, kPatienceMs));
   ASSERT_THAT(text("devices_outcome"), HasSubstr("Done in"));
   EXPECT_THAT(text("devices_outcome"), HasSubstr("Largest following error"));
+  EXPECT_EQ(panel().minimumSizeHint().width(), width) << "the curves would push the view aside";
   EXPECT_EQ(state_after_motion(), MotionDriver::State::kConnected);
   EXPECT_FALSE(panel().is_armed()) << "it holds for one motion";
   EXPECT_TRUE(QTest::qWaitFor(

@@ -51,6 +51,10 @@ TEST(LogPanel, ShowsALongMessageFromItsBeginning) {
   log.add(LogPanel::Level::kWarning, QStringLiteral("why ").repeated(60));
   EXPECT_TRUE(first_shown().block().text().contains(QLatin1String("why")));
   EXPECT_LT(first_shown().positionInBlock(), 40) << "in its first line";
+  log.add(LogPanel::Level::kWarning, QStringLiteral("how ").repeated(60));
+  log.add(LogPanel::Level::kWarning, QStringLiteral("who ").repeated(60));
+  EXPECT_TRUE(first_shown().block().text().contains(QLatin1String("who")));
+  EXPECT_LT(first_shown().positionInBlock(), 40) << "of several at once, the last";
   for (int i = 0; i < 9; ++i) {
     log.add(LogPanel::Level::kNote, QStringLiteral("Path found"));
   }

@@ -38,7 +38,7 @@ struct NearestFree {
 find_nearest_free(const PlanningProblem& problem, const Configuration& q,
                   const NearestFreeOptions& options = {}, const std::stop_token& stop = {});
 
-/// How `to` differs from `from`, for a person: "shoulder +1.2°, elbow -0.4° and 3 others by less".
+/// How `to` differs from `from`, for a person: "shoulder +1.2°, elbow -0.4°, 3 more joints".
 /// The joints that move most come first. @param most joints to name, ≥ 1.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string describe_change(
     const geometric::RobotModel& model, const Configuration& from, const Configuration& to,

@@ -65,7 +65,7 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
   std::unique_ptr<Replanner> replanner_;
 };
 
-/// "last path", "roadmap", …: the word for people.
+/// "Reused the last path", "Found in the roadmap", …: for people.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(ReplanSource source);
 
 }  // namespace handway::planning
