@@ -20,12 +20,12 @@ bool has_session_bus() {
 }  // namespace
 
 Theme desktop_theme() {
-  static const Theme theme = [] {
+  static const Theme kTheme = [] {
     const std::optional<Theme> wish =
         has_session_bus() ? theme_of_portal(QDBusConnection::sessionBus()) : std::nullopt;
     return wish.value_or(theme_of(QApplication::palette()));
   }();
-  return theme;
+  return kTheme;
 }
 
 std::optional<Theme> theme_of_portal(const QDBusConnection& bus) {
