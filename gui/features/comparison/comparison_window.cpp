@@ -435,11 +435,11 @@ void add_comparison(Workbench& workbench) {
   QAction* compare = workbench.make_action({}, QObject::tr("Compare two &paths…"), {},
                                            QObject::tr("Two paths side by side"));
   compare->setObjectName(QStringLiteral("compare"));
-  allow(*compare, QObject::tr("Plan a path first (Ctrl+P)."));
+  const QString no_path = QObject::tr("Plan a path first (Ctrl+P), or open one.");
+  allow(*compare, no_path);
   workbench.add_to_menu(MainMenu::kPlan, {0, 10}, compare);
-  QObject::connect(&workbench.history, &PathHistory::changed, compare, [&workbench, compare] {
-    allow(*compare, workbench.history.paths().empty() ? QObject::tr("Plan a path first (Ctrl+P).")
-                                                      : QString());
+  QObject::connect(&workbench.history, &PathHistory::changed, compare, [&, compare, no_path] {
+    allow(*compare, workbench.history.paths().empty() ? no_path : QString());
   });
   QObject::connect(compare, &QAction::triggered, &workbench, [&workbench] {
     Document& document = workbench.document;

@@ -225,7 +225,7 @@ void DeviceSession::time_again() {
   timing_.forget();
   timed_from_ = measured_;
   if (player_.timeline().empty() || !document_.problem()) {
-    panel_->show_no_motion(tr("Plan a path first."));
+    panel_->show_no_motion(tr("Plan or open a path first."));
     return;
   }
   if (driver_.state() == State::kRunning) {

@@ -420,7 +420,7 @@ void add_export(Workbench& workbench) {
                                         QKeySequence(QStringLiteral("Ctrl+E")),
                                         QObject::tr("Time the path and write it for a controller"));
   path->setObjectName(QStringLiteral("export_path"));
-  const QString no_path = QObject::tr("Plan a path first (Ctrl+P).");
+  const QString no_path = QObject::tr("Plan a path first (Ctrl+P), or open one.");
   allow(*pictures, no_path);
   allow(*path, no_path);
   workbench.add_to_menu(MainMenu::kFile, {1, 10}, pictures);

@@ -41,7 +41,7 @@ PlanningCommands::PlanningCommands(Workbench& workbench, PlanPanel& panel)
   roadmap_shown_->setCheckable(true);
   hypercubes_shown_->setCheckable(true);
   allow(*cancel_, tr("No planner is running."));
-  allow(*optimize_, tr("Plan a path first."));
+  allow(*optimize_, tr("Plan or open a path first."));
   place_actions();
   connect_session();
   const auto show_planners = [this] {

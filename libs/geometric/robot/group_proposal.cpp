@@ -22,6 +22,7 @@ constexpr std::size_t kMostJointsOfCompact = 3;  // of a compact one
 constexpr double kCompactWrist = 0.15;           // m
 constexpr double kBesideFinger = 0.03;           // m: bars of a linkage begin that near to it
 constexpr int kMostJointsOfNeck = 3;
+constexpr double kWithObject = 0.8;  // of the way between fingers: the rest is what they grasp
 
 class GroupFinder {
  public:
@@ -156,7 +157,7 @@ class GroupFinder {
     for (auto one = branches.begin(); one != branches.end(); ++one) {
       for (auto other = std::next(one); other != branches.end(); ++other) {
         if ((!has_shape(*one) && !has_shape(*other)) ||
-            (base(*one) - base(*other)).norm() <= sweep(*one) + sweep(*other)) {
+            kWithObject * (base(*one) - base(*other)).norm() <= sweep(*one) + sweep(*other)) {
           return true;
         }
       }
