@@ -121,7 +121,7 @@ gui::Theme theme_of(const gui::Options& options, const gui::PreferenceValues& pr
   if (!options.theme.empty()) {
     return options.theme == "dark" ? gui::Theme::kDark : gui::Theme::kLight;
   }
-  return preferences.theme.value_or(gui::desktop_theme());
+  return preferences.theme ? *preferences.theme : gui::desktop_theme();
 }
 
 int run(QApplication& application, const gui::Options& options) {

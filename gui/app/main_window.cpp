@@ -139,14 +139,15 @@ void MainWindow::connect_document() {
   connect(&workbench_.editor, &SceneEditor::modified_changed, this, &QWidget::setWindowModified);
   connect(files_, &FileCommands::saved, this, &MainWindow::update_title);
   connect(&workbench_, &Workbench::failed, this, &MainWindow::failed);
-  connect(&workbench_.session, &PlanningSession::ended, this, [this](bool solved) {
-    if (solved && workbench_.options.play) {
-      workbench_.player.play();
-    }
-  });
-  connect(&workbench_.session, &PlanningSession::given_shown, this, [this] {
+  const auto play_if_wanted = [this] {
     if (workbench_.options.play) {
       workbench_.player.play();
+    }
+  };
+  connect(&workbench_.session, &PlanningSession::path_opened, this, play_if_wanted);
+  connect(&workbench_.session, &PlanningSession::ended, this, [play_if_wanted](bool solved) {
+    if (solved) {
+      play_if_wanted();
     }
   });
 }

@@ -30,7 +30,7 @@ Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
     window_.player().pause();
     window_.player().seek(kMoment);
   };
-  connect(&window_.session(), &PlanningSession::given_shown, this, show_moment);
+  connect(&window_.session(), &PlanningSession::path_opened, this, show_moment);
   connect(&window_.session(), &PlanningSession::ended, this, [show_moment](bool solved) {
     if (solved) {
       show_moment();

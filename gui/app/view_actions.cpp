@@ -105,7 +105,7 @@ void PreferenceEffects::follow() {
   apply_to_planning(values);
   const bool recolor = values.theme != std::exchange(applied_, values).theme;
   if (recolor) {
-    emit theme_changed(values.theme.value_or(desktop_theme()));
+    emit theme_changed(values.theme ? *values.theme : desktop_theme());
   }
 }
 

@@ -89,7 +89,7 @@ void Workbench::remember_path() {
   if (!analysis.curves()) {
     return;
   }
-  const QString& given = session.given_origin();
+  const QString& given = session.opened_from();
   const QString source = given.isEmpty()
                              ? tr("%1, seed %2")
                                    .arg(QString::fromStdString(plan_settings.choice().name))

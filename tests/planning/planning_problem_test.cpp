@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -43,6 +44,22 @@ std::string refusal(const std::shared_ptr<Scene>& scene, const sampling::PmdBasi
 
 PlanResult planned(const PlanningProblem& problem) {
   return PlannerRegistry().create("rrt-connect")->plan(problem, {});
+}
+
+/// Plans with every planner that needs no basis.
+/// @param expect of the path that each finds.
+void expect_of_every_path(const PlanningProblem& problem,
+                          const std::function<void(const Path&)>& expect) {
+  for (const std::string& name : PlannerRegistry().names()) {
+    SCOPED_TRACE(name);
+    const auto planner = PlannerRegistry().create(name);
+    if (planner->capabilities().needs_basis) {
+      continue;
+    }
+    const PlanResult result = planner->plan(problem, {.optimize_s = 0.2});
+    ASSERT_TRUE(result.solved()) << result.reason;
+    expect(result.path);
+  }
 }
 
 /// A turning torso with a planar_hand_arm() at either side, all names of which begin with "l_" or
@@ -146,17 +163,11 @@ TEST_F(TwoArmedRobot, LeavesTheOtherArmWhereItIsAndAllowsPathsThatDoNot) {
   const PlanningProblem problem = make_problem(scene, nullptr);
   const std::vector<int> resting = resting_variables(*scene);
   EXPECT_EQ(resting.size(), 5U);
-  for (const std::string& name : PlannerRegistry().names()) {
-    const auto planner = PlannerRegistry().create(name);
-    if (planner->capabilities().needs_basis) {
-      continue;
+  expect_of_every_path(problem, [&](const Path& path) {
+    for (const Configuration& q : path.waypoints) {
+      EXPECT_EQ(q(resting), problem.start(resting));
     }
-    const PlanResult result = planner->plan(problem, {.optimize_s = 0.2});
-    ASSERT_TRUE(result.solved()) << name << ": " << result.reason;
-    for (const Configuration& q : result.path.waypoints) {
-      EXPECT_EQ(q(resting), problem.start(resting)) << name;
-    }
-  }
+  });
   Path path;
   path.waypoints = {problem.start, problem.start, problem.goal};
   path.waypoints[1](resting).array() += 0.1;
@@ -237,18 +248,12 @@ TEST(PlanningProblem, MovesNothingElseWhateverThePlanner) {
   scene->group = {"arm", "left", "right"};
   const PlanningProblem problem = make_problem(scene, nullptr);
   const int thumb = *problem.model().find_variable("thumb");
-  for (const std::string& name : PlannerRegistry().names()) {
-    const auto planner = PlannerRegistry().create(name);
-    if (planner->capabilities().needs_basis) {
-      continue;
+  expect_of_every_path(problem, [&](const Path& path) {
+    for (const Configuration& q : path.waypoints) {
+      EXPECT_EQ(q[thumb], problem.start[thumb]);
     }
-    const PlanResult result = planner->plan(problem, {.optimize_s = 0.2});
-    ASSERT_TRUE(result.solved()) << name << ": " << result.reason;
-    for (const Configuration& q : result.path.waypoints) {
-      EXPECT_EQ(q[thumb], problem.start[thumb]) << name;
-    }
-    EXPECT_TRUE(check_path(problem, result.path, 0.001).valid()) << name;
-  }
+    EXPECT_TRUE(check_path(problem, path, 0.001).valid());
+  });
   Path path;
   path.waypoints = {problem.start, problem.start, problem.goal};
   path.waypoints[1][thumb] += 0.1;

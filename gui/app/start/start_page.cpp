@@ -34,10 +34,6 @@ void take_words_of_file(ShippedScene& scene) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 fs::path folder_of_scenes() { return geometric::resource_dir().parent_path() / "scenes"; }
 
 }  // namespace

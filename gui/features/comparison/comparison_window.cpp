@@ -414,13 +414,12 @@ void ComparisonWindow::open_file(std::size_t side, const QString& file) {
     }
     const auto curves = std::make_shared<const MotionCurves>(
         motion_curves(*problem, query.postures, timed.motion->trajectory, stop));
-    PathRecord record{QFileInfo(file).fileName(),
-                      query.scene,
-                      query.palm,
-                      timed.motion,
-                      curves,
-                      nullptr,
-                      std::nullopt};
+    PathRecord record;
+    record.label = QFileInfo(file).fileName();
+    record.scene = query.scene;
+    record.palm = query.palm;
+    record.motion = timed.motion;
+    record.curves = curves;
     record.remark = QString::fromStdString(rest.remark(record.label.toStdString()));
     return [this, side, record = std::move(record)] {
       const auto motion = history_.add(record);

@@ -297,7 +297,7 @@ void CapturePages::show_again() {
   reading_.cancel();
   comparing_.cancel();
   explorer_->show_errors({});
-  explorer_->set_persons(true);
+  explorer_->enable_method(true);
   explorer_->show_postures(live_, {}, session_.mapping().hand);
   update_report();
   if (!files_.isEmpty() && session_.source()) {
@@ -393,7 +393,7 @@ void CapturePages::take_recordings(const std::shared_ptr<PostureRecordings>& rec
     names << QFileInfo(file).fileName();
   }
   explorer_->show_errors(reading_notes());
-  explorer_->set_persons(!shows_own_joints());
+  explorer_->enable_method(!shows_own_joints());
   explorer_->show_postures(recordings_->postures, names.join(QStringLiteral(" + ")),
                            session_.mapping().hand);
   compare_methods(recordings_->measured);

@@ -146,7 +146,7 @@ PmdExplorer::PmdExplorer(QWidget* parent)
           QStringLiteral("\n\n") + recording_kinds(),
       Qt::ToolTipRole);
   method_->addItems({tr("Joint mapping"), tr("Fingertip retargeting")});
-  set_persons(true);
+  enable_method(true);
   errors_->setWordWrap(true);
   errors_->setTextFormat(Qt::RichText);
   errors_->hide();
@@ -227,10 +227,10 @@ void PmdExplorer::show_method(PostureMethod method) {
   method_->setCurrentIndex(static_cast<int>(method));
 }
 
-void PmdExplorer::set_persons(bool persons) {
-  method_->setEnabled(persons);
+void PmdExplorer::enable_method(bool enabled) {
+  method_->setEnabled(enabled);
   method_->setToolTip(
-      persons ? tr("What makes postures of this hand from a person's: sensor by sensor, as Mapping "
+      enabled ? tr("What makes postures of this hand from a person's: sensor by sensor, as Mapping "
                    "says, or by where the person's fingertips are")
               : tr("The recordings are of the robot hand's own joints, which are shown as they "
                    "are"));

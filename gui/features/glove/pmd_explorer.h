@@ -75,8 +75,8 @@ class PmdExplorer : public QWidget {
                      const std::string& hand);
   /// What made the postures of the person's.
   void show_method(PostureMethod method);
-  /// Whether the postures are a person's, so that a method has to be chosen.
-  void set_persons(bool persons);
+  /// @param enabled false where the postures are the robot hand's own, so that none is needed.
+  void enable_method(bool enabled);
   /// How far each method's fingertips are from the person's; for people.
   void show_errors(const QString& text);
   [[nodiscard]] BasisReportView& report() { return *report_; }

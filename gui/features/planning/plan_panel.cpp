@@ -131,7 +131,7 @@ void PlanPanel::follow(PlanningSession& session) {
   connect(&session, &PlanningSession::optimized_further, this, &PlanPanel::show_optimize_progress);
   connect(&session, &PlanningSession::result_found, this, &PlanPanel::show_result);
   connect(&session, &PlanningSession::replanned, this, &PlanPanel::show_replanned);
-  connect(&session, &PlanningSession::given_shown, result_, &QLabel::setText);
+  connect(&session, &PlanningSession::path_opened, result_, &QLabel::setText);
   connect(&session, &PlanningSession::failed, this, &PlanPanel::show_failure);
 }
 

@@ -96,7 +96,7 @@ void PathOpening::open(const QString& file) {
         open(file);  // the robot was exchanged meanwhile
         return;
       }
-      workbench_.session.show_given(*path, QFileInfo(file).fileName(), note);
+      workbench_.session.show_opened(*path, QFileInfo(file).fileName(), note);
       workbench_.log.add(LogPanel::Level::kNote, note);
     };
   });

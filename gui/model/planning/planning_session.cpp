@@ -67,7 +67,7 @@ void PlanningSession::forget() {
   cancel();
   live_.end();
   shown_.reset();
-  given_origin_.clear();
+  opened_from_.clear();
   player_.clear();
   emit forgotten();
   forget_roadmap();
@@ -153,7 +153,7 @@ void PlanningSession::take_optimized(const OptimizeOutcome& outcome) {
   const PathRecord record = record_of(begun_.request, result, begun_.number);
   emit result_found(result, {});
   shown_ = record.run;
-  given_origin_.clear();
+  opened_from_.clear();
   replace_path(result.path, document_.revision());
   live_.begin(document_.problem(), result.path, begun_.request);
   emit run_ended(record);
@@ -204,14 +204,14 @@ void PlanningSession::show(const PathRecord& record, const QString& note) {
   live_.begin(document_.problem(), result.path, record.run->request);
 }
 
-void PlanningSession::show_given(const planning::Path& path, const QString& origin,
-                                 const QString& note) {
+void PlanningSession::show_opened(const planning::Path& path, const QString& origin,
+                                  const QString& note) {
   forget();
-  given_origin_ = origin;
+  opened_from_ = origin;
   player_.set_timeline(PathTimeline(*document_.robot()->model, path));
   emit path_changed();
   player_.seek(0.0);
-  emit given_shown(note);
+  emit path_opened(note);
 }
 
 void PlanningSession::take_result(const planning::PlanResult& result) {
@@ -292,15 +292,15 @@ void PlanningSession::take_edit(const SceneState& before) {
   if (live_.is_active()) {
     forget_roadmap();
     live_.follow(document_.scene(), document_.revision());
-  } else if (!given_origin_.isEmpty()) {
-    keep_given(before);
+  } else if (!opened_from_.isEmpty()) {
+    keep_opened(before);
   } else {
     forget();
   }
 }
 
-// Its times, and whether it is valid, are found anew.
-void PlanningSession::keep_given(const SceneState& before) {
+// Its times, and whether it is valid, are found again.
+void PlanningSession::keep_opened(const SceneState& before) {
   const geometric::RobotInstance* robot = document_.robot();
   if (!robot || before.scene->robots.front().model != robot->model) {
     forget();

@@ -46,9 +46,9 @@ class PlanningSession : public QObject {
   /// @param origin where it comes from, such as a file's name.
   /// @param note what is to be known of it, a sentence.
   /// @pre the waypoints are configurations of the document's robot.
-  void show_given(const planning::Path& path, const QString& origin, const QString& note);
+  void show_opened(const planning::Path& path, const QString& origin, const QString& note);
   /// Where the path comes from that was not planned here; empty for one that was, or none.
-  [[nodiscard]] const QString& given_origin() const { return given_origin_; }
+  [[nodiscard]] const QString& opened_from() const { return opened_from_; }
   /// The run whose path is shown; null if there is none, or the path has followed edits.
   [[nodiscard]] const std::shared_ptr<const PlanRun>& shown_run() const { return shown_; }
   /// True while a path follows an edit.
@@ -75,7 +75,7 @@ class PlanningSession : public QObject {
   void replanned(const handway::planning::PlanResult& result, const QString& origin);
   void failed(const QString& message);
   /// A path is shown that was not planned here.
-  void given_shown(const QString& note);
+  void path_opened(const QString& note);
   /// What was found before counts no more.
   void forgotten();
   /// roadmap() is another one, or has grown.
@@ -100,7 +100,7 @@ class PlanningSession : public QObject {
   /// The player plays a path from where it is in the one before.
   void replace_path(const planning::Path& path, const planning::Revision& made_from);
   void take_edit(const SceneState& before);
-  void keep_given(const SceneState& before);
+  void keep_opened(const SceneState& before);
   void take_replanned(const DerivedResult& derived, const QString& origin);
   void forget_roadmap();
   void take_failure(const QString& message);
@@ -120,7 +120,7 @@ class PlanningSession : public QObject {
   bool repeatable_ =
       false;  ///< What is optimised would be found again with the settings as they are.
   SharedRoadmap roadmap_;
-  QString given_origin_;
+  QString opened_from_;
 };
 
 }  // namespace handway::gui

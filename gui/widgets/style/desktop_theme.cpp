@@ -23,9 +23,14 @@ Theme desktop_theme() {
   static const Theme kTheme = [] {
     const std::optional<Theme> wish =
         has_session_bus() ? theme_of_portal(QDBusConnection::sessionBus()) : std::nullopt;
-    return wish.value_or(theme_of(QApplication::palette()));
+    return wish.value_or(theme_of(desktop_palette()));
   }();
   return kTheme;
+}
+
+const QPalette& desktop_palette() {
+  static const QPalette kPalette = QApplication::palette();
+  return kPalette;
 }
 
 std::optional<Theme> theme_of_portal(const QDBusConnection& bus) {

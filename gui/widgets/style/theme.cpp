@@ -204,7 +204,7 @@ void apply_theme(QApplication& application, Theme theme) {
 
 void apply_theme(QApplication& application, Theme theme, double text_scale) {
   take_resources();
-  desktop_theme();  // its palette is replaced
+  desktop_palette();  // is replaced
   const ThemeColors before = colors_of(std::exchange(applied, theme));
   applied_scale = text_scale;
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

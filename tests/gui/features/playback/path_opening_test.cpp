@@ -57,7 +57,7 @@ TEST_F(PathOpening, IsWhatTheExportWrites) {
   const std::filesystem::path written = cell().folder() / "written.csv";
   planning::write_path_csv(planned, *window().document().robot()->model, written);
   open_path(QString::fromStdString(written.string()));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench().session.given_origin() == "written.csv"; },
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench().session.opened_from() == "written.csv"; },
                               kPatienceMs));
   EXPECT_EQ(window().player().timeline().path().waypoints, planned.waypoints);
   EXPECT_TRUE(becomes(PathValidity::State::kValid));
@@ -90,7 +90,7 @@ TEST_F(PathOpening, GivesWayToAPlannedPath) {
   open_path(file("arm.csv", kArmPath));
   ASSERT_TRUE(becomes(PathValidity::State::kValid));
   plan();
-  EXPECT_TRUE(workbench().session.given_origin().isEmpty());
+  EXPECT_TRUE(workbench().session.opened_from().isEmpty());
   EXPECT_THAT(result(), ::testing::Not(HasSubstr("arm.csv")));
 }
 
