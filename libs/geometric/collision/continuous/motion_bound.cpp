@@ -167,7 +167,9 @@ MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_mode
       continue;
     }
     const double multiplier = std::abs(model.drive(i).multiplier);
-    farthest_[variable] += multiplier * of_link_.row(i).head(bodies).maxCoeff();
+    if (bodies > 0) {
+      farthest_[variable] += multiplier * of_link_.row(i).head(bodies).maxCoeff();
+    }
     for (std::size_t m = 0; m < motions.size(); ++m) {
       const auto [a, b] = motions[m];
       const bool moves_b =
