@@ -36,7 +36,7 @@ std::string unique_name(const Range& taken, const std::string& wanted) {
 geometric::Shape scaled(const geometric::Shape& shape, double scale) {
   const auto* mesh = std::get_if<geometric::Mesh>(&shape);
   if (!mesh) {
-    return padded(shape, {scale, 0.0});
+    return geometric::scaled(shape, scale);
   }
   const Eigen::Vector3d each_way = Eigen::Vector3d::Constant(scale);
   return geometric::Mesh{mesh->file, scale * mesh->scale,

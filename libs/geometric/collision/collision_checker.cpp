@@ -81,7 +81,9 @@ bool CollisionChecker::pair_collides(int pair) {
     return constraint->slack(X_BL_) < 0.0;
   }
   ++counts_.pair_collisions;
-  return do_pair_collides(pair);
+  const double padding = world_->padding(pair);
+  return padding > 0.0 ? do_pair_closeness(pair, padding) != Closeness::kFarther
+                       : do_pair_collides(pair);
 }
 
 double CollisionChecker::pair_distance(int pair, double enough) {
@@ -89,7 +91,8 @@ double CollisionChecker::pair_distance(int pair, double enough) {
     return std::clamp(constraint->slack(X_BL_), 0.0, enough);
   }
   ++counts_.pair_distances;
-  return do_pair_distance(pair, enough);
+  const double padding = world_->padding(pair);
+  return std::max(0.0, do_pair_distance(pair, enough + padding) - padding);
 }
 
 Closeness CollisionChecker::pair_closeness(int pair, double tolerance) {
@@ -100,7 +103,11 @@ Closeness CollisionChecker::pair_closeness(int pair, double tolerance) {
                               : Closeness::kCloser;
   }
   ++counts_.pair_distances;
-  return do_pair_closeness(pair, tolerance);
+  const double padding = world_->padding(pair);
+  const Closeness closeness = do_pair_closeness(pair, tolerance + padding);
+  const bool is_within_padding = padding > 0.0 && closeness == Closeness::kCloser &&
+                                 do_pair_closeness(pair, padding) != Closeness::kFarther;
+  return is_within_padding ? Closeness::kTouching : closeness;
 }
 
 DistanceRange CollisionChecker::do_pair_distance_range(int pair, double enough, double /*share*/) {

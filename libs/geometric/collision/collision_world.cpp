@@ -58,11 +58,10 @@ CollisionBody centred(CollisionBody body, const std::filesystem::path& file) {
   return body;
 }
 
-std::vector<LinkGeometry> padded_shapes(std::span<const LinkGeometry> shapes,
-                                        const Padding& padding) {
+std::vector<LinkGeometry> scaled_shapes(std::span<const LinkGeometry> shapes, double scale) {
   std::vector<LinkGeometry> larger(shapes.begin(), shapes.end());
   for (LinkGeometry& geometry : larger) {
-    geometry.shape = padded(geometry.shape, padding);
+    geometry.shape = scaled(geometry.shape, scale);
   }
   return larger;
 }
@@ -121,11 +120,16 @@ void CollisionWorld::add(CollisionBody body, const std::filesystem::path& file) 
 void CollisionWorld::add_padded(CollisionBody body, std::span<const LinkGeometry> shapes,
                                 const Padding& padding, bool solid,
                                 const std::filesystem::path& file) {
+  body.padding = padding.distance;
+  add(body, file);
+  if (padding.scale == 1.0) {
+    return;
+  }
   Link larger;
-  larger.collision = padded_shapes(shapes, padding);
+  larger.collision = scaled_shapes(shapes, padding.scale);
   body.mesh = std::make_shared<TriangleMesh>(collision_mesh(larger));
   body.solids = make_body_solids(larger.collision, solid);
-  body.is_padded = true;
+  body.is_scaled_copy = true;
   add(std::move(body), file);
 }
 
@@ -135,9 +139,10 @@ void CollisionWorld::add_robot_links(const RobotInstance& robot) {
     CollisionBody body{link.name, i, Pose::Identity(),
                        std::make_shared<TriangleMesh>(collision_mesh(link))};
     body.solids = make_body_solids(link.collision);
-    add(body, robot.file);
     if (const auto padding = robot.padding.find(link.name); padding != robot.padding.end()) {
       add_padded(std::move(body), link.collision, padding->second, true, robot.file);
+    } else {
+      add(std::move(body), robot.file);
     }
   }
 }
@@ -147,13 +152,16 @@ void CollisionWorld::add_still_robot(const RobotInstance& robot) {
   robot.model->forward_kinematics(robot.configuration, X_BL);
   for (int i = 0; i < robot.model->link_count(); ++i) {
     Link link = robot.model->link(i);
-    if (const auto padding = robot.padding.find(link.name); padding != robot.padding.end()) {
-      link.collision = padded_shapes(link.collision, padding->second);
+    const auto found = robot.padding.find(link.name);
+    const Padding padding = found == robot.padding.end() ? Padding() : found->second;
+    if (padding.scale != 1.0) {
+      link.collision = scaled_shapes(link.collision, padding.scale);
     }
     CollisionBody body{robot.name + "/" + link.name, -1,
                        robot.X_WB * X_BL[static_cast<std::size_t>(i)],
                        std::make_shared<TriangleMesh>(collision_mesh(link))};
     body.solids = make_body_solids(link.collision);
+    body.padding = padding.distance;
     add(std::move(body), robot.file);
   }
 }
@@ -177,7 +185,6 @@ void CollisionWorld::add_objects(const Scene& scene) {
         body.touching = object.attachment->touching;
         const auto padding = robot->padding.find(object.attachment->link);
         if (padding != robot->padding.end()) {
-          add(body, scene.file);
           const LinkGeometry shape{object.shape, Pose::Identity(), object.color};
           add_padded(std::move(body), {&shape, 1}, padding->second, object.solid, scene.file);
           continue;
@@ -220,11 +227,11 @@ void CollisionWorld::list_pairs() {
   pairs_.clear();
   moving_.clear();
   const int count = static_cast<int>(bodies_.size());
-  // Of a body with a padded one behind it, the one moves against what moves, the other against what
+  // A body with a scaled copy behind it is checked against what moves, the copy against what
   // stands still.
   const auto is_checked_against = [&](int index, bool still) {
-    const bool has_padded = index + 1 < count && body(index + 1).is_padded;
-    return still ? !has_padded : !body(index).is_padded;
+    const bool has_copy = index + 1 < count && body(index + 1).is_scaled_copy;
+    return still ? !has_copy : !body(index).is_scaled_copy;
   };
   for (int i = 0; i < count; ++i) {
     if (body(i).moves()) {
@@ -241,6 +248,17 @@ void CollisionWorld::list_pairs() {
         }
       }
     }
+  }
+  list_paddings();
+}
+
+void CollisionWorld::list_paddings() {
+  paddings_.clear();
+  for (const auto& [a, b] : pairs_) {
+    paddings_.push_back(body(b).moves() ? 0.0 : body(a).padding + body(b).padding);
+  }
+  if (std::ranges::all_of(paddings_, [](double padding) { return padding == 0.0; })) {
+    paddings_.clear();
   }
 }
 

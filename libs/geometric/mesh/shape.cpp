@@ -1,9 +1,12 @@
 #include "handway/geometric/mesh/shape.h"
 
 #include "handway/geometric/mesh/triangle_mesh.h"
+#include "mesh/round_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -11,9 +14,27 @@
 namespace handway::geometric {
 namespace {
 
-// A regular n-gon around a circle leaves it by a factor 1/cos(π/n): 0.48 % for 32.
-constexpr std::uint32_t kSegments = 32;
-constexpr std::uint32_t kRings = 32;  // of a sphere, pole to pole
+constexpr std::uint32_t kFewestSegments = 32;
+constexpr std::uint32_t kMostSegments = 1024;  // reached by a ball of 10 m and a cylinder of 21 m
+
+// The least number of segments, a multiple of four, of which each spans at most `half_angle` (rad)
+// to either side of its middle.
+std::uint32_t segments_within(double half_angle) {
+  const double segments = std::numbers::pi / half_angle;
+  const auto fours = static_cast<std::uint32_t>(std::ceil(std::min(segments, 1e6) / 4.0));
+  return std::clamp(4 * fours, kFewestSegments, kMostSegments);
+}
+
+// The regular polygon around a circle leaves it by radius (1/cos(π/n) - 1) at its corners.
+std::uint32_t circle_segments(double radius) {
+  return segments_within(std::acos(radius / (radius + kRoundTolerance)));
+}
+
+// A polyhedron of twice as many segments around as rings from pole to pole leaves the ball by
+// radius tan²(π/n).
+std::uint32_t ball_segments(double radius) {
+  return segments_within(std::atan(std::sqrt(kRoundTolerance / radius)));
+}
 
 TriangleMesh triangles_of(const Box& box) {
   TriangleMesh mesh;
@@ -26,119 +47,140 @@ TriangleMesh triangles_of(const Box& box) {
   return mesh;
 }
 
-Eigen::Vector3d on_circle(std::uint32_t segment, double radius, double z) {
-  const double angle = 2.0 * std::numbers::pi * segment / kSegments;
-  return {radius * std::cos(angle), radius * std::sin(angle), z};
-}
+// Builds the surface of a round shape from rings of `segments` vertices each around the z axis.
+class RingMesh {
+ public:
+  explicit RingMesh(std::uint32_t segments) : segments_(segments) {}
 
-// Joins ring `below` to ring `above`, both of kSegments vertices, facing outward.
-void add_band(TriangleMesh& mesh, std::uint32_t below, std::uint32_t above) {
-  for (std::uint32_t i = 0; i < kSegments; ++i) {
-    const std::uint32_t next = (i + 1) % kSegments;
-    mesh.triangles.push_back({below + i, below + next, above + i});
-    mesh.triangles.push_back({below + next, above + next, above + i});
+  // Adds a ring around a circle: the circle touches its edges from within.
+  // @returns the index of its first vertex.
+  std::uint32_t add_ring(double radius, double z) {
+    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+    const double step = 2.0 * std::numbers::pi / segments_;
+    const double outer = radius / std::cos(0.5 * step);
+    for (std::uint32_t i = 0; i < segments_; ++i) {
+      mesh_.vertices.emplace_back(outer * std::cos(i * step), outer * std::sin(i * step), z);
+    }
+    return first;
   }
-}
 
-// Joins a ring to a single vertex, facing down (-z side) or up.
-void add_cap(TriangleMesh& mesh, std::uint32_t ring, std::uint32_t apex, bool facing_down) {
-  for (std::uint32_t i = 0; i < kSegments; ++i) {
-    const std::uint32_t next = (i + 1) % kSegments;
-    if (facing_down) {
-      mesh.triangles.push_back({ring + next, ring + i, apex});
-    } else {
-      mesh.triangles.push_back({ring + i, ring + next, apex});
+  // Joins ring `below` to ring `above`, facing outward.
+  void add_band(std::uint32_t below, std::uint32_t above) {
+    for (std::uint32_t i = 0; i < segments_; ++i) {
+      const std::uint32_t next = (i + 1) % segments_;
+      mesh_.triangles.push_back({below + i, below + next, above + i});
+      mesh_.triangles.push_back({below + next, above + next, above + i});
     }
   }
-}
 
-std::uint32_t add_ring(TriangleMesh& mesh, double radius, double z) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (std::uint32_t i = 0; i < kSegments; ++i) {
-    mesh.vertices.push_back(on_circle(i, radius, z));
+  // Joins a ring to a single vertex on the axis, facing down (-z side) or up.
+  void add_cap(std::uint32_t ring, double z, bool facing_down) {
+    const auto apex = static_cast<std::uint32_t>(mesh_.vertices.size());
+    mesh_.vertices.emplace_back(0.0, 0.0, z);
+    for (std::uint32_t i = 0; i < segments_; ++i) {
+      const std::uint32_t next = (i + 1) % segments_;
+      if (facing_down) {
+        mesh_.triangles.push_back({ring + next, ring + i, apex});
+      } else {
+        mesh_.triangles.push_back({ring + i, ring + next, apex});
+      }
+    }
   }
-  return first;
-}
 
-std::uint32_t add_vertex(TriangleMesh& mesh, const Eigen::Vector3d& vertex) {
-  mesh.vertices.push_back(vertex);
-  return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
-}
+  [[nodiscard]] TriangleMesh take() { return std::move(mesh_); }
 
-const double kAround = 1.0 / std::cos(std::numbers::pi / kSegments);
+ private:
+  std::uint32_t segments_;
+  TriangleMesh mesh_;
+};
 
 TriangleMesh triangles_of(const Cylinder& cylinder) {
-  TriangleMesh mesh;
-  const double half = 0.5 * cylinder.length;
-  const std::uint32_t bottom = add_ring(mesh, cylinder.radius * kAround, -half);
-  const std::uint32_t top = add_ring(mesh, cylinder.radius * kAround, half);
-  add_band(mesh, bottom, top);
-  add_cap(mesh, bottom, add_vertex(mesh, {0, 0, -half}), true);
-  add_cap(mesh, top, add_vertex(mesh, {0, 0, half}), false);
-  return mesh;
+  return round_mesh(cylinder, circle_segments(cylinder.radius));
 }
 
 TriangleMesh triangles_of(const Cone& cone) {
-  TriangleMesh mesh;
-  const double half = 0.5 * cone.length;
-  const std::uint32_t bottom = add_ring(mesh, cone.radius * kAround, -half);
-  add_cap(mesh, bottom, add_vertex(mesh, {0, 0, -half}), true);
-  add_cap(mesh, bottom, add_vertex(mesh, {0, 0, half}), false);
-  return mesh;
+  return round_mesh(cone, circle_segments(cone.radius));
 }
 
-// Rings halfway between the usual latitudes are tangent to the sphere along their
-// middle; growing by both roundings keeps the sphere inside and the error below 0.7 %.
 TriangleMesh triangles_of(const Sphere& sphere) {
-  TriangleMesh mesh;
-  const double step = std::numbers::pi / kRings;
-  const double radius = sphere.radius / std::cos(0.5 * step);
-  std::array<std::uint32_t, kRings> rings{};
-  for (std::uint32_t i = 1; i < kRings; ++i) {
-    const double polar = std::numbers::pi - i * step;
-    rings[i] = add_ring(mesh, radius * std::sin(polar) * kAround, radius * std::cos(polar));
-    if (i > 1) {
-      add_band(mesh, rings[i - 1], rings[i]);
-    }
-  }
-  add_cap(mesh, rings[1], add_vertex(mesh, {0, 0, -radius}), true);
-  add_cap(mesh, rings[kRings - 1], add_vertex(mesh, {0, 0, radius}), false);
-  return mesh;
+  return round_mesh(sphere, ball_segments(sphere.radius));
 }
 
 TriangleMesh triangles_of(const Mesh& mesh) { return *mesh.triangles; }
 
-Shape larger(Box box, const Padding& by) {
-  box.size = (by.scale * box.size).array() + 2.0 * by.distance;
+Shape times(Box box, double scale) {
+  box.size *= scale;
   return box;
 }
 
-Shape larger(Sphere sphere, const Padding& by) {
-  sphere.radius = by.scale * sphere.radius + by.distance;
+Shape times(Sphere sphere, double scale) {
+  sphere.radius *= scale;
   return sphere;
 }
 
 template <typename Round>
-Shape larger(Round shape, const Padding& by) {
-  shape.radius = by.scale * shape.radius + by.distance;
-  shape.length = by.scale * shape.length + 2.0 * by.distance;
+Shape times(Round shape, double scale) {
+  shape.radius *= scale;
+  shape.length *= scale;
   return shape;
 }
 
-Shape larger(const Mesh& mesh, const Padding& by) {
+Shape times(const Mesh& mesh, double scale) {
   auto triangles = std::make_shared<TriangleMesh>(*mesh.triangles);
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& vertex : triangles->vertices) {
     centre += vertex / static_cast<double>(triangles->vertices.size());
   }
   for (Eigen::Vector3d& vertex : triangles->vertices) {
-    const Eigen::Vector3d arm = vertex - centre;
-    vertex = centre + by.scale * arm + by.distance * arm.stableNormalized();
+    vertex = centre + scale * (vertex - centre);
   }
   return Mesh{{}, Eigen::Vector3d::Ones(), std::move(triangles)};
 }
 
 }  // namespace
+
+TriangleMesh round_mesh(const Cylinder& cylinder, std::uint32_t segments) {
+  RingMesh mesh(segments);
+  const double half = 0.5 * cylinder.length;
+  const std::uint32_t bottom = mesh.add_ring(cylinder.radius, -half);
+  const std::uint32_t top = mesh.add_ring(cylinder.radius, half);
+  mesh.add_band(bottom, top);
+  mesh.add_cap(bottom, -half, true);
+  mesh.add_cap(top, half, false);
+  return mesh.take();
+}
+
+TriangleMesh round_mesh(const Cone& cone, std::uint32_t segments) {
+  RingMesh mesh(segments);
+  const double half = 0.5 * cone.length;
+  const std::uint32_t bottom = mesh.add_ring(cone.radius, -half);
+  mesh.add_cap(bottom, -half, true);
+  mesh.add_cap(bottom, half, false);
+  return mesh.take();
+}
+
+// Rings halfway between the usual latitudes are tangent to the sphere along their middle.
+TriangleMesh round_mesh(const Sphere& sphere, std::uint32_t segments) {
+  RingMesh mesh(segments);
+  const std::uint32_t rings = segments / 2;
+  const double step = std::numbers::pi / rings;
+  const double radius = sphere.radius / std::cos(0.5 * step);
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  for (std::uint32_t i = 1; i < rings; ++i) {
+    const double polar = std::numbers::pi - i * step;
+    const std::uint32_t ring = mesh.add_ring(radius * std::sin(polar), radius * std::cos(polar));
+    if (i > 1) {
+      mesh.add_band(last, ring);
+    } else {
+      first = ring;
+    }
+    last = ring;
+  }
+  mesh.add_cap(first, -radius, true);
+  mesh.add_cap(last, radius, false);
+  return mesh.take();
+}
 
 std::string_view shape_name(const Shape& shape) {
   static constexpr std::array<std::string_view, 5> kNames = {"box", "sphere", "cylinder", "cone",
@@ -154,8 +196,8 @@ std::shared_ptr<const TriangleMesh> tessellate(const Shape& shape) {
       std::visit([](const auto& solid) { return triangles_of(solid); }, shape));
 }
 
-Shape padded(const Shape& shape, const Padding& padding) {
-  return std::visit([&](const auto& one) { return larger(one, padding); }, shape);
+Shape scaled(const Shape& shape, double scale) {
+  return std::visit([&](const auto& one) { return times(one, scale); }, shape);
 }
 
 bool is_closed(const Shape& shape) {
@@ -174,8 +216,8 @@ std::vector<std::pair<Shape, Pose>> capsule_shapes(double radius, double length)
 Mesh ellipsoid_mesh(const Eigen::Vector3d& radii) {
   return {{},
           Eigen::Vector3d::Ones(),
-          std::make_shared<const TriangleMesh>(
-              transformed(*tessellate(Sphere{1.0}), Pose::Identity(), radii))};
+          std::make_shared<const TriangleMesh>(transformed(
+              round_mesh(Sphere{1.0}, ball_segments(radii.maxCoeff())), Pose::Identity(), radii))};
 }
 
 }  // namespace handway::geometric

@@ -68,7 +68,7 @@ TEST_P(EveryChecker, MeasuresSpheresWithinTheirTessellation) {
     const double exact = p.norm() - kRadius - kLarger;
     const double found = find_clearance(*spheres, p).distance;
     EXPECT_LE(found, exact + 1e-12) << "the solid must be inside its triangles";
-    EXPECT_GE(found, exact - 0.007 * (kRadius + kLarger));
+    EXPECT_GE(found, exact - 2.0 * kRoundTolerance);
   }
 }
 

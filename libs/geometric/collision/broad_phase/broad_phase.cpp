@@ -172,19 +172,22 @@ BroadPhase::BroadPhase(const CollisionWorld& world, std::vector<BoundingSphere> 
     }
   }
   for (const auto& [a, b] : world.pairs()) {
-    add_pair(a, b, column, world.body(b).moves());
+    add_pair(a, b, column, world.body(b).moves(), world.padding(static_cast<int>(cells_.size())));
   }
   if (cells_.size() - moving_pairs_ > kMany) {
     many_.emplace(world, p_WO_);
   }
 }
 
-void BroadPhase::add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move) {
+void BroadPhase::add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move,
+                          double padding) {
   const auto first = static_cast<std::size_t>(a);
   const auto second = static_cast<std::size_t>(b);
   const auto pair = static_cast<int>(cells_.size());
   cells_.push_back({column[first], column[second]});
-  const float radius = spheres_[first].radius + (both_move ? spheres_[second].radius : 0.0F);
+  const float radius = spheres_[first].radius + (both_move ? spheres_[second].radius : 0.0F) +
+                       static_cast<float>(padding);
+  most_padding_ = std::max(most_padding_, static_cast<float>(padding));
   const float rounding =
       kRootRounding + rounding_beyond(radius) + (both_move ? 0.0F : box_rounding_[column[second]]);
   (both_move ? moving_ : still_).add(pair, cells_.back(), radius + rounding);
@@ -244,7 +247,8 @@ void BroadPhase::append_near_still(Placement& placement, double tolerance,
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const int body = bodies_[i];
     const float radius = spheres_[static_cast<std::size_t>(body)].radius;
-    const float reach = radius + kRootRounding + rounding_beyond(radius) + placement.rounding +
+    const float reach = radius + most_padding_ + kRootRounding +
+                        rounding_beyond(radius + most_padding_) + placement.rounding +
                         static_cast<float>(tolerance);
     many_->append_near(body, {placement.x[i], placement.y[i], placement.z[i]}, reach, candidates);
   }

@@ -81,7 +81,8 @@ class BroadPhase {
     std::vector<int> pairs;    ///< Shape [rows, width].
   };
   /// @param column shape [bodies].
-  void add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move);
+  void add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move,
+                double padding);
   void add_box(const CollisionBody& still, std::size_t column);
   /// Sets a bit for every column that is nearer than `within` (m); shape of `near` [rows, blocks].
   void find_near_moving(const Placement& at, float within, std::uint32_t* near) const;
@@ -93,6 +94,7 @@ class BroadPhase {
   std::vector<BoundingSphere> spheres_;
   std::vector<int> bodies_;       ///< That move.
   std::vector<Cell> cells_;       ///< Of each pair in the one or the other table.
+  float most_padding_ = 0.0F;     ///< m, of all pairs.
   std::size_t moving_pairs_ = 0;  ///< So many pairs come first in which both move.
   Table moving_;                  ///< With what moves, …
   Table still_;                   ///< … and with what stands still.

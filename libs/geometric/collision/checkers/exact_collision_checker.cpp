@@ -134,7 +134,7 @@ void ExactCollisionChecker::do_closest_first(double distance, std::vector<int>& 
   std::vector<std::pair<double, int>> bounds;
   bounds.reserve(pairs.size());
   for (const int pair : pairs) {
-    bounds.emplace_back(do_pair_bound(pair, distance), pair);
+    bounds.emplace_back(pair_bound(pair, distance), pair);
   }
   std::ranges::sort(bounds);
   std::ranges::transform(bounds, pairs.begin(), &std::pair<double, int>::second);
@@ -157,22 +157,33 @@ std::optional<int> ExactCollisionChecker::do_first_collision(int hint) {
     return std::pair(candidate.relative_distance, candidate.pair);
   });
   const auto touching = std::ranges::find_if(undecided, [&](const UndecidedPair& candidate) {
-    return exact_closeness(candidate.pair, kTouch) == Closeness::kTouching;
+    const Closeness closeness = exact_closeness(candidate.pair, collision_distance(candidate.pair));
+    return closeness == Closeness::kTouching ||
+           (closeness == Closeness::kCloser && world().padding(candidate.pair) > 0.0);
   });
   return touching == undecided.end() ? std::nullopt : std::optional(touching->pair);
 }
 
 bool ExactCollisionChecker::touches_quickly(int pair) {
   count_pair_collision();
-  if (is_separated(pair, kTouch)) {
+  const double distance = collision_distance(pair);
+  if (is_separated(pair, distance)) {
     return false;
   }
   NarrowPhaseQuery surfaces = query(pair, body_poses());
-  if (surfaces.may_be_nearer_than(kTouch)) {
+  if (surfaces.may_be_nearer_than(distance)) {
     scratch_->undecided.push_back({surfaces.relative_distance(), pair});
     return false;
   }
   return is_contained(pair, surfaces);
+}
+
+double ExactCollisionChecker::root_bound(int pair) const {
+  return volumes_->broad_phase->bound(scratch_->placement, pair) + world().padding(pair);
+}
+
+double ExactCollisionChecker::collision_distance(int pair) const {
+  return std::max(kTouch, world().padding(pair));
 }
 
 NarrowPhaseQuery ExactCollisionChecker::query(int pair, std::span<const Pose> X_WBody) {
@@ -214,9 +225,7 @@ bool ExactCollisionChecker::do_pair_collides(int pair) {
 }
 
 Closeness ExactCollisionChecker::do_pair_closeness(int pair, double tolerance) {
-  return volumes_->broad_phase->bound(scratch_->placement, pair) >= tolerance
-             ? Closeness::kFarther
-             : nearby_closeness(pair, tolerance);
+  return root_bound(pair) >= tolerance ? Closeness::kFarther : nearby_closeness(pair, tolerance);
 }
 
 bool ExactCollisionChecker::boxes_are_apart(int pair, double distance) {
@@ -254,12 +263,11 @@ bool ExactCollisionChecker::is_contained(int pair, const NarrowPhaseQuery& surfa
 }
 
 double ExactCollisionChecker::do_pair_quick_bound(int pair) {
-  return std::max(0.0, volumes_->broad_phase->bound(scratch_->placement, pair));
+  return std::max(0.0, root_bound(pair));
 }
 
 double ExactCollisionChecker::do_pair_bound(int pair, double enough) {
-  if (volumes_->broad_phase->bound(scratch_->placement, pair) >= enough ||
-      boxes_are_apart(pair, enough)) {
+  if (root_bound(pair) >= enough || boxes_are_apart(pair, enough)) {
     return enough;
   }
   NarrowPhaseQuery surfaces = query(pair, body_poses());
@@ -275,8 +283,7 @@ double ExactCollisionChecker::do_pair_distance(int pair, double enough) {
 }
 
 DistanceRange ExactCollisionChecker::do_pair_distance_range(int pair, double enough, double share) {
-  if (volumes_->broad_phase->bound(scratch_->placement, pair) >= enough ||
-      boxes_are_apart(pair, enough)) {
+  if (root_bound(pair) >= enough || boxes_are_apart(pair, enough)) {
     return {enough};
   }
   NarrowPhaseQuery surfaces = query(pair, body_poses());

@@ -167,6 +167,9 @@ double FclBroadphaseChecker::do_pair_distance(int pair, double enough) {
 }
 
 std::optional<int> FclBroadphaseChecker::do_first_collision(int hint) {
+  if (world().has_padding()) {  // FCL's managers know boxes of bodies only as large as they are
+    return CollisionChecker::do_first_collision(hint);
+  }
   if (pair_collides(hint)) {
     return hint;
   }

@@ -67,7 +67,9 @@ struct PlacedBody {
 // Two bodies in their places, one of which can be shifted.
 class PlacedPair {
  public:
-  PlacedPair(const PlacedBody& a, const PlacedBody& b) : a_(a), b_(b) {}
+  // @param padding m: bodies nearer to each other than that are in contact.
+  PlacedPair(const PlacedBody& a, const PlacedBody& b, double padding)
+      : a_(a), b_(b), padding_(padding) {}
 
   // Middle and mean normal (from a to b) of where the surfaces cross, if they do.
   struct Crossing {
@@ -95,7 +97,8 @@ class PlacedPair {
     const Pose X_WA = Eigen::Translation3d(shift) * a_.X_WB;
     const fcl::CollisionRequestd request;
     fcl::CollisionResultd result;
-    if (fcl::collide(&a_.tree, X_WA, &b_.tree, b_.X_WB, request, result) > 0) {
+    if (fcl::collide(&a_.tree, X_WA, &b_.tree, b_.X_WB, request, result) > 0 ||
+        (padding_ > 0.0 && nearest_points(X_WA).min_distance < padding_)) {
       return false;
     }
     return !contain_each_other(a_.solids, X_WA, b_.solids, b_.X_WB);
@@ -114,11 +117,32 @@ class PlacedPair {
     return std::nullopt;
   }
 
+  // The middle between the surfaces, which do not cross, if they are nearer than the padding.
+  [[nodiscard]] std::optional<Crossing> approach() const {
+    if (padding_ <= 0.0) {
+      return std::nullopt;
+    }
+    const fcl::DistanceResultd result = nearest_points(a_.X_WB);
+    if (result.min_distance >= padding_) {
+      return std::nullopt;
+    }
+    const auto& [p, q] = result.nearest_points;
+    return Crossing{0.5 * (p + q), q - p};
+  }
+
   [[nodiscard]] const Pose& X_WB() const { return b_.X_WB; }
 
  private:
+  [[nodiscard]] fcl::DistanceResultd nearest_points(const Pose& X_WA) const {
+    const fcl::DistanceRequestd request(true);
+    fcl::DistanceResultd result;
+    fcl::distance(&a_.tree, X_WA, &b_.tree, b_.X_WB, request, result);
+    return result;
+  }
+
   const PlacedBody& a_;
   const PlacedBody& b_;
+  double padding_;
 };
 
 // The mean normal and the 26 directions to a cube's faces, edges and corners, the cube turned
@@ -176,10 +200,13 @@ std::vector<Contact> find_contacts(const CollisionWorld& world, const Configurat
     const BodyPair& bodies = world.pairs()[static_cast<std::size_t>(index)];
     const PlacedBody a = placed(bodies.a);
     const PlacedBody b = placed(bodies.b);
-    const PlacedPair pair(a, b);
+    const PlacedPair pair(a, b, world.padding(index));
     std::optional<PlacedPair::Crossing> crossing = pair.crossing();
     if (!crossing) {
       crossing = pair.containment();
+    }
+    if (!crossing) {
+      crossing = pair.approach();
     }
     if (crossing) {
       Contact contact{world.body(bodies.a).name, world.body(bodies.b).name, crossing->middle};

@@ -1,6 +1,7 @@
 #include "collision/volumes/primitive_distance.h"
 
 #include "handway/geometric/mesh/shape.h"
+#include "mesh/round_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -72,8 +73,8 @@ bool is_stretched(const TriangleMesh& mesh, const TriangleMesh& unit, const Eige
   return true;
 }
 
-// Of the circle through the corners of the regular polygon that a round primitive is seen from
-// above, for one within it.
+// Returns the radius of the circle within the regular polygon that a round primitive looks like
+// from above, as a share of the radius of the circle around it.
 double share_within(const TriangleMesh& unit_cylinder) {
   const Eigen::Vector3d& a = unit_cylinder.vertices[0];
   const Eigen::Vector3d& b = unit_cylinder.vertices[1];
@@ -102,49 +103,65 @@ Eigen::Vector2f nearest_on_segment(const Eigen::Vector2f& a, const Eigen::Vector
 }  // namespace
 
 std::optional<PrimitiveDistance> PrimitiveDistance::of(const TriangleMesh& mesh) {
-  struct Round {
-    Kind kind;
-    std::shared_ptr<const TriangleMesh> unit;
-    double within;  ///< Radius of the primitive within, as a share of that of the one around.
-  };
-  static const std::array<Round, 3> kRound = [] {
-    const auto ball = tessellate(Sphere{1.0});
-    const auto cylinder = tessellate(Cylinder{1.0, 1.0});
-    const double share = share_within(*cylinder);
-    return std::array<Round, 3>{{{Kind::kSphere, ball, share_within_ball(*ball)},
-                                 {Kind::kCylinder, cylinder, share},
-                                 {Kind::kCone, tessellate(Cone{1.0, 1.0}), share}}};
-  }();
   const Aabb box = bounding_box(mesh);
   std::optional<PrimitiveDistance> primitive;
   if (is_box(mesh, box)) {
     primitive = PrimitiveDistance(Kind::kBox, box);
-  }
-  for (const Round& round : kRound) {
-    if (primitive || mesh.triangles != round.unit->triangles ||
-        mesh.vertices.size() != round.unit->vertices.size()) {
-      continue;
-    }
-    const Eigen::Vector3d by =
-        box.size().cwiseQuotient(bounding_box(*round.unit).size()).cwiseAbs();
-    const bool is_round =
-        std::abs(by.x() - by.y()) <= kSamePlace * by.x() &&
-        (round.kind != Kind::kSphere || std::abs(by.x() - by.z()) <= kSamePlace * by.x());
-    if (is_round && is_stretched(mesh, *round.unit, by)) {
-      primitive = PrimitiveDistance(round.kind, box);
-      double outer = 0.0;
-      for (const Eigen::Vector3d& p : mesh.vertices) {
-        outer = std::max(outer, round.kind == Kind::kSphere ? p.norm() : p.head<2>().norm());
-      }
-      primitive->outer_ = static_cast<float>(outer) * (1.0F + kRadiusRounding);
-      primitive->inner_ = static_cast<float>(outer * round.within) * (1.0F - kRadiusRounding);
-    }
+  } else {
+    primitive = round_primitive(mesh, box);
   }
   if (primitive) {
     primitive->centre_ = box.centre().cast<float>();
     primitive->half_ = (0.5 * box.size()).cast<float>();
   }
   return primitive;
+}
+
+std::optional<PrimitiveDistance> PrimitiveDistance::round_primitive(const TriangleMesh& mesh,
+                                                                    const Aabb& box) {
+  for (const auto& [kind, segments] : possible_segments(mesh)) {
+    const TriangleMesh unit = kind == Kind::kSphere     ? round_mesh(Sphere{1.0}, segments)
+                              : kind == Kind::kCylinder ? round_mesh(Cylinder{1.0, 1.0}, segments)
+                                                        : round_mesh(Cone{1.0, 1.0}, segments);
+    const Eigen::Vector3d by = box.size().cwiseQuotient(bounding_box(unit).size()).cwiseAbs();
+    const bool is_round =
+        std::abs(by.x() - by.y()) <= kSamePlace * by.x() &&
+        (kind != Kind::kSphere || std::abs(by.x() - by.z()) <= kSamePlace * by.x());
+    if (!is_round || mesh.triangles != unit.triangles || !is_stretched(mesh, unit, by)) {
+      continue;
+    }
+    PrimitiveDistance primitive(kind, box);
+    double outer = 0.0;
+    for (const Eigen::Vector3d& p : mesh.vertices) {
+      outer = std::max(outer, kind == Kind::kSphere ? p.norm() : p.head<2>().norm());
+    }
+    const double within = kind == Kind::kSphere ? share_within_ball(unit) : share_within(unit);
+    primitive.outer_ = static_cast<float>(outer) * (1.0F + kRadiusRounding);
+    primitive.inner_ = static_cast<float>(outer * within) * (1.0F - kRadiusRounding);
+    return primitive;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::pair<PrimitiveDistance::Kind, std::uint32_t>> PrimitiveDistance::possible_segments(
+    const TriangleMesh& mesh) {
+  const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
+  std::vector<std::pair<Kind, std::uint32_t>> possible;
+  const auto add = [&](Kind kind, std::uint32_t segments, std::uint32_t vertices) {
+    if (segments >= 4 && segments % 4 == 0 && vertices == count) {
+      possible.emplace_back(kind, segments);
+    }
+  };
+  if (count < 6) {
+    return possible;
+  }
+  const std::uint32_t in_rings = count - 2;
+  const auto of_ball =
+      static_cast<std::uint32_t>(std::lround(1.0 + std::sqrt(1.0 + 2.0 * in_rings)));
+  add(Kind::kSphere, of_ball, of_ball * (of_ball / 2 - 1) + 2);
+  add(Kind::kCylinder, in_rings / 2, count - count % 2);
+  add(Kind::kCone, in_rings, count);
+  return possible;
 }
 
 float PrimitiveDistance::box_distance(const Eigen::Vector3f& p) const {

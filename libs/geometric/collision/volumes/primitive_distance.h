@@ -4,7 +4,10 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace handway::geometric {
 
@@ -42,6 +45,13 @@ class PrimitiveDistance {
   using Section = Eigen::Vector2f;
 
   PrimitiveDistance(Kind kind, const Aabb& box) : kind_(kind), box_(box) {}
+
+  /// Returns nothing if the mesh is no round_mesh(). @param box around the mesh.
+  [[nodiscard]] static std::optional<PrimitiveDistance> round_primitive(const TriangleMesh& mesh,
+                                                                        const Aabb& box);
+  /// Kinds and numbers of segments of a round_mesh() with as many vertices as `mesh`.
+  [[nodiscard]] static std::vector<std::pair<Kind, std::uint32_t>> possible_segments(
+      const TriangleMesh& mesh);
 
   /// Negative inside.
   [[nodiscard]] float box_distance(const Eigen::Vector3f& p) const;

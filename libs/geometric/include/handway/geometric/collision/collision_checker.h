@@ -59,7 +59,9 @@ struct Enclosed {
 ///
 /// A checker holds the state of one configuration and is for one thread; clones
 /// share the immutable parts. Touching counts as collision, and so does a body inside of another
-/// one's solids (see CollisionWorld): what is said of bodies that touch holds for both.
+/// one's solids (see CollisionWorld): what is said of bodies that touch holds for both. Distances
+/// are those between the surfaces less the pair's padding, and a pair nearer than its padding
+/// counts as touching.
 class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
  public:
   virtual ~CollisionChecker() = default;
@@ -94,7 +96,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// @pre no constraint.
   [[nodiscard]] DistanceRange pair_distance_range(int pair, double enough, double share) {
     ++counts_.pair_distances;
-    return do_pair_distance_range(pair, enough, share);
+    const double padding = world_->padding(pair);
+    if (padding == 0.0) {
+      return do_pair_distance_range(pair, enough, share);
+    }
+    const auto [lower, upper] = do_pair_distance_range(pair, enough + padding, 0.0);
+    return {std::max(0.0, lower - padding), std::max(0.0, upper - padding)};
   }
 
   /// Is the pair closer than `tolerance` (m)? Cheaper than its distance.
@@ -103,14 +110,19 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// A lower bound of the pair's distance, at most `enough`, at a small price;
   /// it may be far below the distance.
   [[nodiscard]] double pair_bound(int pair, double enough) {
-    return world_->constraint(pair) ? pair_distance(pair, enough) : do_pair_bound(pair, enough);
+    if (world_->constraint(pair)) {
+      return pair_distance(pair, enough);
+    }
+    const double padding = world_->padding(pair);
+    return std::max(0.0, do_pair_bound(pair, enough + padding) - padding);
   }
 
   /// A lower bound of the pair's distance that costs next to nothing: what
   /// bounding volumes of the two bodies tell.
   [[nodiscard]] double pair_quick_bound(int pair) {
     const LinkConstraint* constraint = world_->constraint(pair);
-    return constraint ? std::max(0.0, constraint->slack(X_BL_)) : do_pair_quick_bound(pair);
+    return std::max(0.0, constraint ? constraint->slack(X_BL_)
+                                    : do_pair_quick_bound(pair) - world_->padding(pair));
   }
 
   /// Sets `pairs` to all that may be nearer than `distance` (m), as far as
@@ -153,7 +165,8 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   void count_pair_collision() { ++counts_.pair_collisions; }
   void count_exact_test() { ++counts_.exact_tests; }
 
-  /// Called after the bodies have been placed.
+  /// Called after the bodies have been placed. The questions about one pair that follow are about
+  /// its surfaces and solids: they know nothing of padding.
   virtual void do_place() {}
   [[nodiscard]] virtual bool do_pair_collides(int pair) = 0;
   [[nodiscard]] virtual double do_pair_distance(int pair, double enough) = 0;
@@ -163,6 +176,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
     return do_pair_distance(pair, enough);
   }
   [[nodiscard]] virtual double do_pair_quick_bound(int /*pair*/) { return 0.0; }
+  /// Questions about all pairs take their padding into account.
   virtual void do_near_pairs(double distance, std::vector<int>& pairs);
   virtual void do_closest_first(double /*distance*/, std::vector<int>& /*pairs*/) {}
   /// Asks `hint` first, then in a fixed order. There are pairs.

@@ -29,9 +29,12 @@ struct CollisionBody {
   Pose X_FB = Pose::Identity();              ///< In the carrying link's frame, or in the world.
   std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
   bool is_carried = false;                   ///< An object on a link.
-  /// It stands for the body before it, which is checked against what moves, and is larger: this one
-  /// is checked against what stands still.
-  bool is_padded = false;
+  /// The body is a scaled copy of the body before it: this one is checked against what stands
+  /// still, the other one against what moves.
+  bool is_scaled_copy = false;
+  /// The distance (m) that the body keeps from what stands still, or, standing still itself, from
+  /// what moves. Of a pair the paddings of both bodies add up.
+  double padding = 0.0;
   std::vector<std::string> touching = {};  ///< Of a carried object: bodies that it may touch.
   /// Its closed shapes, inside of which nothing may be; never null.
   std::shared_ptr<const BodySolids> solids = nullptr;
@@ -58,7 +61,8 @@ struct BodyPair {
 /// Not checked are pairs that the robot's allowed-collision matrix names, pairs
 /// that no joint moves against each other, and a carried object against the link
 /// that carries it and the links it may touch; what the scene says of pairs goes before all
-/// but the second. A link with padding has two bodies.
+/// but the second. A link that is scaled has two bodies. A pair with padding collides where its
+/// bodies are nearer to each other than that; its distance is what is left beyond it.
 class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
  public:
   /// @throws InputError if the scene has no robot, an attachment names none, or a point is
@@ -88,6 +92,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   /// Moving against moving first, then moving against still; each in body order.
   [[nodiscard]] const std::vector<BodyPair>& pairs() const { return pairs_; }
   [[nodiscard]] bool is_self_pair(const BodyPair& pair) const { return body(pair.b).moves(); }
+  /// The distance (m) that the bodies of pairs()[pair] have to keep; 0 for most.
+  [[nodiscard]] double padding(int pair) const {
+    return paddings_.empty() ? 0.0 : paddings_[static_cast<std::size_t>(pair)];
+  }
+  /// Whether any pair has padding.
+  [[nodiscard]] bool has_padding() const { return !paddings_.empty(); }
 
   /// What else has to hold along a path. Checkers count constraints after the pairs: index
   /// pairs().size() + c is constraint c, its distance is its slack (rad or m), and it "touches"
@@ -125,6 +135,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   void add(CollisionBody body, const std::filesystem::path& file);
   void add_padded(CollisionBody body, std::span<const LinkGeometry> shapes, const Padding& padding,
                   bool solid, const std::filesystem::path& file);
+  void list_paddings();
   [[nodiscard]] bool must_not_touch(int a, int b) const;
   [[nodiscard]] std::vector<CollisionBody>::const_iterator find_still_body(
       std::string_view name) const;
@@ -136,6 +147,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   std::vector<CollisionBody> bodies_;
   std::vector<int> moving_;
   std::vector<BodyPair> pairs_;
+  std::vector<double> paddings_;  ///< Per pair, m; empty if all are 0.
   std::vector<LinkConstraint> constraints_;
   std::map<AllowedCollisions::Pair, bool> may_touch_;  ///< As the scene's.
 };

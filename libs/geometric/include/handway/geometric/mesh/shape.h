@@ -59,14 +59,17 @@ using Shape = std::variant<Box, Sphere, Cylinder, Cone, Mesh>;
 /// "box", "sphere", "cylinder", "cone" or "mesh": the word in scene files.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string_view shape_name(const Shape& shape);
 
-/// The triangles that stand for `shape` in collision checking. A box and a mesh
-/// are exact. Round shapes become polyhedra that contain the true solid and
-/// leave it by at most 0.7 % of the radius.
+/// The distance (m) by which the polyhedron that stands for a round shape may leave it.
+inline constexpr double kRoundTolerance = 1e-4;
+
+/// Returns the triangles that stand for `shape` in collision checking. A box and a mesh are exact.
+/// A round shape becomes a polyhedron that contains the true solid and leaves it by at most
+/// kRoundTolerance, or, if its radius is more than 10 m, by 1e-5 of the radius.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const TriangleMesh> tessellate(
     const Shape& shape);
 
-/// How much larger a shape is taken than it is: its size times `scale`, and `distance` (m) more all
-/// around, as MoveIt's link scale and padding.
+/// How much larger a shape is taken than it is, as MoveIt's link scale and padding: its size times
+/// `scale` (see scaled()), and everything nearer to its surface than `distance` (m).
 struct Padding {
   double scale = 1.0;
   double distance = 0.0;
@@ -74,8 +77,9 @@ struct Padding {
   friend bool operator==(const Padding&, const Padding&) = default;
 };
 
-/// The shape made larger about its own centre; vertices of a mesh move away from their mean.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Shape padded(const Shape& shape, const Padding& padding);
+/// Returns the shape `scale` times as large about its own centre, a mesh about the mean of its
+/// vertices.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Shape scaled(const Shape& shape, double scale);
 
 /// Whether the shape has an inside: primitives do, and meshes whose surface is_closed().
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const Shape& shape);
@@ -88,8 +92,8 @@ struct Padding {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::pair<Shape, Pose>> capsule_shapes(
     double radius, double length);
 
-/// An ellipsoid with these radii (m) along its axes: a mesh around it that leaves it by at most 0.7
-/// % of them.
+/// Returns a mesh around an ellipsoid with these radii (m) along its axes; it leaves the ellipsoid
+/// by at most kRoundTolerance.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Mesh ellipsoid_mesh(const Eigen::Vector3d& radii);
 
 }  // namespace handway::geometric

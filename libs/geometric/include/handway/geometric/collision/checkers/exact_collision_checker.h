@@ -44,6 +44,12 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
 
   [[nodiscard]] NarrowPhaseQuery query(int pair, std::span<const Pose> X_WBody);
 
+  /// A lower bound (m) of the distance of the pair's surfaces, from one sphere or box a body.
+  [[nodiscard]] double root_bound(int pair) const;
+
+  /// The distance (m) below which the pair collides.
+  [[nodiscard]] double collision_distance(int pair) const;
+
   /// The closeness of a pair whose bounding volumes don't tell.
   [[nodiscard]] Closeness nearby_closeness(int pair, double tolerance);
 
