@@ -1,11 +1,14 @@
 #include "handway/geometric/robot/limit_violation.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace handway::geometric {
 
@@ -16,13 +19,25 @@ double value_of(const RobotModel& model, int link, const Configuration& q) {
   return multiplier * q[variable] + offset;
 }
 
-bool violates(const RobotModel& model, int link, const Configuration& q, double tolerance) {
-  if (model.drive(link).variable < 0) {
+bool violates(const RobotModel& model, int link, const Configuration& q,
+              std::span<const int> fixed) {
+  const int variable = model.drive(link).variable;
+  if (variable < 0 || std::ranges::count(fixed, variable) > 0) {
     return false;
   }
   const double value = value_of(model, link, q);
-  const JointLimits& limits = model.joint(link).limits;
-  return value < limits.lower - tolerance || value > limits.upper + tolerance;
+  const auto& [lower, upper] =
+      std::pair(model.joint(link).limits.lower, model.joint(link).limits.upper);
+  return value < lower - limit_tolerance(lower) || value > upper + limit_tolerance(upper);
+}
+
+// "22.9°" or "0.4 mm", with two digits of what is smaller than a tenth.
+std::string amount(const LimitViolation& violation, double beyond) {
+  const bool slides = violation.type == JointType::kPrismatic;
+  const double shown = slides ? millimetres(beyond) : degrees(beyond);
+  return fmt::format("{}{}",
+                     shown < 0.1 ? fmt::format("{:.2g}", shown) : fmt::format("{:.1f}", shown),
+                     slides ? " mm" : "°");
 }
 
 }  // namespace
@@ -41,11 +56,11 @@ std::string configuration_fault(const RobotModel& model, const Configuration& q)
 }
 
 std::vector<LimitViolation> limit_violations(const RobotModel& model, const Configuration& q,
-                                             double tolerance) {
+                                             std::span<const int> fixed) {
   std::vector<int> links;
   std::set<int> explained;  // variables that a coupled joint is named for
   for (int link = 1; link < model.link_count(); ++link) {
-    if (violates(model, link, q, tolerance)) {
+    if (violates(model, link, q, fixed)) {
       links.push_back(link);
       if (const int variable = model.drive(link).variable; model.variable_link(variable) != link) {
         explained.insert(variable);
@@ -59,15 +74,15 @@ std::vector<LimitViolation> limit_violations(const RobotModel& model, const Conf
     if (follows || !explained.contains(variable)) {
       const Joint& joint = model.joint(link);
       violations.push_back({joint.name, value_of(model, link, q), joint.limits.lower,
-                            joint.limits.upper, follows ? model.variable(variable).name : ""});
+                            joint.limits.upper, follows ? model.variable(variable).name : "",
+                            joint.type});
     }
   }
   return violations;
 }
 
 void require_configuration(const RobotModel& model, const Configuration& q,
-                           const std::string& source) {
-  constexpr double kTolerance = 1e-6;
+                           const std::string& source, std::span<const int> fixed) {
   if (q.size() != model.variable_count()) {
     throw InputError({source, "", fmt::format("{} values", q.size()),
                       fmt::format("{}, one a joint", model.variable_count()), ""});
@@ -78,7 +93,7 @@ void require_configuration(const RobotModel& model, const Configuration& q,
                         "a finite number", ""});
     }
   }
-  const std::vector<LimitViolation> violations = limit_violations(model, q, kTolerance);
+  const std::vector<LimitViolation> violations = limit_violations(model, q, fixed);
   if (!violations.empty()) {
     const LimitViolation& first = violations.front();
     throw InputError({source, "joint " + first.joint, fmt::format("{:.6g}", first.value),
@@ -96,9 +111,11 @@ std::string to_string(const LimitViolation& violation) {
   while (digits < 9 && text(violation.value, digits) == text(limit, digits)) {
     ++digits;
   }
-  return fmt::format("joint {} at {}, allowed {} to {}{}", violation.joint,
-                     text(violation.value, digits), text(violation.lower, digits),
-                     text(violation.upper, digits),
+  return fmt::format("joint {} at {} {}, allowed {} to {} ({} beyond){}", violation.joint,
+                     text(violation.value, digits),
+                     violation.type == JointType::kPrismatic ? "m" : "rad",
+                     text(violation.lower, digits), text(violation.upper, digits),
+                     amount(violation, std::abs(violation.value - limit)),
                      violation.leader.empty() ? "" : "; it follows " + violation.leader);
 }
 

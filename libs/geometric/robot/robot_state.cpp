@@ -74,9 +74,7 @@ double RobotState::joint_value(std::string_view joint_name) const {
                "a joint of the robot");
 }
 
-bool RobotState::within_limits(double tolerance) const {
-  return limit_violations(*model_, q_, tolerance).empty();
-}
+bool RobotState::within_limits() const { return limit_violations(*model_, q_).empty(); }
 
 const Pose& RobotState::link_pose(std::string_view link_name) const {
   const std::optional<int> link = model_->find_link(link_name);

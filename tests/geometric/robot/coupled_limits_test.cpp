@@ -167,9 +167,12 @@ TEST(CoupledLimits, AreNamedByTheJointThatFollows) {
 // As where a scene has a limit with six decimals, or a right angle as 1.5708.
 TEST(LimitViolations, ShowByWhatALimitIsExceeded) {
   const LimitViolation far{"tip", 0.9, -0.5, 0.5, ""};
-  EXPECT_EQ(to_string(far), "joint tip at 0.9000, allowed -0.5000 to 0.5000");
+  EXPECT_EQ(to_string(far), "joint tip at 0.9000 rad, allowed -0.5000 to 0.5000 (22.9° beyond)");
   const LimitViolation close{"tip", -0.069813, -1.3089969, -0.0698132, ""};
-  EXPECT_EQ(to_string(close), "joint tip at -0.0698130, allowed -1.3089969 to -0.0698132");
+  EXPECT_EQ(to_string(close),
+            "joint tip at -0.0698130 rad, allowed -1.3089969 to -0.0698132 (1.1e-05° beyond)");
+  const LimitViolation slide{"rail", -0.0009, 0.0, 0.4, "", JointType::kPrismatic};
+  EXPECT_EQ(to_string(slide), "joint rail at -0.0009 m, allowed 0.0000 to 0.4000 (0.9 mm beyond)");
 }
 
 TEST(CoupledLimits, OfAnyJointComeInTheOrderOfTheLinks) {

@@ -3,6 +3,9 @@
 #include "handway/geometric/export.h"
 #include "handway/geometric/robot/robot_model.h"
 
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +16,14 @@ namespace handway::geometric {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string configuration_fault(const RobotModel& model,
                                                                        const Configuration& q);
 
+/// How far (rad or m) a joint may be beyond a limit and count as being at it: encoders and files
+/// round. A limit is also met by what single precision makes of it.
+[[nodiscard]] inline double limit_tolerance(double limit) {
+  constexpr double kTolerance = 1e-6;
+  constexpr double kSingle = 1.0 / (1 << 23);
+  return std::isfinite(limit) ? std::max(kTolerance, kSingle * std::abs(limit)) : kTolerance;
+}
+
 /// A joint out of its limits; rad or m.
 struct LimitViolation {
   std::string joint;
@@ -20,23 +31,26 @@ struct LimitViolation {
   double lower = 0.0;
   double upper = 0.0;
   std::string leader;  ///< The joint that it follows; empty if it moves on its own.
+  JointType type = JointType::kRevolute;
 };
 
-/// Every joint that `q` puts out of its limits by more than `tolerance` (rad or m), in
-/// the order of the links. Of a joint that is limited only for the sake of a coupled
-/// one, the coupled one is named.
+/// Returns every joint that `q` puts out of its limits by more than limit_tolerance(), in the order
+/// of the links. Of a joint that is limited only for the sake of a coupled one, the coupled one is
+/// named.
 /// @param q finite, shape [variable_count].
+/// @param fixed variables that do not count: what nobody moves can't be brought back.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<LimitViolation> limit_violations(
-    const RobotModel& model, const Configuration& q, double tolerance = 1e-9);
+    const RobotModel& model, const Configuration& q, std::span<const int> fixed = {});
 
 /// @param source what `q` is, for the message: "waypoint 3".
-/// @throws InputError if `q` is no configuration of the robot, or puts a joint out of its limits by
-/// more than 1e-6 rad or m.
+/// @param fixed as of limit_violations().
+/// @throws InputError if `q` is no configuration of the robot, or has limit_violations().
 HANDWAY_GEOMETRIC_EXPORT void require_configuration(const RobotModel& model, const Configuration& q,
-                                                    const std::string& source);
+                                                    const std::string& source,
+                                                    std::span<const int> fixed = {});
 
-/// "joint J at 0.9000, allowed -0.5000 to 0.5000", and which joint it follows; with more digits
-/// where these four make the value look as if it were the limit.
+/// "joint J at 0.9000 rad, allowed -0.5000 to 0.5000 (22.9° beyond)", and which joint it follows;
+/// with more digits where these four make the value look as if it were the limit.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const LimitViolation& violation);
 
 }  // namespace handway::geometric

@@ -156,6 +156,14 @@ struct RobotDescription {
   std::vector<std::string> warnings;  ///< What the reader noticed but could live with.
 };
 
+/// Narrows the limits of a joint of `robot` to those that `source` has beside the joint's own. What
+/// leaves the joint no range, or gives a joint without ends but one, is not kept: a warning of the
+/// robot says so.
+/// @param lower, upper rad or m; nothing: not limited there.
+HANDWAY_GEOMETRIC_EXPORT void narrow_limits(RobotDescription& robot, Joint& joint,
+                                            std::optional<double> lower,
+                                            std::optional<double> upper, const std::string& source);
+
 /// Couples a joint to several others. It becomes a chain of joints about or along the same axis,
 /// one for each term, each of which follows one joint: the values of such a chain add up. Those
 /// before the last, JOINT/1, JOINT/2, …, carry links without shape of their names; the last keeps

@@ -40,8 +40,8 @@ class HANDWAY_GEOMETRIC_EXPORT RobotState {
   /// @throws InputError if no moving joint has this name.
   [[nodiscard]] double joint_value(std::string_view joint_name) const;
 
-  /// True if every joint is in its limits, up to `tolerance` (rad or m).
-  [[nodiscard]] bool within_limits(double tolerance = 1e-9) const;
+  /// True if every joint is in its limits: see limit_violations().
+  [[nodiscard]] bool within_limits() const;
 
   /// Pose X_WL of a link in the world. @pre 0 ≤ link < model().link_count().
   [[nodiscard]] const Pose& link_pose(int link) const {
