@@ -148,8 +148,12 @@ class Reading {
   // @returns nothing if the program has gone, or there is no time left.
   [[nodiscard]] std::optional<MeshReadingEnd> ask(MeshReaderProcess& process,
                                                   const fs::path& absolute) {
-    // The pipe closes with this call: a process that goes on writing ends.
-    whole_ = receive(process.ask(limits_.request, absolute));
+    try {
+      // The pipe closes with this call: a process that goes on writing ends.
+      whole_ = receive(process.ask(limits_.request, absolute));
+    } catch (const std::runtime_error& error) {
+      refuse(error.what(), "Close other files, or raise the limit (ulimit -n)");
+    }
     return process.wait_for_end(seconds_left());
   }
 

@@ -159,7 +159,7 @@ bool MeshReaderProcess::idle() const {
 OwnedDescriptor MeshReaderProcess::ask(const MeshRequest& request, const fs::path& file) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    return OwnedDescriptor();
+    throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
   }
   OwnedDescriptor ours(ends[0]);
   const OwnedDescriptor theirs(ends[1]);

@@ -1,5 +1,6 @@
 #include "handway/geometric/formats/robot_loader.h"
 
+#include "handway/geometric/formats/joint_limits_file.h"
 #include "handway/geometric/formats/srdf.h"
 #include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/io/existing_file.h"
@@ -255,6 +256,7 @@ bool is_robot_file(const fs::path& file) {
 
 std::shared_ptr<const RobotModel> load_robot(const fs::path& file) {
   RobotDescription description = read_description(file);
+  narrow_joint_limits(description);
   if (description.allowed_collisions.entries().empty()) {
     find_allowed_collisions(description);
   }

@@ -246,6 +246,34 @@ void note_links_without_collision(const XmlDocument& document, RobotDescription&
   }
 }
 
+// Narrows joints to the limits within which a <safety_controller> keeps them. Exporters that know
+// none write zeros.
+void keep_soft_limits(const XmlDocument& document, RobotDescription& robot) {
+  for (const pugi::xml_node& node : document.root("robot").children("joint")) {
+    const pugi::xml_node safety = node.child("safety_controller");
+    const auto joint =
+        std::ranges::find(robot.joints, std::string(node.attribute("name").value()), &Joint::name);
+    if (!safety || joint == robot.joints.end() || joint->type == JointType::kFixed) {
+      continue;
+    }
+    const auto limit = [&](const char* name) {
+      const pugi::xml_attribute attribute = safety.attribute(name);
+      const std::optional<double> value = parse_number(attribute.value());
+      if (attribute && !value) {
+        robot.warnings.push_back(
+            fmt::format("joint {}: <safety_controller {}=\"{}\"> is no number and is not kept",
+                        joint->name, name, attribute.value()));
+      }
+      return value;
+    };
+    const std::optional<double> lower = limit("soft_lower_limit");
+    const std::optional<double> upper = limit("soft_upper_limit");
+    if (lower.value_or(0.0) != 0.0 || upper.value_or(0.0) != 0.0) {
+      narrow_limits(robot, *joint, lower, upper, "<safety_controller>");
+    }
+  }
+}
+
 }  // namespace
 
 RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
@@ -275,6 +303,7 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
   }
   files.missing.refuse();
   add_joints(document, *parsed.model, robot);
+  keep_soft_limits(document, robot);
   note_links_without_collision(document, robot);
   if (const std::string faults = files.drawing.summary(); !faults.empty()) {
     robot.warnings.push_back(faults);

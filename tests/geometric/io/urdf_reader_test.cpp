@@ -420,5 +420,44 @@ TEST(RobotLoader, RefusesOtherKindsOfFiles) {
   EXPECT_THAT(input_error_of([&] { static_cast<void>(load_robot(file)); }), HasSubstr("xacro"));
 }
 
+TEST(UrdfReader, KeepsSoftLimits) {
+  const ScratchFiles files;
+  const auto limits = [&](const std::string& safety) {
+    const RobotDescription r = read_urdf(files.write(
+        "r.urdf",
+        robot("<link name=\"a\"/><link name=\"b\"/>" +
+              joint("j", "revolute", "a", "b", "<axis xyz=\"0 0 1\"/>" + kLimit + safety))));
+    return std::tuple(r.joints[0].limits.lower, r.joints[0].limits.upper, r.warnings.size());
+  };
+  EXPECT_EQ(limits("<safety_controller k_velocity=\"0\" soft_lower_limit=\"-0.5\" "
+                   "soft_upper_limit=\"1\"/>"),
+            std::tuple(-0.5, 1.0, 0U));
+  EXPECT_EQ(limits("<safety_controller soft_lower_limit=\"-0.5\"/>"), std::tuple(-0.5, 2.0, 0U));
+  EXPECT_EQ(limits("<safety_controller soft_lower_limit=\"0\" soft_upper_limit=\"0\"/>"),
+            std::tuple(-1.0, 2.0, 0U))
+      << "exporters write zeros";
+  EXPECT_EQ(limits("<safety_controller soft_lower_limit=\"-5\" soft_upper_limit=\"5\"/>"),
+            std::tuple(-1.0, 2.0, 0U));
+  EXPECT_EQ(limits("<safety_controller soft_lower_limit=\"3\" soft_upper_limit=\"4\"/>"),
+            std::tuple(-1.0, 2.0, 1U))
+      << "they leave no range";
+}
+
+TEST(RobotLoader, KeepsLimitsOfPositionsBesideTheRobot) {
+  const ScratchFiles files;
+  const auto file = files.write(
+      "r.urdf", robot("<link name=\"a\"/><link name=\"b\"/>" +
+                      joint("j", "revolute", "a", "b", "<axis xyz=\"0 0 1\"/>" + kLimit)));
+  files.write(
+      "joint_limits.yaml",
+      "joint_limits:\n  j: {has_position_limits: true, min_position: -0.4, max_position: 9}\n");
+  EXPECT_EQ(load_robot(file)->lower()[0], -0.4);
+  EXPECT_EQ(load_robot(file)->upper()[0], 2.0);
+  files.write("joint_limits.yaml", "joint_limits:\n  j: {min_positon: -0.4}\n");
+  EXPECT_EQ(load_robot(file)->lower()[0], -1.0);
+  EXPECT_THAT(load_robot(file)->description().warnings,
+              testing::Contains(AllOf(HasSubstr("joint_limits.yaml:2"), HasSubstr("min_positon"))));
+}
+
 }  // namespace
 }  // namespace handway::geometric

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/robot_description.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// What a file says of one joint; SI units, rates above 0. Nothing: it says nothing.
+struct FiledJointLimits {
+  std::string joint;
+  std::optional<double> velocity;
+  std::optional<double> acceleration;  ///< The lesser of acceleration and deceleration.
+  std::optional<double> jerk;
+  std::optional<double> lower;  ///< The narrower of position and soft limits.
+  std::optional<double> upper;
+};
+
+/// Reads a file of the form that MoveIt and ros2_control know: a map `joint_limits` of joints, each
+/// with `has_position_limits`, `min_position`, `max_position`, `has_velocity_limits`,
+/// `max_velocity`, `has_acceleration_limits`, `max_acceleration`, `has_deceleration_limits`,
+/// `max_deceleration`, `has_jerk_limits`, `max_jerk`, `has_soft_limits`, `soft_lower_limit`,
+/// `soft_upper_limit` (all optional). What a flag denies does not count.
+/// @param joints names of the robot's joints. The file may be about others, too.
+/// @throws InputError naming line and key, also for a name that is nearly that of a joint which the
+/// file leaves out: limits that somebody relies on must not be passed over.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<FiledJointLimits> read_joint_limits(
+    const std::filesystem::path& file, std::span<const std::string> joints);
+
+/// Names of the joints that move on their own.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> independent_joints(
+    const RobotDescription& robot);
+
+/// Returns the file joint_limits.yaml beside the robot's file; empty if there is none.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::filesystem::path joint_limits_beside(
+    const RobotDescription& robot);
+
+/// Narrows the limits of the robot's joints to those of positions in joint_limits_beside(). A file
+/// that can't be read, and limits that leave a joint no range, become warnings of the robot.
+HANDWAY_GEOMETRIC_EXPORT void narrow_joint_limits(RobotDescription& robot);
+
+}  // namespace handway::geometric
