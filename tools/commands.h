@@ -9,7 +9,8 @@ namespace handway::tools {
 // What the command line's exit codes mean (docs/command-line.md).
 
 inline constexpr int kDone = 0;
-inline constexpr int kNoPath = 1;  ///< No path within the limits, or a path not valid.
+inline constexpr int kNoPath = 1;      ///< No path within the limits, or a path not valid.
+inline constexpr int kNotWritten = 1;  ///< A result that could not be written.
 inline constexpr int kWrongUsage = 2;
 inline constexpr int kInvalidInput = 3;
 inline constexpr int kInvalidQuery = 4;   ///< Start or goal in collision or out of limits.

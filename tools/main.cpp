@@ -1,13 +1,20 @@
 #include "commands.h"
+#include "handway/geometric/io/input_error.h"
 #include "version.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <iostream>
+#include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace handway::tools {
@@ -76,9 +83,37 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace handway::tools
 
+namespace {
+
+// What was printed is part of the result: a disk that is full must not look like success.
+int flushed(int exit_code) {
+  std::cout.flush();
+  if (std::cout.good() && std::ferror(stdout) == 0 && std::fflush(stdout) == 0) {
+    return exit_code;
+  }
+  fmt::print(stderr, "handway: standard output can't be written: {}\n",
+             errno != 0 ? std::strerror(errno) : "an error");
+  return exit_code == handway::tools::kDone ? handway::tools::kNotWritten : exit_code;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error that can be reported
   try {
-    return handway::tools::run(argc, argv);
+    return flushed(handway::tools::run(argc, argv));
+  } catch (const handway::geometric::OutputError& error) {
+    fmt::print(stderr, "handway: {}\n", error.what());
+    return handway::tools::kNotWritten;
+  } catch (const std::system_error& error) {  // fmt could not print
+    fmt::print(stderr, "handway: standard output can't be written: {}\n", error.what());
+    return handway::tools::kNotWritten;
+  } catch (const std::bad_alloc&) {
+    fmt::print(
+        stderr,
+        "handway: there is not enough memory for this input. Use a smaller one, or raise the "
+        "limit (ulimit -v)\n");
+    return handway::tools::kInvalidInput;
   } catch (const std::exception& error) {
     fmt::print(stderr, "handway: {}\n", error.what());
     return handway::tools::kInvalidInput;

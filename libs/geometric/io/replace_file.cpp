@@ -24,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& file, int error) {
-  throw InputError({file.string(), "", std::strerror(error), "a place that can be written to",
-                    "The file is as it was before"});
+  throw OutputError({file.string(), "", std::strerror(error), "a place that can be written to",
+                     "The file is as it was before"});
 }
 
 void write_all(int descriptor, std::string_view content) {

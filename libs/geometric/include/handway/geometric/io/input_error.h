@@ -34,6 +34,12 @@ class HANDWAY_GEOMETRIC_EXPORT InputError : public std::runtime_error {
   InputProblem problem_;
 };
 
+/// Thrown for a result that can't be written to where it was asked for; tools exit with code 1.
+class HANDWAY_GEOMETRIC_EXPORT OutputError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// The one of `names` with the smallest edit distance to `word`, for advice on
 /// misspelt names; empty if none is near (more than a third of the letters off).
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string nearest_name(std::string_view word,

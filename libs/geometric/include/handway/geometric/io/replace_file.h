@@ -13,7 +13,7 @@ namespace handway::geometric {
 /// no regular file (`/dev/stdout`) is written to directly. Temporary files that
 /// killed programs of this machine have left in the folder are removed when the
 /// program first writes there.
-/// @throws InputError if it can't be written (the old file is untouched).
+/// @throws OutputError if it can't be written (the old file is untouched).
 HANDWAY_GEOMETRIC_EXPORT void replace_file(const std::filesystem::path& file,
                                            std::string_view content);
 
