@@ -43,11 +43,12 @@ int check(const CheckOptions& options) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
   planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
-  print_warnings(*loaded.scene);
   add_uprights(options.uprights, loaded);
   set_group(options.group, loaded);
   set_goal_poses(options.goal_poses, loaded);
-  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  const planning::PlanningProblem problem =
+      planning::make_problem(loaded.scene, loaded.basis, {}, planning::GoalNeed::kOptional);
+  print_warnings(problem);
   const planning::Path path = read_path(problem, options.path);
   const planning::PathCheckResult result =
       planning::check_path(problem, path, geometric::metres(options.resolution_mm));

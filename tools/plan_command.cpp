@@ -92,12 +92,12 @@ void print_advice(const planning::PlanningProblem& problem, bool at_start) {
   const planning::NearestFree nearest = find_nearest_free(problem, q, options);
   const char* which = at_start ? "start" : "goal";
   if (nearest.q) {
-    fmt::print(stderr, "  The nearest free {} that was found is {:.2f} degrees away: {}\n", which,
-               geometric::degrees(nearest.distance),
+    fmt::print(stderr, "  The nearest free {} that was found: {}\n", which,
                planning::describe_change(problem.model(), q, *nearest.q, 3));
   } else {
-    fmt::print(stderr, "  No free {} was found within {:.0f} degrees\n", which,
-               geometric::degrees(options.most_distance));
+    fmt::print(stderr, "  No free {} was found within {:.0f}° (slides: {:.0f} mm)\n", which,
+               geometric::degrees(options.most_distance),
+               geometric::millimetres(options.most_distance));
   }
 }
 
@@ -134,7 +134,6 @@ int plan(PlanOptions options) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
   planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
-  print_warnings(*loaded.scene);
   choose_basis(options.settings, loaded);
   add_uprights(options.uprights, loaded);
   set_group(options.group, loaded);
@@ -143,6 +142,7 @@ int plan(PlanOptions options) {
       scene_planner(options.planner, loaded.scene->planner, plugins.planners());
   apply_settings(*planner, options.settings);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  print_warnings(problem);
   const std::chrono::duration<double> load = std::chrono::steady_clock::now() - begin;
 
   planning::PlanRequest request;

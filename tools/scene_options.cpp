@@ -77,24 +77,36 @@ void apply_settings(planning::Planner& planner, const std::vector<std::string>& 
   }
 }
 
-void print_warnings(const geometric::Scene& scene) {
-  if (scene.warnings.empty()) {
+namespace {
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) {
     return;
   }
-  const std::size_t count = scene.warnings.size();
+  const std::size_t count = warnings.size();
   std::string summary = fmt::format("{} warning{}\n", count, count == 1 ? "" : "s");
-  for (const std::string& warning : scene.warnings) {
+  for (const std::string& warning : warnings) {
     summary += fmt::format("  warning: {}\n", warning);
   }
   fmt::print(stderr, "handway: {}", summary);
+}
+
+}  // namespace
+
+void print_warnings(const geometric::Scene& scene) { print_warnings(scene.warnings); }
+
+void print_warnings(const planning::PlanningProblem& problem) {
+  std::vector<std::string> warnings = problem.scene->warnings;
+  warnings.insert(warnings.end(), problem.warnings.begin(), problem.warnings.end());
+  print_warnings(warnings);
 }
 
 planning::Path read_path(const planning::PlanningProblem& problem,
                          const std::filesystem::path& file) {
   planning::JointsAtRest rest{problem.start};
   planning::Path path = planning::read_path(problem.model(), file, &rest);
-  if (!rest.names.empty()) {
-    fmt::print(stderr, "handway: {}\n", rest.remark(file));
+  if (const std::string remark = rest.remark(file); !remark.empty()) {
+    fmt::print(stderr, "handway: {}\n", remark);
   }
   return path;
 }

@@ -33,6 +33,8 @@ void apply_settings(planning::Planner& planner, const std::vector<std::string>& 
 
 /// What readers noticed but could live with, as one summary on stderr; nothing if there is nothing.
 void print_warnings(const geometric::Scene& scene);
+/// Prints the warnings of the problem's scene and its own.
+void print_warnings(const planning::PlanningProblem& problem);
 
 /// The path of a file; joints that it does not have stay at the problem's start, which is said on
 /// the error output. @throws InputError as planning::read_path().

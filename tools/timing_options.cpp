@@ -44,7 +44,7 @@ planning::PlanningProblem read_problem(const TimingChoice& choice,
                                        const planning::PluginManager& plugins) {
   planning::LoadedScene loaded = planning::load_scene(choice.scene, plugins);
   set_group(choice.group, loaded);
-  return planning::make_problem(loaded.scene, loaded.basis);
+  return planning::make_problem(loaded.scene, loaded.basis, {}, planning::GoalNeed::kOptional);
 }
 
 planning::PlanningProblem read_problem_again(const TimingChoice& choice,
@@ -72,7 +72,7 @@ planning::JointKinematicLimits read_limits(const TimingChoice& choice,
 
 TimingInput read_timing_input(const TimingChoice& choice, const planning::PluginManager& plugins) {
   planning::PlanningProblem problem = read_problem(choice, plugins);
-  print_warnings(*problem.scene);
+  print_warnings(problem);
   planning::Path path = read_path(problem, choice.path);
   return {std::move(problem), std::move(path)};
 }

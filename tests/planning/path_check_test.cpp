@@ -1,9 +1,15 @@
 #include "handway/planning/paths/path_check.h"
 
+#include "handway/geometric/robot/robot_state.h"
 #include "handway_test/planar_problems.h"
+#include "handway_test/solid_robots.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -100,6 +106,51 @@ TEST(PathCheck, RefusesWaypointsOfAnotherRobot) {
   path.waypoints.insert(path.waypoints.begin() + 1, Eigen::Vector3d(0, 0, 0));
   EXPECT_THAT(check_path(problem, path, kMillimetre).faults,
               ElementsAre(AllOf(HasSubstr("Waypoint 2"), HasSubstr("3 values"))));
+}
+
+// A post of 0.2 mm that the finger passes between two samples of 50 mm.
+TEST(PathCheck, CertifiesWhatSamplesMiss) {
+  const PlanningProblem open = test::open_problem();
+  geometric::Scene scene = *open.scene;
+  const Configuration middle = 0.5 * (open.start + open.goal);
+  geometric::RobotState state(scene.robots.front().model);
+  state.set_configuration(middle);
+  const geometric::Pose X_WL = state.link_pose("upper");
+  test::add_object(scene, "needle", geometric::Cylinder{1e-4, 1.0},
+                   Eigen::Vector3d(X_WL * Eigen::Vector3d(0.29, 0.0, 0.0)));
+  const PlanningProblem problem =
+      make_problem(std::make_shared<const geometric::Scene>(std::move(scene)), nullptr);
+  const Path path = straight(problem);
+  const PathCheckResult result = check_path(problem, path, 0.5);
+  EXPECT_FALSE(result.valid());
+}
+
+TEST(PathCheck, NamesATurnThatIsLongerThanHalfOne) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  robot.joints.front().limits.lower = -kEndless;
+  robot.joints.front().limits.upper = kEndless;
+  geometric::Scene scene = test::scene_of(std::move(robot));
+  scene.start = planar_configuration(3.05, 0.3);
+  scene.goal = planar_configuration(-3.02, 0.3);
+  const PlanningProblem problem =
+      make_problem(std::make_shared<const geometric::Scene>(std::move(scene)), nullptr);
+  const Path jumping{{*problem.scene->start, *problem.scene->goal}};
+  EXPECT_THAT(check_path(problem, jumping, 0.01).faults,
+              testing::Contains(HasSubstr("joint shoulder turns by -348° at once")));
+  const Path unwrapped{{problem.start, problem.goal}};
+  EXPECT_THAT(check_path(problem, unwrapped, 0.01).faults, IsEmpty());
+}
+
+TEST(PathCheck, NeedsNoGoal) {
+  const PlanningProblem open = test::open_problem();
+  geometric::Scene scene = *open.scene;
+  scene.start = open.start;
+  scene.goal.reset();
+  const PlanningProblem problem = make_problem(
+      std::make_shared<const geometric::Scene>(std::move(scene)), nullptr, {}, GoalNeed::kOptional);
+  EXPECT_FALSE(problem.has_goal);
+  EXPECT_TRUE(check_path(problem, straight(open), kMillimetre).valid());
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <numbers>
 #include <random>
 #include <sstream>
 #include <string>
@@ -51,6 +53,21 @@ TEST_F(PathCsv, TakesOtherSeparators) {
     std::ranges::replace(text, ',', separator);
     EXPECT_EQ(read(text).waypoints.at(1)[0], 0.2) << separator;
   }
+}
+
+// As a recording that keeps angles within ±π has it.
+TEST_F(PathCsv, TakesJointsWithoutEndsTheShortWayRound) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  robot.joints.front().limits.lower = -std::numeric_limits<double>::infinity();
+  robot.joints.front().limits.upper = std::numeric_limits<double>::infinity();
+  const RobotModel model(std::move(robot));
+  const std::string rest = ",0.2,0.3,0.4,0.2,0.6,0.3\n";
+  const fs::path path = file(std::string(kHeader) + "0,3.05" + rest + "1,3.12" + rest + "2,-3.1" +
+                             rest + "3,-3.02" + rest);
+  JointsAtRest notes{model.neutral()};
+  const Path read = read_path(model, path, &notes);
+  EXPECT_NEAR(read.waypoints[3][0], 2.0 * std::numbers::pi - 3.02, 1e-12);
+  EXPECT_THAT(notes.remark(path), HasSubstr("joint shoulder jumps by -356° after waypoint 2"));
 }
 
 TEST_F(PathCsv, ReadsJointTrajectories) {

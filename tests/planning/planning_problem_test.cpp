@@ -2,6 +2,7 @@
 
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner.h"
+#include "handway/planning/timing/time_path.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
 
@@ -221,6 +222,39 @@ TEST(PlanningProblem, StartsWhereTheRobotStandsAndNeedsAGoal) {
   EXPECT_EQ(make_problem(scene, nullptr).start, planar_configuration(0.3, 0.1));
   scene->goal.reset();
   EXPECT_THAT(refusal(scene, test::planar_hand_basis()), HasSubstr("goal"));
+}
+
+TEST(PlanningProblem, TakesAJointNextToItsLimitToBeAtIt) {
+  auto scene = planar_scene();
+  const double limit = scene->robots.front().model->upper()[0];
+  scene->start = planar_configuration(0.3, 0.1);
+  scene->goal = planar_configuration(limit + 5e-7, 0.1);
+  const PlanningProblem rounded = make_problem(scene, nullptr);
+  EXPECT_EQ(rounded.goal[0], limit);
+  EXPECT_TRUE(rounded.warnings.empty());
+  scene->goal = planar_configuration(limit + 8e-6, 0.1);
+  const PlanningProblem beyond = make_problem(scene, nullptr);
+  EXPECT_EQ(beyond.goal[0], limit);
+  EXPECT_THAT(beyond.warnings, testing::ElementsAre(HasSubstr("The goal has joint shoulder at")));
+  scene->goal = planar_configuration(limit + 2e-5, 0.1);
+  EXPECT_EQ(make_problem(scene, nullptr).goal[0], limit + 2e-5);
+}
+
+TEST(PlanningProblem, WarnsOfAJointThatStaysOutOfItsLimits) {
+  auto scene = planar_scene();
+  scene->group = {"shoulder", "elbow"};
+  Configuration start = planar_configuration(0.3, 0.1);
+  const int thumb = *scene->robots.front().model->find_variable("thumb");
+  start[thumb] = scene->robots.front().model->upper()[thumb] + 0.1;
+  scene->start = start;
+  scene->goal = start;
+  (*scene->goal)[0] += 0.2;
+  const PlanningProblem problem = make_problem(scene, nullptr);
+  EXPECT_THAT(problem.warnings, testing::ElementsAre(HasSubstr("joint thumb at 1.3000 rad")));
+  const PlanResult result = planned(problem);
+  ASSERT_TRUE(result.solved()) << result.reason;
+  EXPECT_TRUE(check_path(problem, result.path, 0.001).valid());
+  EXPECT_TRUE(time_path(problem, result.path, "motion").cleared());
 }
 
 TEST(PlanningProblem, LeavesWhatIsNotOfTheGroupAtTheStart) {

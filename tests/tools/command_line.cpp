@@ -54,9 +54,11 @@ void CommandLine::replace(const std::string& name, const std::string& found,
   write(name, text.replace(at, found.size(), by));
 }
 
-Outcome CommandLine::run(const std::string& arguments) const {
-  const std::string command = "cd '" + folder().string() + "' && '" HANDWAY_PROGRAM "' " +
-                              arguments + " >stdout.txt 2>stderr.txt";
+Outcome CommandLine::run(const std::string& arguments, const std::string& within) const {
+  const std::string folder_name = folder().string();
+  const std::string command = "cd '" + folder_name + "/" + within + "' && '" HANDWAY_PROGRAM "' " +
+                              arguments + " >'" + folder_name + "/stdout.txt' 2>'" + folder_name +
+                              "/stderr.txt'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout.txt"), read("stderr.txt")};
 }

@@ -29,8 +29,8 @@ class CommandLine {
   /// Replaces the first `found` in a file of the folder.
   void replace(const std::string& name, const std::string& found, const std::string& by) const;
 
-  /// Runs `handway ARGUMENTS` in the folder, through the shell.
-  [[nodiscard]] Outcome run(const std::string& arguments) const;
+  /// Runs `handway ARGUMENTS` in the folder, or one within it, through the shell.
+  [[nodiscard]] Outcome run(const std::string& arguments, const std::string& within = ".") const;
 
  private:
   ScratchFolder folder_;

@@ -22,7 +22,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-enum ExitCode { kDone = 0, kNoPath = 1, kWrongUsage = 2, kInvalidInput = 3, kInvalidQuery = 4 };
+enum ExitCode { kDone = 0, kNoPath = 1, kNotWritten = 1, kWrongUsage = 2, kInvalidInput = 3, kInvalidQuery = 4 };
 
 class Handway : public testing::Test {
  protected:
@@ -113,6 +113,38 @@ TEST_F(Handway, FindsTheSamePathWithOneThreadAndTwo) {
     ASSERT_EQ(line_.run(plan + "two.csv --threads 2").exit_code, kDone) << planner;
     EXPECT_EQ(line_.read("one.csv"), line_.read("two.csv")) << planner;
   }
+}
+
+TEST_F(Handway, FailsWhereItsOutputCanNotBeWritten) {
+  ASSERT_EQ(line_.run("plan post.yaml --out path.csv").exit_code, kDone);
+  for (const std::string arguments :
+       {"info post.yaml", "info --json post.yaml", "plan post.yaml", "check post.yaml path.csv",
+        "time path.csv --scene post.yaml", "--help", "--version"}) {
+    const Outcome run = line_.run(arguments + " >/dev/full");
+    EXPECT_EQ(run.exit_code, kNotWritten) << arguments;
+    EXPECT_THAT(run.err, HasSubstr("standard output can't be written")) << arguments;
+  }
+  EXPECT_EQ(line_.run("plan post.yaml --out none/path.csv").exit_code, kNotWritten);
+  EXPECT_EQ(line_.run("export path.csv --scene post.yaml --to csv --out path.csv/x").exit_code,
+            kNotWritten);
+}
+
+// A goal that is given on the command line alone: what is asked of the path needs none.
+TEST_F(Handway, NeedsNoGoalForAPathThatIsThere) {
+  line_.write("scene.yaml", line_.read("post.yaml"));
+  ASSERT_EQ(line_.run("plan post.yaml --out path.csv").exit_code, kDone);
+  const std::string scene = line_.read("scene.yaml");
+  const std::size_t goal = scene.find("goal:");
+  ASSERT_NE(goal, std::string::npos);
+  const std::size_t end = scene.find("\n", goal);
+  line_.write("scene.yaml", scene.substr(0, goal) + scene.substr(end + 1));
+  for (const std::string arguments :
+       {"check scene.yaml path.csv", "time path.csv --scene scene.yaml",
+        "export path.csv --scene scene.yaml --to csv --out motion"}) {
+    const Outcome run = line_.run(arguments);
+    EXPECT_EQ(run.exit_code, kDone) << arguments << run.err;
+  }
+  EXPECT_EQ(line_.run("plan scene.yaml").exit_code, kInvalidInput);
 }
 
 TEST_F(Handway, SaysThatThereIsNoPath) {
@@ -420,7 +452,7 @@ TEST_F(Handway, RefusesAGoalOutOfLimits) {
   const Outcome run = line_.run("plan post.yaml");
   EXPECT_EQ(run.exit_code, kInvalidQuery) << run.err;
   EXPECT_THAT(run.err, AllOf(HasSubstr("goal is out of limits"), HasSubstr("shoulder"),
-                             HasSubstr("is 5.73 degrees away: shoulder -5.7°")));
+                             HasSubstr("that was found: shoulder -5.7°")));
 }
 
 TEST_F(Handway, SaysThatAPlaceCanNotBeWrittenTo) {

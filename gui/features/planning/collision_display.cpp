@@ -168,8 +168,7 @@ QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& e
                           : QObject::tr("and %1 more pairs").arg(others));
   }
   if (end.nearest.q) {
-    lines << QObject::tr("Nearest free posture: %1° away (%2)")
-                 .arg(geometric::degrees(end.nearest.distance), 0, 'f', 1)
+    lines << QObject::tr("Nearest free posture: %1")
                  .arg(words(planning::describe_change(model, end.q, *end.nearest.q)));
   } else {
     lines << QObject::tr("No free posture was found within %1°")

@@ -119,7 +119,8 @@ std::string MotionValidator::objection(std::size_t end) {
   if (std::string fault = geometric::configuration_fault(model, q); !fault.empty()) {
     return fault;
   }
-  if (const auto violations = geometric::limit_violations(model, q); !violations.empty()) {
+  if (const auto violations = geometric::limit_violations(model, q, fixed_variables(problem_));
+      !violations.empty()) {
     return "is out of limits: " + to_string(violations.front());
   }
   if (const std::optional<int> pair = collision(q)) {

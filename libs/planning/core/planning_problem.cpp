@@ -3,6 +3,7 @@
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
+#include "handway/geometric/robot/limit_violation.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/setup/moving_group.h"
 #include "handway/planning/core/limbs.h"
@@ -24,17 +25,65 @@ using geometric::InputError;
 
 constexpr double kAgreement = 1e-6;  // rad or m, of joints that do not move
 
-void set_ends(const geometric::Scene& scene, PlanningProblem& problem) {
+// Files round at limits: π is 3.14159 in one and 3.14159265 in the other.
+constexpr double kAtLimit = 1e-5;  // rad or m
+
+// Brings joints that are next to a limit, and beyond it, to the limit. More than rounding is noted.
+void clamp_at_limits(const geometric::RobotModel& model, const char* which, Configuration& q,
+                     std::vector<std::string>& warnings) {
+  if (q.size() != model.variable_count()) {
+    return;
+  }
+  const Configuration inside = model.clamped(q);
+  for (Eigen::Index v = 0; v < q.size(); ++v) {
+    const double beyond = std::abs(q[v] - inside[v]);
+    if (beyond == 0.0 || !(beyond <= kAtLimit)) {
+      continue;
+    }
+    if (beyond > geometric::limit_tolerance(inside[v])) {
+      warnings.push_back(fmt::format("The {} has joint {} at {:.7g}; its limit {:.7g} is taken.",
+                                     which, model.variable(static_cast<int>(v)).name, q[v],
+                                     inside[v]));
+    }
+    q[v] = inside[v];
+  }
+}
+
+void set_ends(const geometric::Scene& scene, GoalNeed need, PlanningProblem& problem) {
   const geometric::RobotInstance& robot = scene.robots.front();
   problem.start = scene.start.value_or(robot.configuration);
+  clamp_at_limits(*robot.model, "start", problem.start, problem.warnings);
   if (!scene.goal_poses.empty()) {
     return;
   }
-  if (!scene.goal) {
+  problem.has_goal = scene.goal.has_value();
+  if (!problem.has_goal && need == GoalNeed::kOptional) {
+    problem.goal = problem.start;
+    return;
+  }
+  if (!problem.has_goal) {
     throw InputError({scene.file.string(), "goal", "nothing", "a configuration, or a goal_pose",
                       "Planning needs a goal in the scene"});
   }
   problem.goal = robot.model->nearest_equivalent(problem.start, *scene.goal);
+  clamp_at_limits(*robot.model, "goal", problem.goal, problem.warnings);
+}
+
+// What does not move can't be brought back within its limits, and need not be.
+void warn_of_fixed_joints(PlanningProblem& problem) {
+  if (!geometric::configuration_fault(problem.model(), problem.start).empty()) {
+    return;
+  }
+  const std::vector<int> fixed = fixed_variables(problem);
+  for (const geometric::LimitViolation& violation :
+       limit_violations(problem.model(), problem.start)) {
+    const std::string& name = violation.leader.empty() ? violation.joint : violation.leader;
+    const std::optional<int> variable = problem.model().find_variable(name);
+    if (variable && std::ranges::binary_search(fixed, *variable)) {
+      problem.warnings.push_back(fmt::format(
+          "The start has {}. It is not of the group and stays there.", to_string(violation)));
+    }
+  }
 }
 
 bool has_all(const std::vector<int>& moving, const std::vector<int>& variables) {
@@ -110,11 +159,12 @@ PlanningProblem assembled(std::shared_ptr<const geometric::Scene> scene,
                           const std::shared_ptr<const geometric::CollisionWorld>& world,
                           std::shared_ptr<const geometric::CollisionChecker> checker,
                           std::shared_ptr<const geometric::MotionBound> motion,
-                          const geometric::Preparation& preparation) {
+                          const geometric::Preparation& preparation, GoalNeed need) {
   PlanningProblem problem;
   set_joints(*scene, std::move(basis), problem);
-  set_ends(*scene, problem);
+  set_ends(*scene, need, problem);
   problem.scene = std::move(scene);
+  warn_of_fixed_joints(problem);
   problem.checker = checker ? std::move(checker)
                             : geometric::make_collision_checker(
                                   world, geometric::CheckerKind::kFast, preparation);
@@ -137,6 +187,13 @@ void PlanningProblem::set_goal(Configuration q) {
       goal[v] = start[v];
     }
   }
+}
+
+std::vector<int> fixed_variables(const PlanningProblem& problem) {
+  std::vector<int> fixed(static_cast<std::size_t>(problem.model().variable_count()));
+  std::iota(fixed.begin(), fixed.end(), 0);
+  std::erase_if(fixed, [&](int v) { return std::ranges::binary_search(problem.moving, v); });
+  return fixed;
 }
 
 std::string group_fault(const PlanningProblem& problem) {
@@ -227,10 +284,10 @@ std::vector<int> arm_variables(const geometric::RobotModel& model, const std::ve
 
 PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
                              std::shared_ptr<const sampling::PmdBasis> basis,
-                             const geometric::Preparation& preparation) {
+                             const geometric::Preparation& preparation, GoalNeed need) {
   geometric::end_if_stopped(preparation.stop);
   const auto world = std::make_shared<const geometric::CollisionWorld>(*scene);
-  return assembled(std::move(scene), std::move(basis), world, nullptr, nullptr, preparation);
+  return assembled(std::move(scene), std::move(basis), world, nullptr, nullptr, preparation, need);
 }
 
 PlanningProblem updated_problem(const PlanningProblem& before,
@@ -243,7 +300,7 @@ PlanningProblem updated_problem(const PlanningProblem& before,
   }
   if (difference->empty()) {
     return assembled(std::move(scene), std::move(basis), before.checker->shared_world(),
-                     before.checker, before.motion, preparation);
+                     before.checker, before.motion, preparation, GoalNeed::kRequired);
   }
   geometric::CollisionWorld world = before.checker->world();
   for (const geometric::ObjectChange& change : difference->changes) {
@@ -256,7 +313,7 @@ PlanningProblem updated_problem(const PlanningProblem& before,
                             return change.kind == geometric::ObjectChange::Kind::kMoved;
                           });
   return assembled(std::move(scene), std::move(basis), changed, nullptr,
-                   only_moved ? before.motion : nullptr, preparation);
+                   only_moved ? before.motion : nullptr, preparation, GoalNeed::kRequired);
 }
 
 double normalised_distance(const geometric::RobotModel& model, const Configuration& a,

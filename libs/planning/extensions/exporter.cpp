@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -20,7 +22,8 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
-    throw InputError({folder.string(), "", error.message(), "a folder to write to", ""});
+    throw geometric::OutputError(
+        {folder.string(), "", error.message(), "a folder to write to", ""});
   }
 }
 
@@ -38,7 +41,22 @@ void check_limits(const Motion& motion) {
   }
 }
 
-void check_waypoints(const Motion& motion) {
+// Joints that are neither of the arm nor of the hand and stay where they are.
+std::vector<int> fixed_variables(const Motion& motion) {
+  std::vector<int> fixed;
+  const auto& waypoints = motion.path.waypoints;
+  for (int v = 0; v < motion.model->variable_count(); ++v) {
+    if (std::ranges::count(motion.arm, v) + std::ranges::count(motion.hand, v) == 0 &&
+        std::ranges::all_of(waypoints, [&](const geometric::Configuration& q) {
+          return v < q.size() && q[v] == waypoints.front()[v];
+        })) {
+      fixed.push_back(v);
+    }
+  }
+  return fixed;
+}
+
+void check_waypoints(const Motion& motion, const std::vector<int>& fixed) {
   const geometric::RobotModel& model = *motion.model;
   if (motion.path.waypoints.size() < 2 ||
       motion.waypoint_times.size() != motion.path.waypoints.size()) {
@@ -54,7 +72,7 @@ void check_waypoints(const Motion& motion) {
     if (!std::isfinite(time) || (w > 0 && time < motion.waypoint_times[w - 1])) {
       throw InputError({source, "time", fmt::format("{}", time), "times in order", ""});
     }
-    geometric::require_configuration(model, q, source);
+    geometric::require_configuration(model, q, source, fixed);
   }
 }
 
@@ -81,8 +99,9 @@ void check_motion(const Motion& motion) {
   }
   check_limits(motion);
   check_groups(motion);
-  check_waypoints(motion);
-  const auto faults = check_trajectory(*motion.model, motion.trajectory, motion.limits);
+  const std::vector<int> fixed = fixed_variables(motion);
+  check_waypoints(motion, fixed);
+  const auto faults = check_trajectory(*motion.model, motion.trajectory, motion.limits, fixed);
   if (!faults.empty()) {
     throw InputError({"the motion", "", faults.front().text,
                       "a motion that keeps the robot's limits",

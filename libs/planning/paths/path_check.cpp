@@ -2,6 +2,7 @@
 
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
+#include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/robot/limit_violation.h"
@@ -16,8 +17,8 @@
 namespace handway::planning {
 namespace {
 
-constexpr double kEndTolerance = 1e-3;    // rad or m
-constexpr double kLimitTolerance = 1e-6;  // rad or m
+constexpr double kEndTolerance = 1e-3;  // rad or m
+constexpr double kNoMotion = 1e-6;      // rad or m
 
 void check_end(const char* which, const Configuration& expected, const Configuration& found,
                PathCheckResult& result) {
@@ -60,10 +61,11 @@ bool check_shape(const geometric::RobotModel& model, const Path& path, PathCheck
   return result.valid();
 }
 
-void check_limits(const geometric::RobotModel& model, const Path& path, PathCheckResult& result) {
+void check_limits(const PlanningProblem& problem, const Path& path, PathCheckResult& result) {
+  const std::vector<int> fixed = fixed_variables(problem);
   for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
     for (const geometric::LimitViolation& violation :
-         geometric::limit_violations(model, path.waypoints[w], kLimitTolerance)) {
+         geometric::limit_violations(problem.model(), path.waypoints[w], fixed)) {
       result.faults.push_back(fmt::format("Waypoint {}: {}.", w + 1, to_string(violation)));
     }
   }
@@ -73,7 +75,7 @@ void check_limits(const geometric::RobotModel& model, const Path& path, PathChec
 void check_group(const PlanningProblem& problem, const Path& path, PathCheckResult& result) {
   for (int v = 0; v < problem.model().variable_count(); ++v) {
     const auto moved = std::ranges::find_if(path.waypoints, [&](const Configuration& q) {
-      return std::abs(q[v] - path.waypoints.front()[v]) > kLimitTolerance;
+      return std::abs(q[v] - path.waypoints.front()[v]) > kNoMotion;
     });
     if (moved != path.waypoints.end() && !std::ranges::binary_search(problem.moving, v)) {
       result.faults.push_back(fmt::format("Waypoint {}: joint {} moves, which is not of the group.",
@@ -83,11 +85,22 @@ void check_group(const PlanningProblem& problem, const Path& path, PathCheckResu
   }
 }
 
+void check_turns(const geometric::RobotModel& model, const Path& path, PathCheckResult& result) {
+  for (std::size_t w = 1; w < path.waypoints.size(); ++w) {
+    const std::string jump = turn_fault(model, path.waypoints[w - 1], path.waypoints[w]);
+    if (!jump.empty()) {
+      result.faults.push_back(fmt::format("After waypoint {}: {}.", w, jump));
+    }
+  }
+}
+
 /// Walks along the path and keeps the worst it has seen.
 class Walk {
  public:
-  Walk(const PlanningProblem& problem, double resolution, PathCheckResult& result)
-      : checker_(problem.checker->shared_world()),
+  Walk(const PlanningProblem& problem, double resolution, PathCheckResult& result,
+       const std::stop_token& stop)
+      : stop_(stop),
+        checker_(problem.checker->shared_world()),
         rangefinder_(problem.checker->clone()),
         motion_(*problem.motion),
         resolution_(resolution),
@@ -117,6 +130,7 @@ class Walk {
   }
 
   void look(const Configuration& q, std::size_t stretch) {
+    geometric::end_if_stopped(stop_);
     ++result_.configurations;
     const geometric::NamedPair closest = geometric::find_clearance(*rangefinder_, q, least_);
     if (closest.distance < least_) {
@@ -142,6 +156,7 @@ class Walk {
                        to_string(named_pair(checker_.world(), pair, 0.0)), stretch);
   }
 
+  const std::stop_token& stop_;
   geometric::FclChecker checker_;  ///< The reference, for what the planner must not decide itself.
   std::unique_ptr<geometric::CollisionChecker> rangefinder_;  ///< For the clearance, faster.
   const geometric::MotionBound& motion_;
@@ -152,21 +167,56 @@ class Walk {
 
 }  // namespace
 
-PathCheckResult check_path(const PlanningProblem& problem, const Path& path, double resolution) {
+std::string turn_fault(const geometric::RobotModel& model, const Configuration& from,
+                       const Configuration& to) {
+  const Configuration nearest = model.nearest_equivalent(from, to);
+  for (int v = 0; v < std::min(from.size(), to.size()); ++v) {
+    if (nearest[v] != to[v]) {
+      return fmt::format("joint {} turns by {:.0f}° at once, where {:.1f}° lead to the same place",
+                         model.variable(v).name, geometric::degrees(to[v] - from[v]),
+                         geometric::degrees(nearest[v] - from[v]));
+    }
+  }
+  return "";
+}
+
+namespace {
+
+// What samples can miss, however close they are: a motion past something thin.
+void certify(const PlanningProblem& problem, const Path& path, const std::stop_token& stop,
+             PathCheckResult& result) {
+  const auto conflict =
+      PathConflictSearch(problem).run(path.waypoints, [&] { return stop.stop_requested(); });
+  geometric::end_if_stopped(stop);
+  if (conflict) {
+    result.faults.push_back(
+        fmt::format("{} after waypoint {}.", conflict->text, conflict->waypoint + 1));
+  }
+}
+
+}  // namespace
+
+PathCheckResult check_path(const PlanningProblem& problem, const Path& path, double resolution,
+                           const std::stop_token& stop) {
   PathCheckResult result;
   if (!check_shape(problem.model(), path, result)) {
     return result;
   }
-  check_end("start", problem.start, path.waypoints.front(), result);
+  const Configuration& begin = path.waypoints.front();
+  check_end("start", problem.model().nearest_equivalent(begin, problem.start), begin, result);
   const Configuration& end = path.waypoints.back();
   if (problem.has_pose_goals()) {
     check_pose_end(problem, end, result);
-  } else {
+  } else if (problem.has_goal) {
     check_end("end", problem.model().nearest_equivalent(end, problem.goal), end, result);
   }
-  check_limits(problem.model(), path, result);
+  check_limits(problem, path, result);
+  check_turns(problem.model(), path, result);
   check_group(problem, path, result);
-  Walk(problem, resolution, result).run(path);
+  Walk(problem, resolution, result, stop).run(path);
+  if (result.collisions == 0) {
+    certify(problem, path, stop, result);
+  }
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/core/objective.h"
 
 #include <fmt/format.h>
@@ -29,6 +30,7 @@ using geometric::RobotModel;
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
+constexpr double kJump = 1.0;                // rad: far above rounding, far below a turn
 constexpr std::size_t kMostNamed = 6;        // of joints at rest; of more
 constexpr std::size_t kFirstNamed = 3;       // these
 
@@ -244,6 +246,28 @@ std::string csv_time(double time) {
   return fmt::format("{}", std::round(time * kPerSecond) / kPerSecond);
 }
 
+namespace {
+
+// Takes continuous joints the short way round. @returns JointsAtRest::jumps.
+std::vector<std::string> unwrap(const RobotModel& model, Path& path) {
+  const std::vector<Configuration> as_read = std::move(path.waypoints);
+  path.waypoints = model.unwrapped(as_read, as_read.front());
+  std::vector<std::string> jumps;
+  for (int v = 0; v < model.variable_count(); ++v) {
+    for (std::size_t w = 1; w < as_read.size(); ++w) {
+      const double jump = as_read[w][v] - as_read[w - 1][v];
+      if (std::abs(jump - (path.waypoints[w][v] - path.waypoints[w - 1][v])) > kJump) {
+        jumps.push_back(fmt::format("joint {} jumps by {:.0f}° after waypoint {}",
+                                    model.variable(v).name, geometric::degrees(jump), w));
+        break;
+      }
+    }
+  }
+  return jumps;
+}
+
+}  // namespace
+
 std::string to_csv(const Path& path, const RobotModel& model) {
   std::string text = "time";
   for (int i = 1; i < model.link_count(); ++i) {
@@ -270,14 +294,19 @@ void write_path_csv(const Path& path, const RobotModel& model, const std::filesy
 }
 
 std::string JointsAtRest::remark(const std::filesystem::path& file) const {
+  const std::string turns =
+      jumps.empty()
+          ? ""
+          : fmt::format("{}{}; joints without ends go the short way round",
+                        names.empty() ? file.string() + ": " : "; ", fmt::join(jumps, ", "));
   if (names.empty()) {
-    return {};
+    return turns;
   }
   const std::span named(names.begin(), names.size() > kMostNamed ? kFirstNamed : names.size());
   const std::size_t others = names.size() - named.size();
-  return fmt::format("{} does not have all joints: {}{} stay{} at the start", file.string(),
+  return fmt::format("{} does not have all joints: {}{} stay{} at the start{}", file.string(),
                      fmt::join(named, ", "), others > 0 ? fmt::format(" and {} more", others) : "",
-                     names.size() == 1 ? "s" : "");
+                     names.size() == 1 ? "s" : "", turns);
 }
 
 bool is_path_file(const std::filesystem::path& file) {
@@ -285,8 +314,13 @@ bool is_path_file(const std::filesystem::path& file) {
 }
 
 Path read_path(const RobotModel& model, const std::filesystem::path& file, JointsAtRest* rest) {
-  return is_joint_trajectory(file) ? read_joint_trajectory(model, file, rest)
-                                   : TableReader(model, file, rest).read();
+  Path path = is_joint_trajectory(file) ? read_joint_trajectory(model, file, rest)
+                                        : TableReader(model, file, rest).read();
+  std::vector<std::string> jumps = unwrap(model, path);
+  if (rest) {
+    rest->jumps = std::move(jumps);
+  }
+  return path;
 }
 
 }  // namespace handway::planning

@@ -41,7 +41,7 @@ class NearestFreeSearch {
   }
 
   void run() {
-    const Configuration inside = model_.clamped(from_);
+    const Configuration inside = clamped(from_);
     if (is_free(inside)) {
       best_ = inside;
       return;
@@ -60,6 +60,15 @@ class NearestFreeSearch {
   }
 
  private:
+  /// Within the limits of what moves.
+  [[nodiscard]] Configuration clamped(const Configuration& q) const {
+    const Configuration inside = model_.clamped(q);
+    Configuration clamped = q;
+    for (const int v : moving_) {
+      clamped[v] = inside[v];
+    }
+    return clamped;
+  }
   [[nodiscard]] double distance(const Configuration& q) const { return (q - from_).norm(); }
   [[nodiscard]] bool is_spent() const {
     return checks_ >= options_.most_checks || stop_.stop_requested();
@@ -79,7 +88,7 @@ class NearestFreeSearch {
 
   /// Takes `q`, brought within limits, if it is free and nearer than what there is.
   bool offer(const Configuration& q) {
-    Configuration candidate = model_.clamped(q);
+    Configuration candidate = clamped(q);
     if ((best_ && distance(candidate) >= distance(*best_) - 1e-12) || !is_free(candidate)) {
       return false;
     }
@@ -113,7 +122,7 @@ class NearestFreeSearch {
 
   /// Along the straight line to where the search began.
   void shorten() {
-    const Configuration base = model_.clamped(from_);
+    const Configuration base = clamped(from_);
     const Eigen::VectorXd direction = *best_ - base;
     const double length = direction.norm();
     double blocked = 0.0;
@@ -194,9 +203,11 @@ std::string describe_change(const geometric::RobotModel& model, const Configurat
     const int v = moved[i];
     const double change = to[v] - from[v];
     const bool turns = model.variable(v).type == geometric::JointType::kRevolute;
-    text += fmt::format("{}{} {:+.1f}{}", i == 0 ? "" : ", ", model.variable(v).name,
-                        turns ? geometric::degrees(change) : geometric::millimetres(change),
-                        turns ? "°" : " mm");
+    const double shown = turns ? geometric::degrees(change) : geometric::millimetres(change);
+    text += fmt::format(
+        "{}{} {}{}", i == 0 ? "" : ", ", model.variable(v).name,
+        std::abs(shown) < 0.1 ? fmt::format("{:+.1g}", shown) : fmt::format("{:+.1f}", shown),
+        turns ? "°" : " mm");
   }
   if (const std::size_t others = moved.size() - named; others > 0) {
     text += fmt::format(", {} more joint{}", others, others == 1 ? "" : "s");

@@ -1,5 +1,6 @@
 #include "handway/planning/timing/blended_path.h"
 
+#include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/plan_result.h"
@@ -15,6 +16,7 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -22,26 +24,54 @@ namespace {
 using geometric::Configuration;
 
 constexpr double kSamePlace = 1e-12;   // rad or m: shorter edges are none
+constexpr double kSameLine = 1e-6;     // rad or m: waypoints so near to a line are on it
 constexpr double kStraightOn = 1e-9;   // rad: a smaller turn is no corner
 constexpr double kTurnsBack = 1e-6;    // rad short of turning back: no room for an arc
 constexpr double kLeastLength = 1e-9;  // rad or m: shorter arcs are corners
 
+/// A straight part of the path from corner to corner, and the waypoints that it passes.
 struct Edge {
   Configuration from;
   Configuration direction;
   double length;
-  std::size_t end;  ///< Waypoint.
+  std::size_t end;                                          ///< Waypoint.
+  std::vector<std::pair<std::size_t, double>> passed = {};  ///< Waypoints, and how far along.
+  double offset = 0.0;  ///< rad or m: what these can be off the line.
 };
+
+// Lets `edge` go on to a waypoint if that is straight ahead, and all that is passed stays on the
+// line.
+bool prolong(const Path& path, std::size_t waypoint, Edge& edge) {
+  const Configuration& corner = path.waypoints[edge.end];
+  const Configuration& to = path.waypoints[waypoint];
+  const double length = (to - edge.from).norm();
+  const Configuration direction = (to - edge.from) / std::max(length, kSamePlace);
+  // Turning the line about its beginning moves what is farther along by more.
+  const Configuration to_corner = corner - edge.from;
+  const double offset = edge.offset + (to_corner - to_corner.dot(direction) * direction).norm();
+  if (!(offset <= kSameLine) || length < edge.length + 0.5 * (to - corner).norm()) {
+    return false;
+  }
+  edge.passed.emplace_back(edge.end, edge.length);
+  edge.direction = direction;
+  edge.length = length;
+  edge.end = waypoint;
+  edge.offset = offset;
+  return true;
+}
 
 std::vector<Edge> edges_of(const Path& path) {
   std::vector<Edge> edges;
   const Configuration* last = &path.waypoints.front();
   for (std::size_t w = 1; w < path.waypoints.size(); ++w) {
     const Configuration delta = path.waypoints[w] - *last;
-    if (delta.norm() > kSamePlace) {
-      edges.push_back({*last, delta.normalized(), delta.norm(), w});
-      last = &path.waypoints[w];
+    if (delta.norm() <= kSamePlace) {
+      continue;
     }
+    if (edges.empty() || !prolong(path, w, edges.back())) {
+      edges.push_back({*last, delta.normalized(), delta.norm(), w});
+    }
+    last = &path.waypoints[w];
   }
   return edges;
 }
@@ -141,6 +171,9 @@ BlendedPath::BlendedPath(const Path& path, const std::vector<double>& deviations
         last ? Corner{} : corner_between(edge, edges[e + 1], deviations[edge.end], shape);
     const double straight = edge.length - begin - corner.cut;
     const Configuration zeros = Configuration::Zero(edge.direction.size());
+    for (const auto& [waypoint, along] : edge.passed) {
+      passages_[waypoint] = length() + std::clamp(along - begin, 0.0, std::max(straight, 0.0));
+    }
     if (straight > kLeastLength || corner.stop || last) {
       pieces_.push_back({length(),
                          std::max(straight, 0.0),
@@ -184,12 +217,22 @@ namespace {
 constexpr double kLeastDeviation = 1e-4;  // rad or m: smaller arcs save no time
 constexpr double kLeastAdvance = 0.05;    // of an arc's clearance: what has to be spare
 
-void check_waypoints(const geometric::RobotModel& model, const Path& path) {
+void check_waypoints(const PlanningProblem& problem, const Path& path) {
+  const geometric::RobotModel& model = problem.model();
+  const std::vector<int> fixed = fixed_variables(problem);
   if (path.empty()) {
     throw geometric::InputError({"the path", "", "no waypoints", "at least one", ""});
   }
   for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
-    geometric::require_configuration(model, path.waypoints[w], fmt::format("waypoint {}", w + 1));
+    geometric::require_configuration(model, path.waypoints[w], fmt::format("waypoint {}", w + 1),
+                                     fixed);
+    const std::string jump =
+        w > 0 ? turn_fault(model, path.waypoints[w - 1], path.waypoints[w]) : "";
+    if (!jump.empty()) {
+      throw geometric::InputError({fmt::format("waypoint {}", w + 1), "", jump,
+                                   "turns of at most half a turn from one waypoint to the next",
+                                   "Unwrap the path's angles, or add waypoints between"});
+    }
   }
 }
 
@@ -199,14 +242,16 @@ double advance_in(double rest, double spare, double rate) {
 }
 
 /// Conservative advancement: from a configuration with some clearance the arc is followed as far
-/// as no pair can have come closer than `clearance` (m), and no constraint be violated.
+/// as no pair can have come closer than the arcs' clearance, and no constraint be violated.
 bool is_free(const PathPiece& arc, const geometric::MotionBound& motion,
-             geometric::CollisionChecker& checker, double clearance) {
+             geometric::CollisionChecker& checker, const BlendOptions& options) {
+  const double clearance = options.arc_clearance;
   const Eigen::Index pairs = motion.pair_motions();
   const Eigen::VectorXd rates = motion.bounds(arc.fastest());
   const double rate = pairs == 0 ? 0.0 : rates.head(pairs).maxCoeff();
   const auto& constraints = checker.world().constraints();
   for (double s = 0.0; s < arc.length;) {
+    geometric::end_if_stopped(options.stop);
     const geometric::NamedPair closest =
         geometric::find_clearance(checker, arc.derivative(0, s), kFarClearance + clearance);
     const double spare = closest.distance - clearance;
@@ -231,9 +276,13 @@ bool is_free(const PathPiece& arc, const geometric::MotionBound& motion,
 
 BlendResult certified_blends(const PlanningProblem& problem, const Path& path,
                              const BlendOptions& options) {
-  check_waypoints(problem.model(), path);
+  check_waypoints(problem, path);
   BlendResult result;
-  if (const auto conflict = PathConflictSearch(problem, options.resolution).run(path.waypoints)) {
+  const auto conflict = PathConflictSearch(problem, options.resolution).run(path.waypoints, [&] {
+    return options.stop.stop_requested();
+  });
+  geometric::end_if_stopped(options.stop);
+  if (conflict) {
     const std::size_t first = conflict->waypoint + 1;
     result.fault = conflict->share > 0.0 ? fmt::format("{} between waypoints {} and {}.",
                                                        conflict->text, first, first + 1)
@@ -252,7 +301,7 @@ BlendResult certified_blends(const PlanningProblem& problem, const Path& path,
       if (!piece.is_arc() || certain[piece.waypoint]) {
         continue;
       }
-      if (is_free(piece, *problem.motion, *checker, options.arc_clearance)) {
+      if (is_free(piece, *problem.motion, *checker, options)) {
         certain[piece.waypoint] = true;
         continue;
       }

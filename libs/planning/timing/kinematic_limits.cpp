@@ -1,7 +1,6 @@
 #include "handway/planning/timing/kinematic_limits.h"
 
-#include "handway/geometric/formats/yaml_element.h"
-#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/formats/joint_limits_file.h"
 #include "handway/planning/core/objective.h"
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -17,7 +17,8 @@ namespace handway::planning {
 namespace {
 
 using geometric::RobotModel;
-using geometric::YamlElement;
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 constexpr std::array kRates{Rate::kVelocity, Rate::kAcceleration, Rate::kJerk};
 
@@ -75,36 +76,23 @@ JointKinematicLimits of_variables(const RobotModel& model, const RatesByJoint& r
   return limits;
 }
 
-// Files may be about more than this robot, as about the gripper on it. But a joint that the file
-// leaves out, and nearly names, is meant.
-void refuse_slip(const YamlElement& limits, const YamlElement& joint, const std::string& name,
-                 const RobotModel& model) {
-  std::vector<std::string> left_out;
-  for (int v = 0; v < model.variable_count(); ++v) {
-    if (!limits.find(model.variable(v).name)) {
-      left_out.push_back(model.variable(v).name);
+// Limits of positions that are narrower than the robot's own, of variables and what follows them.
+void narrow_positions(const RobotModel& model,
+                      const std::vector<geometric::FiledJointLimits>& filed,
+                      JointKinematicLimits& limits) {
+  Eigen::VectorXd lower = Eigen::VectorXd::Constant(model.variable_count(), -kEndless);
+  Eigen::VectorXd upper = -lower;
+  for (const geometric::FiledJointLimits& joint : filed) {
+    for (int v = 0; v < model.variable_count(); ++v) {
+      if (model.variable(v).name == joint.joint) {
+        lower[v] = joint.lower.value_or(lower[v]);
+        upper[v] = joint.upper.value_or(upper[v]);
+      }
     }
   }
-  if (!geometric::slip_of(name, left_out)) {
-    return;
-  }
-  constexpr std::size_t kFew = 3;
-  joint.refuse(fmt::format("\"{}\"", name),
-               fmt::format("a joint of the robot \"{}\"", model.name()),
-               fmt::format("The nearest are {}.",
-                           fmt::join(geometric::nearest_names(name, left_out, kFew), ", ")));
-}
-
-// The limit of a rate, if the joint's map has one that counts.
-void read(const YamlElement& joint, Rate rate, double& limit) {
-  const auto element = joint.find(fmt::format("max_{}", rate_name(rate)));
-  const auto flag = joint.find(fmt::format("has_{}_limits", rate_name(rate)));
-  if (!element || (flag && !flag->flag())) {
-    return;
-  }
-  limit = element->number();
-  if (limit <= 0.0) {
-    element->refuse(element->found(), "a number above 0");
+  if ((lower.array() > -kEndless).any() || (upper.array() < kEndless).any()) {
+    limits.lower = std::move(lower);
+    limits.upper = std::move(upper);
   }
 }
 
@@ -152,9 +140,8 @@ std::vector<std::string> assumption_lines(const std::vector<AssumedLimit>& assum
 }
 
 JointKinematicLimits rate_limits(const RobotModel& model) {
-  const std::filesystem::path& robot = model.description().file;
-  const std::filesystem::path file = robot.parent_path() / "joint_limits.yaml";
-  if (!robot.empty() && std::filesystem::is_regular_file(file)) {
+  const std::filesystem::path file = geometric::joint_limits_beside(model.description());
+  if (!file.empty()) {
     return read_joint_kinematic_limits(model, file);
   }
   return of_variables(model, rates_of(model));
@@ -163,28 +150,18 @@ JointKinematicLimits rate_limits(const RobotModel& model) {
 JointKinematicLimits read_joint_kinematic_limits(const RobotModel& model,
                                                  const std::filesystem::path& file) {
   RatesByJoint rates = rates_of(model);
-  YamlElement top = YamlElement::read(file, "a file of joint limits (YAML)");
-  for (const char* around : {"/**", "ros__parameters", "robot_description_planning"}) {
-    top = top.find(around).value_or(top);
-  }
-  const YamlElement limits = top.need("joint_limits");
-  for (const auto& [name, joint] : limits.entries()) {
-    // Of all that ROS has in such files.
-    joint.allow_keys({"has_velocity_limits", "max_velocity", "has_acceleration_limits",
-                      "max_acceleration", "has_jerk_limits", "max_jerk", "has_position_limits",
-                      "min_position", "max_position", "has_deceleration_limits", "max_deceleration",
-                      "has_effort_limits", "max_effort", "angle_wraparound", "has_soft_limits",
-                      "soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"});
-    const auto found = rates.find(name);
-    if (found == rates.end()) {
-      refuse_slip(limits, joint, name, model);
-      continue;
-    }
-    for (std::size_t r = 0; r < kRates.size(); ++r) {
-      read(joint, kRates.at(r), found->second.at(r));
+  const std::vector<geometric::FiledJointLimits> filed =
+      geometric::read_joint_limits(file, geometric::independent_joints(model.description()));
+  for (const geometric::FiledJointLimits& joint : filed) {
+    if (const auto found = rates.find(joint.joint); found != rates.end()) {
+      JointRates& known = found->second;
+      known = {joint.velocity.value_or(known[0]), joint.acceleration.value_or(known[1]),
+               joint.jerk.value_or(known[2])};
     }
   }
-  return of_variables(model, rates);
+  JointKinematicLimits limits = of_variables(model, rates);
+  narrow_positions(model, filed, limits);
+  return limits;
 }
 
 }  // namespace handway::planning

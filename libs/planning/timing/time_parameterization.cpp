@@ -1,10 +1,13 @@
 #include "handway/planning/timing/time_parameterization.h"
 
+#include "handway/geometric/collision/volumes/preparation.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -15,8 +18,9 @@ namespace {
 using geometric::Configuration;
 using Knot = TimeParameterization::Knot;
 
-constexpr int kCellsOfStraight = 200;
-constexpr int kLeastCellsOfArc = 16;
+constexpr int kCellsOfStraight = 200;  // at most
+constexpr int kLeastCells = 16;
+constexpr double kCellsOfPath = 2000.0;  // of all straight parts, in proportion to their lengths
 constexpr double kArcOfCell = std::numbers::pi / 360.0;  // rad
 
 /// A stretch of the grid: derivatives of the joints at its ends.
@@ -30,14 +34,17 @@ struct Cell {
   Configuration third;  ///< At the piece's beginning, where that of an arc is largest.
 };
 
+int cell_count(const PathPiece& piece, double path_length) {
+  const double wanted = piece.is_arc() ? std::ceil(piece.length / piece.radius / kArcOfCell)
+                                       : std::ceil(kCellsOfPath * piece.length / path_length);
+  const int count = std::max(kLeastCells, static_cast<int>(wanted));
+  return piece.is_arc() ? count : std::min(kCellsOfStraight, count);
+}
+
 std::vector<Cell> grid(const BlendedPath& path) {
   std::vector<Cell> cells;
   for (const PathPiece& piece : path.pieces()) {
-    const int count =
-        piece.is_arc()
-            ? std::max(kLeastCellsOfArc,
-                       static_cast<int>(std::ceil(piece.length / piece.radius / kArcOfCell)))
-            : kCellsOfStraight;
+    const int count = cell_count(piece, path.length());
     const double width = piece.length / count;
     for (int i = 0; i < count; ++i) {
       const double begin = i * width;
@@ -130,32 +137,82 @@ double controllable(const Cell& cell, const JointKinematicLimits& limits, double
   return reaches_end(high) ? high : bisect(0.0, high, reaches_end).first;
 }
 
+/// Largest shares of the limits of velocity, acceleration and jerk.
+struct Shares {
+  double velocity = 0.0;
+  double acceleration = 0.0;
+  double jerk = 0.0;
+
+  void include(double v, double a, double j) {
+    velocity = std::max(velocity, v);
+    acceleration = std::max(acceleration, a);
+    jerk = std::max(jerk, j);
+  }
+  /// By how much a motion is too fast: time has to be stretched by this.
+  [[nodiscard]] double excess() const {
+    return std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)});
+  }
+};
+
+/// Asks how near motions along one piece come to the limits.
+class PieceShares {
+ public:
+  PieceShares(const PathPiece& piece, const JointKinematicLimits& limits)
+      : piece_(piece), limits_(limits) {
+    if (!piece.is_arc()) {
+      straight_ = {largest_share(piece.tangent, limits.velocity),
+                   largest_share(piece.tangent, limits.acceleration),
+                   limits.jerk.size() > 0 ? largest_share(piece.tangent, limits.jerk) : 0.0};
+    }
+  }
+
+  void include(const Knot& at, Shares& shares) {
+    const double v = at.speed;
+    if (!piece_.is_arc()) {
+      shares.include(v * straight_.velocity, std::abs(at.acceleration) * straight_.acceleration,
+                     std::abs(at.jerk) * straight_.jerk);
+      return;
+    }
+    const double s = std::clamp(at.s - piece_.begin, 0.0, piece_.length);
+    first_ = piece_.derivative(1, s);
+    second_ = piece_.derivative(2, s);
+    double jerk = 0.0;
+    if (limits_.jerk.size() > 0) {
+      jerk = largest_share(at.jerk * first_ + 3.0 * v * at.acceleration * second_ +
+                               v * v * v * piece_.derivative(3, s),
+                           limits_.jerk);
+    }
+    shares.include(largest_share(v * first_, limits_.velocity),
+                   largest_share(at.acceleration * first_ + v * v * second_, limits_.acceleration),
+                   jerk);
+  }
+
+ private:
+  const PathPiece& piece_;
+  const JointKinematicLimits& limits_;
+  Shares straight_;  ///< Per unit of speed, acceleration and jerk along a straight piece.
+  Configuration first_;
+  Configuration second_;
+};
+
 /// By how much a law is too fast, jerk not counted where it is not limited: time has to be
 /// stretched by this.
 double excess(const BlendedPath& path, std::span<const Knot> knots,
               const JointKinematicLimits& limits) {
-  double velocity = 0.0;
-  double acceleration = 0.0;
-  double jerk = 0.0;
+  Shares shares;
+  const PathPiece* piece = nullptr;
+  std::optional<PieceShares> of_piece;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    const PathPiece& piece = path.piece_at(0.5 * (knots[k].s + knots[k + 1].s));
+    const PathPiece& at = path.piece_at(0.5 * (knots[k].s + knots[k + 1].s));
+    if (&at != piece) {
+      piece = &at;
+      of_piece.emplace(at, limits);
+    }
     for (const double share : {0.0, 0.5, 1.0}) {
-      const Knot at = knots[k].after(share * (knots[k + 1].time - knots[k].time));
-      const double s = std::clamp(at.s - piece.begin, 0.0, piece.length);
-      const Eigen::VectorXd first = piece.derivative(1, s);
-      const Eigen::VectorXd second = piece.derivative(2, s);
-      const double v = at.speed;
-      velocity = std::max(velocity, largest_share(v * first, limits.velocity));
-      acceleration = std::max(acceleration, largest_share(at.acceleration * first + v * v * second,
-                                                          limits.acceleration));
-      if (limits.jerk.size() > 0) {
-        jerk = std::max(jerk, largest_share(at.jerk * first + 3.0 * v * at.acceleration * second +
-                                                v * v * v * piece.derivative(3, s),
-                                            limits.jerk));
-      }
+      of_piece->include(knots[k].after(share * (knots[k + 1].time - knots[k].time)), shares);
     }
   }
-  return std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)});
+  return shares.excess();
 }
 
 /// Slows a law down by `factor`.
@@ -265,6 +322,8 @@ constexpr std::array kJerks{1.0, 0.5, 0.2};
 constexpr std::array kWindows{0.02, 0.04, 0.07, 0.11, 0.16, 0.23, 0.32, 0.44, 0.6, 0.8, 1.0};
 // For what is between the samples, of a limit.
 constexpr double kMargin = 1.002;
+// Knots of a section, above which not every window is tried.
+constexpr std::size_t kLongSection = 6000;
 // Knots that are nearer in time are one, s.
 constexpr double kSameTime = 1e-9;
 
@@ -327,26 +386,43 @@ std::vector<Knot> with_joins(const BlendedPath& path, const std::vector<Knot>& k
   return result;
 }
 
+// Of a long section only the windows around the best one so far are tried.
+struct BestLaw {
+  TimeParameterization law;
+  std::size_t window = 0;  ///< Index of its window.
+};
+
 void keep_faster(const BlendedPath& path, const TimeParameterization& section,
-                 const JointKinematicLimits& limits, TimeParameterization& best) {
-  for (const double share : kWindows) {
+                 const JointKinematicLimits& limits, const std::stop_token& stop, BestLaw& best) {
+  const bool is_long = section.knots.size() > kLongSection;
+  const std::size_t last_best = best.window;
+  for (std::size_t w = 0; w < kWindows.size(); ++w) {
+    const bool is_near = w + 1 >= last_best && w <= last_best + 1;
+    if (is_long && !best.law.knots.empty() && !is_near) {
+      continue;
+    }
+    geometric::end_if_stopped(stop);
+    const double share = kWindows.at(w);
     TimeParameterization law{with_joins(path, averaged(section, share * section.duration()))};
     stretch(law.knots, kMargin * excess(path, law.knots, limits));
-    if (best.knots.empty() || law.duration() < best.duration()) {
-      best = std::move(law);
+    if (best.law.knots.empty() || law.duration() < best.law.duration()) {
+      best = {std::move(law), w};
+    } else if (is_long && w > best.window + 1) {
+      break;  // larger windows only make a long section slower
     }
   }
 }
 
 }  // namespace
 
-TimeParameterization jerk_limited(const BlendedPath& path, const JointKinematicLimits& limits) {
+TimeParameterization jerk_limited(const BlendedPath& path, const JointKinematicLimits& limits,
+                                  const std::stop_token& stop) {
   if (std::ranges::any_of(path.pieces(), [](const PathPiece& piece) {
         return piece.is_arc() && !piece.is_smooth_arc();
       })) {
     throw std::invalid_argument("jerk can't be limited on circular arcs");
   }
-  std::vector<TimeParameterization> best;  // of each section
+  std::vector<BestLaw> best;  // of each section
   for (const double acceleration : kAccelerations) {
     for (const double jerk : kJerks) {
       const TimeParameterization law = time_optimal(
@@ -354,13 +430,13 @@ TimeParameterization jerk_limited(const BlendedPath& path, const JointKinematicL
       const std::vector<TimeParameterization> sections = sections_of(law);
       best.resize(sections.size());
       for (std::size_t i = 0; i < sections.size(); ++i) {
-        keep_faster(path, sections[i], limits, best[i]);
+        keep_faster(path, sections[i], limits, stop, best[i]);
       }
     }
   }
   TimeParameterization law;
-  for (const TimeParameterization& section : best) {
-    append(section, law);
+  for (const BestLaw& section : best) {
+    append(section.law, law);
   }
   return law;
 }

@@ -1,5 +1,6 @@
 #include "handway/planning/timing/time_path.h"
 
+#include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plan_result.h"
@@ -54,9 +55,12 @@ LimitShare largest_share(const geometric::RobotModel& model, const Trajectory& t
   return largest;
 }
 
-/// @param measured where the robot stands; of size 0: where the trajectory begins.
+/// @param options where the robot stands (of size 0: where the trajectory begins), and the
+/// resolution of blends.
 void check_collisions(const PlanningProblem& problem, const Trajectory& trajectory,
-                      const Configuration& measured, double resolution, PreflightReport& report) {
+                      const TimingOptions& options, PreflightReport& report) {
+  const Configuration& measured = options.measured_start;
+  const auto stopped = [&] { return options.stop.stop_requested(); };
   std::vector<Configuration> way;
   std::ranges::transform(trajectory.points, std::back_inserter(way), &TrajectoryPoint::position);
   std::size_t last = way.size() - 1;  // that is reached
@@ -65,19 +69,20 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
     const double time = trajectory.points[point].time;
     report.faults.push_back({"", time, 0.0, fmt::format("{} at {:.4f} s.", conflict.text, time)});
   };
-  PathConflictSearch search(problem, resolution);
+  PathConflictSearch search(problem, options.blends.resolution);
   std::optional<PathConflict> conflict;
   if (measured.size() == way.front().size()) {
-    conflict = search.run(std::array{measured, way.front()});
+    conflict = search.run(std::array{measured, way.front()}, stopped);
   }
   if (conflict) {
     end_at(0, *conflict);
-  } else if ((conflict = search.run(way))) {
+  } else if ((conflict = search.run(way, stopped))) {
     end_at(conflict->waypoint + (conflict->share > 0.0 ? 1 : 0), *conflict);
   }
   const auto checker = problem.checker->clone();
   double least = kFarClearance;
   for (std::size_t i = 0; i <= last; ++i) {
+    geometric::end_if_stopped(options.stop);
     const geometric::NamedPair closest = geometric::find_clearance(*checker, way[i], least);
     if (closest.distance < least) {
       least = closest.distance;
@@ -108,7 +113,8 @@ PreflightReport preflight(const PlanningProblem& problem, const Trajectory& traj
   report.points = trajectory.points.size();
   report.duration = trajectory.duration();
   report.assumed = options.limits.assumed;
-  report.faults = check_trajectory(problem.model(), trajectory, options.limits);
+  report.faults =
+      check_trajectory(problem.model(), trajectory, options.limits, fixed_variables(problem));
   if (!report.cleared()) {
     return report;
   }
@@ -120,7 +126,7 @@ PreflightReport preflight(const PlanningProblem& problem, const Trajectory& traj
     check_start(problem.model(), trajectory.points.front(), options.measured_start,
                 options.start_tolerance, report);
   }
-  check_collisions(problem, trajectory, options.measured_start, options.blends.resolution, report);
+  check_collisions(problem, trajectory, options, report);
   return report;
 }
 
@@ -198,6 +204,7 @@ TimedPath time_path(const PlanningProblem& problem, const Path& path, const std:
   }
   timed.preflight.assumed = timed.motion.limits.assumed;
   BlendOptions blends = options.blends;
+  blends.stop = options.stop;
   blends.shape = options.limit_jerk ? ArcShape::kSmooth : ArcShape::kCircular;
   timed.blends = certified_blends(problem, path, blends);
   if (!timed.blends.path) {
@@ -205,9 +212,10 @@ TimedPath time_path(const PlanningProblem& problem, const Path& path, const std:
   }
   const BlendedPath& blended = *timed.blends.path;
   const JointKinematicLimits limits = timed.motion.limits.at_speed(options.speed);
-  const TimeParameterization law = align_stops(
-      options.limit_jerk ? jerk_limited(blended, limits) : time_optimal(blended, limits),
-      options.period);
+  const TimeParameterization law =
+      align_stops(options.limit_jerk ? jerk_limited(blended, limits, options.stop)
+                                     : time_optimal(blended, limits),
+                  options.period);
   timed.motion.waypoint_times = waypoint_times(blended, law);
   timed.motion.trajectory = sample(blended, law, options.period);
   timed.least_duration = least_duration(path, limits);

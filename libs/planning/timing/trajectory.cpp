@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -104,14 +105,13 @@ namespace {
 
 using geometric::RobotModel;
 
-constexpr double kPositionTolerance = 1e-6;  // rad or m
-constexpr double kRateTolerance = 1e-3;      // of a limit
-constexpr double kRest = 1e-6;               // rad/s or m/s
+constexpr double kRateTolerance = 1e-3;  // of a limit
+constexpr double kRest = 1e-6;           // rad/s or m/s
 
 class Check {
  public:
-  Check(const RobotModel& model, const JointKinematicLimits& limits)
-      : model_(model), limits_(limits) {}
+  Check(const RobotModel& model, const JointKinematicLimits& limits, std::span<const int> fixed)
+      : model_(model), limits_(limits), fixed_(fixed) {}
 
   std::vector<TrajectoryFault> run(const Trajectory& trajectory) {
     if (trajectory.empty()) {
@@ -184,7 +184,7 @@ class Check {
 
   void check_point(const TrajectoryPoint& point) {
     for (const geometric::LimitViolation& violation :
-         geometric::limit_violations(model_, point.position, kPositionTolerance)) {
+         geometric::limit_violations(model_, point.position, fixed_)) {
       if (first("limit", violation.joint)) {
         add_of(violation.joint, point.time, violation.value,
                fmt::format("at {:.4f} s: {:.6f} is outside {:.6f} to {:.6f}.", point.time,
@@ -192,8 +192,27 @@ class Check {
       }
     }
     for (int v = 0; v < model_.variable_count(); ++v) {
+      check_position(v, point);
       check_rate("velocity", v, point.time, point.velocity[v], limits_.velocity[v]);
       check_rate("acceleration", v, point.time, point.acceleration[v], limits_.acceleration[v]);
+    }
+  }
+
+  // Limits that a file has beyond the robot's own.
+  void check_position(int v, const TrajectoryPoint& point) {
+    if (limits_.lower.size() == 0 || std::ranges::count(fixed_, v) > 0) {
+      return;
+    }
+    const double value = point.position[v];
+    const double lower = limits_.lower[v];
+    const double upper = limits_.upper[v];
+    const std::string& joint = model_.variable(v).name;
+    if ((value < lower - geometric::limit_tolerance(lower) ||
+         value > upper + geometric::limit_tolerance(upper)) &&
+        first("limit", joint)) {
+      add_of(joint, point.time, value,
+             fmt::format("at {:.4f} s: {:.6f} is outside {:.6f} to {:.6f}.", point.time, value,
+                         lower, upper));
     }
   }
 
@@ -230,6 +249,7 @@ class Check {
 
   const RobotModel& model_;
   const JointKinematicLimits& limits_;
+  std::span<const int> fixed_;
   std::set<std::pair<std::string, std::string>> seen_;
   std::vector<TrajectoryFault> faults_;
 };
@@ -237,8 +257,9 @@ class Check {
 }  // namespace
 
 std::vector<TrajectoryFault> check_trajectory(const RobotModel& model, const Trajectory& trajectory,
-                                              const JointKinematicLimits& limits) {
-  return Check(model, limits).run(trajectory);
+                                              const JointKinematicLimits& limits,
+                                              std::span<const int> fixed) {
+  return Check(model, limits, fixed).run(trajectory);
 }
 
 }  // namespace handway::planning

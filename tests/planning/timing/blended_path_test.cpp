@@ -71,8 +71,19 @@ TEST(BlendedPath, LeavesCornersWithoutDeviation) {
 
 TEST(BlendedPath, GoesStraightOnWithoutStopping) {
   const BlendedPath path({{Vector2d(0, 0), Vector2d(1, 1), Vector2d(3, 3)}}, {0.0, 0.0, 0.0});
-  ASSERT_EQ(path.pieces().size(), 2U);
-  EXPECT_FALSE(path.pieces()[0].ends_in_corner);
+  ASSERT_EQ(path.pieces().size(), 1U) << "a waypoint on the line adds nothing";
+  EXPECT_NEAR(path.passages()[1], std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(path.passages()[2], 3.0 * std::sqrt(2.0), 1e-12);
+}
+
+TEST(BlendedPath, RoundsACornerAlikeWithWaypointsOnItsEdges) {
+  const BlendedPath plain({{Vector2d(0, 0), Vector2d(2, 0), Vector2d(2, 2)}}, {0.0, 0.3, 0.0});
+  const BlendedPath fine({{Vector2d(0, 0), Vector2d(1.5, 0), Vector2d(1.9, 0), Vector2d(2, 0),
+                           Vector2d(2, 0.2), Vector2d(2, 2)}},
+                         {0.0, 0.3, 0.3, 0.3, 0.3, 0.0});
+  EXPECT_EQ(fine.pieces().size(), plain.pieces().size());
+  EXPECT_NEAR(fine.length(), plain.length(), 1e-12);
+  EXPECT_TRUE(std::ranges::is_sorted(fine.passages()));
 }
 
 TEST(BlendedPath, StopsWhereItTurnsBack) {

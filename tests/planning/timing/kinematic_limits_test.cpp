@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -154,6 +155,29 @@ TEST_F(JointLimitsFile, IsRefusedWithLineAndKey) {
                       "    max_velocity: 1\n"),
               HasSubstr("true or false"));
   EXPECT_THAT(refusal("limits: {}\n"), HasSubstr("joint_limits"));
+}
+
+TEST_F(JointLimitsFile, NarrowPositions) {
+  const JointKinematicLimits limits = read(
+      "joint_limits:\n  elbow: {has_position_limits: true, min_position: -0.4, max_position: 0.3}\n"
+      "  shoulder: {has_position_limits: false, min_position: -0.1, max_position: 0.1}\n"
+      "  left: {max_position: 1.0, has_soft_limits: true, soft_upper_limit: 0.5}\n");
+  ASSERT_EQ(limits.lower.size(), 5);
+  EXPECT_EQ(limits.lower[variable("elbow")], -0.4);
+  EXPECT_EQ(limits.upper[variable("elbow")], 0.3);
+  EXPECT_EQ(limits.upper[variable("left")], 0.5);
+  EXPECT_TRUE(std::isinf(limits.upper[variable("shoulder")])) << "denied by its flag";
+}
+
+TEST_F(JointLimitsFile, CountsBrakingAsAcceleration) {
+  const JointKinematicLimits limits =
+      read("joint_limits:\n  elbow: {max_acceleration: 4.0, max_deceleration: 2.5}\n");
+  EXPECT_EQ(limits.acceleration[variable("elbow")], 2.5);
+}
+
+TEST_F(JointLimitsFile, RefusesPositionsThatLeaveNoRange) {
+  EXPECT_THAT(refusal("joint_limits:\n  elbow: {min_position: 0.4, max_position: 0.3}\n"),
+              AllOf(HasSubstr("limits.yaml:2"), HasSubstr("positions from 0.4 to 0.3")));
 }
 
 }  // namespace

@@ -41,6 +41,10 @@ struct PlanningProblem {
   /// planners take any. Empty: `goal` is the only one.
   std::vector<GoalCandidate> goals;
   std::string goal_fault;  ///< Why no configuration reaches a goal pose, as a sentence.
+  bool has_goal = true;    ///< False: the scene gives none, and `goal` is the start.
+  /// What was changed of start and goal, and which joints that stay where they are are out of their
+  /// limits: a sentence each.
+  std::vector<std::string> warnings;
   std::shared_ptr<const geometric::CollisionChecker> checker;  ///< To clone, one per thread.
   std::shared_ptr<const geometric::MotionBound> motion;
 
@@ -50,6 +54,10 @@ struct PlanningProblem {
   /// Makes `q` the goal, whatever the scene says.
   HANDWAY_PLANNING_EXPORT void set_goal(Configuration q);
 };
+
+/// Variables that stay where the start has them, ascending: those that are not `moving`.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> fixed_variables(
+    const PlanningProblem& problem);
 
 /// Why the goal asks for what does not move, as a sentence; empty if it does not.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string group_fault(const PlanningProblem& problem);
@@ -76,18 +84,25 @@ struct PlanningProblem {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> arm_variables(
     const geometric::RobotModel& model, const std::vector<int>& hand);
 
+/// Whether a scene has to say where its robot is to go.
+enum class GoalNeed {
+  kRequired,
+  kOptional,  ///< For what is asked about a path that is there. See PlanningProblem::has_goal.
+};
+
 /// Puts a problem together, with hand_variables() and arm_variables(), either of which may be
 /// empty. Where the scene has a group, the arm is all of it that is not of the hand, and a hand of
 /// which only some joints move has no basis. Without a group resting_variables() are of neither.
 /// Start and goal are the scene's, a start that is not
 /// given is where the robot stands, and the goal has continuous joints within half a turn of the
-/// start. Goal poses are solved by solve_pose_goals().
+/// start. A joint of either that is beyond a limit by 1e-5 rad or m or less is taken to be at it.
+/// Goal poses are solved by solve_pose_goals().
 /// @param basis may be null.
-/// @throws InputError if the scene lacks a robot or a goal, or the
+/// @throws InputError if the scene lacks a robot, or a goal that it needs, or the
 /// basis names a joint that the robot has not; PreparationStopped where `preparation` asks for it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PlanningProblem make_problem(
     std::shared_ptr<const geometric::Scene> scene, std::shared_ptr<const sampling::PmdBasis> basis,
-    const geometric::Preparation& preparation = {});
+    const geometric::Preparation& preparation = {}, GoalNeed need = GoalNeed::kRequired);
 
 /// What make_problem() makes of a changed scene, sharing with the problem of the scene before all
 /// that the change left alone: the checker, or at least the meshes that it has prepared.

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,24 @@ struct PathCheckResult {
   [[nodiscard]] bool valid() const { return faults.empty(); }
 };
 
+/// Says which continuous joint turns by more than half a turn from one waypoint to the next, as
+/// recordings do that keep angles within ±π: "joint J turns by -356° at once, where 3.7° lead to
+/// the same place"; empty if none does. Longer turns have waypoints between.
+/// @param from, to shape [variable_count].
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string turn_fault(const geometric::RobotModel& model,
+                                                             const Configuration& from,
+                                                             const Configuration& to);
+
 /// Checks a path without trusting whoever made it: joint limits, both ends
 /// against the problem's, constraints, and collisions on the raw triangles (FclChecker) at
 /// configurations so close that no point of the robot moves more than
-/// `resolution` (m) from one to the next.
+/// `resolution` (m) from one to the next. What lies between these is certified as planners do, by
+/// PathConflictSearch.
+/// @throws PreparationStopped where `stop` asks for it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PathCheckResult check_path(const PlanningProblem& problem,
                                                                  const Path& path,
-                                                                 double resolution);
+                                                                 double resolution,
+                                                                 const std::stop_token& stop = {});
 
 /// The first place where a polyline of configurations is not free.
 struct PathConflict {

@@ -31,9 +31,12 @@ HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::R
 struct JointsAtRest {
   geometric::Configuration q;           ///< Where they stay: at the start.
   std::vector<std::string> names = {};  ///< Which they are.
+  /// Jumps of continuous joints by about a whole turn, which were taken the short way round: one
+  /// for each joint, as "joint J jumps by -356° after waypoint 2".
+  std::vector<std::string> jumps = {};
 
-  /// A sentence that names file and joints (of many the first), without a full stop; empty if the
-  /// file has all.
+  /// A sentence that names file, joints (of many the first) and jumps, without a full stop; empty
+  /// if the file has all joints and no jump.
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string remark(const std::filesystem::path& file) const;
 };
 
@@ -49,6 +52,9 @@ struct JointsAtRest {
 ///
 /// A trajectory_msgs/JointTrajectory as YAML or JSON, also in the messages around one, is a path
 /// through its positions.
+///
+/// Continuous joints go from each waypoint to the next by at most half a turn: recordings that keep
+/// angles within ±π jump there. A turn of more than that takes waypoints between.
 /// @param rest without it every joint must be there; its names are found.
 /// @throws InputError naming line and column or element for anything else.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Path read_path(const geometric::RobotModel& model,

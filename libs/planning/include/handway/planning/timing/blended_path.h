@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,7 @@ struct BlendOptions {
   double arc_clearance = 1e-3;
   /// … and the straight parts this: what paths are certified to.
   double resolution = 5e-5;
+  std::stop_token stop = {};  ///< Blending ends with geometric::PreparationStopped.
 };
 
 /// A blended path that is free of collision all along, or why there is none.

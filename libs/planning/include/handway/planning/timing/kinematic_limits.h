@@ -35,17 +35,26 @@ struct AssumedLimit {
   bool operator==(const AssumedLimit&) const = default;
 };
 
-/// How fast the variables of a robot may change; all values > 0.
+/// How fast the variables of a robot may change; all rates > 0.
 struct JointKinematicLimits {
   Eigen::VectorXd velocity;      ///< Shape [variable_count], rad/s or m/s.
   Eigen::VectorXd acceleration;  ///< Shape [variable_count], rad/s² or m/s².
   Eigen::VectorXd jerk{};        ///< Shape [variable_count], rad/s³ or m/s³; size 0: not limited.
   std::vector<AssumedLimit> assumed{};  ///< By rate, then by variable.
+  /// Limits of positions that are narrower than the robot's own: shape [variable_count], rad or m;
+  /// size 0: there are none.
+  Eigen::VectorXd lower{};
+  Eigen::VectorXd upper{};
 
   /// Of the same motions at `speed` times their pace: velocities by it, accelerations
   /// by its square, jerk by its cube; without `assumed`. @pre speed > 0.
   [[nodiscard]] JointKinematicLimits at_speed(double speed) const {
-    return {velocity * speed, acceleration * (speed * speed), jerk * (speed * speed * speed)};
+    return {velocity * speed,
+            acceleration * (speed * speed),
+            jerk * (speed * speed * speed),
+            {},
+            lower,
+            upper};
   }
 
   /// The same without limits of jerk, assumed ones included.
@@ -68,9 +77,7 @@ struct JointKinematicLimits {
 rate_limits(const geometric::RobotModel& model);
 
 /// The limits of the robot's joints, replaced where `file` has others. The file is
-/// of the form that MoveIt knows: a map `joint_limits` of joints, each with
-/// `has_velocity_limits`, `max_velocity`, `has_acceleration_limits`,
-/// `max_acceleration`, `has_jerk_limits`, `max_jerk` (all optional, SI units).
+/// read by geometric::read_joint_limits(); its limits of positions narrow the robot's own.
 /// @throws InputError naming line and key, also for a joint that the robot has not: limits that
 /// somebody relies on must not be passed over.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT JointKinematicLimits

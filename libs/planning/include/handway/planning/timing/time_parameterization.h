@@ -4,6 +4,7 @@
 #include "handway/planning/timing/blended_path.h"
 #include "handway/planning/timing/kinematic_limits.h"
 
+#include <stop_token>
 #include <vector>
 
 namespace handway::planning {
@@ -56,8 +57,9 @@ align_stops(const TimeParameterization& law, double period);
 /// fastest is taken. Nearly, not quite as fast as can be: the limits are met where one joint
 /// is at its worst.
 /// @pre limits.jerk is of the model's shape.
-/// @throws std::invalid_argument if the path has circular arcs, where no jerk is limited.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization
-jerk_limited(const BlendedPath& path, const JointKinematicLimits& limits);
+/// @throws std::invalid_argument if the path has circular arcs, where no jerk is limited;
+/// geometric::PreparationStopped where `stop` asks for it.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization jerk_limited(
+    const BlendedPath& path, const JointKinematicLimits& limits, const std::stop_token& stop = {});
 
 }  // namespace handway::planning

@@ -7,6 +7,7 @@
 #include "handway/planning/timing/trajectory.h"
 
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct TimingOptions {
   JointKinematicLimits limits;    ///< Of size 0: those of the robot.
   Configuration measured_start;   ///< Of size 0: the start is not compared.
   double start_tolerance = 1e-3;  ///< rad or m, of that comparison.
+  std::stop_token stop = {};      ///< Timing ends with geometric::PreparationStopped.
 };
 
 /// Largest share that a motion takes of a limit, and where.
@@ -89,7 +91,7 @@ struct TimedPath {
 /// sample(), and preflight() on what comes out. Neither arcs nor straight parts leave free space.
 /// @param name of the motion, see Motion::name.
 /// @throws InputError for waypoints that are no configurations of the robot within its limits,
-/// and for options out of their ranges.
+/// and for options out of their ranges; PreparationStopped where the options ask for it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimedPath time_path(const PlanningProblem& problem,
                                                           const Path& path, const std::string& name,
                                                           const TimingOptions& options = {});

@@ -6,6 +6,7 @@
 #include "handway/planning/timing/kinematic_limits.h"
 #include "handway/planning/timing/time_parameterization.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,9 +69,10 @@ struct TrajectoryFault {
 /// not at rest; joints beyond their limits, coupled ones included; velocities and accelerations
 /// beyond `limits`, as they are written and as they follow from one point to the next; jerk, if it
 /// is limited, as it follows from accelerations. Of each kind the first for each joint.
+/// @param fixed variables whose positions do not count, as of geometric::limit_violations().
 /// @pre limits are of the model's shape.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<TrajectoryFault> check_trajectory(
     const geometric::RobotModel& model, const Trajectory& trajectory,
-    const JointKinematicLimits& limits);
+    const JointKinematicLimits& limits, std::span<const int> fixed = {});
 
 }  // namespace handway::planning
