@@ -33,6 +33,22 @@ Eigen::VectorXd finite_row(const double* begin, Eigen::Index width, const std::s
 
 }  // namespace
 
+std::string path_from(const py::object& path, const std::string& argument) {
+  const auto text =
+      py::reinterpret_steal<py::object>(PyOS_FSPath(path.ptr()));  // TypeError if it is none
+  if (!text) {
+    throw py::error_already_set();
+  }
+  std::string name = py::isinstance<py::bytes>(text)
+                         ? std::string(py::reinterpret_borrow<py::bytes>(text))
+                         : std::string(py::str(py::module_::import("os").attr("fspath")(text)));
+  if (name.empty() || name.find('\0') != std::string::npos) {
+    throw geometric::InputError({argument, "", name.empty() ? "an empty name" : "a name with a NUL",
+                                 "the name of a file", ""});
+  }
+  return name;
+}
+
 Batch batch_from(const Array& array, Eigen::Index width, const std::string& argument) {
   const bool fits = (array.ndim() == 1 || array.ndim() == 2) &&
                     array.shape(array.ndim() - 1) == static_cast<py::ssize_t>(width);

@@ -4,12 +4,23 @@
 #include <pybind11/numpy.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace handway::python {
 
-/// Numbers in C order; what numpy can turn into such an array is accepted.
-using Array = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+/// Real numbers in C order; what numpy can turn into such an array without losing anything but
+/// precision is accepted.
+class Array
+    : public pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast> {
+ public:
+  using array_t::array_t;
+};
+
+/// Returns the path of a file or folder: text, bytes or an os.PathLike.
+/// @throws InputError naming `argument` if it is empty or has a NUL, at which the system would end
+/// it; TypeError for other objects.
+[[nodiscard]] std::string path_from(const pybind11::object& path, const std::string& argument);
 
 /// Rows of numbers as they came from Python: one row or a batch of them.
 struct Batch {
@@ -48,3 +59,32 @@ template <typename Value>
                                          Eigen::Index width);
 
 }  // namespace handway::python
+
+namespace pybind11::detail {
+
+/// Refuses complex numbers, of which the conversion would drop the imaginary part, dates and text.
+template <>
+struct type_caster<handway::python::Array> {
+ public:
+  PYBIND11_TYPE_CASTER(handway::python::Array, const_name("numpy.ndarray[numpy.float64]"));
+
+  bool load(handle source, bool /*convert*/) {
+    const array any = array::ensure(source);
+    if (!any) {
+      PyErr_Clear();
+      return false;
+    }
+    if (std::string_view("biuf").find(any.dtype().kind()) == std::string_view::npos) {
+      return false;
+    }
+    auto numbers = array_t<double, array::c_style | array::forcecast>::ensure(any);
+    if (!numbers) {
+      PyErr_Clear();
+      return false;
+    }
+    value = reinterpret_steal<handway::python::Array>(numbers.release());
+    return true;
+  }
+};
+
+}  // namespace pybind11::detail

@@ -59,6 +59,25 @@ void run_interruptible(const std::function<void(std::stop_token)>& work) {
   done.get();
 }
 
+namespace {
+
+// An instance that was made by __new__ alone holds nothing. pybind11 would give it memory of any
+// content when it is first used as an argument.
+void refuse_uninitialised_instances(const py::module_& module) {
+  for (const auto& [name, object] : module.attr("__dict__").cast<py::dict>()) {
+    if (!py::isinstance<py::type>(object)) {
+      continue;
+    }
+    if (py::detail::type_info* info =
+            py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(object.ptr()))) {
+      info->operator_new = [](std::size_t) -> void* {
+        throw py::type_error("the object has not been initialised: its __init__ has not run");
+      };
+    }
+  }
+}
+
+}  // namespace
 }  // namespace handway::python
 
 PYBIND11_MODULE(_core, module) {
@@ -72,4 +91,5 @@ PYBIND11_MODULE(_core, module) {
   handway::python::bind_editing(module);
   handway::python::bind_motion(module);
   handway::python::bind_devices(module);
+  handway::python::refuse_uninitialised_instances(module);
 }

@@ -32,8 +32,12 @@ TimedPath time_path(const SceneModel& scene, const Array& array, const std::stri
   options.speed = speed;
   options.period = period;
   options.limit_jerk = jerk;
-  const py::gil_scoped_release release;
-  return planning::time_path(scene.problem(), path, planning::motion_name(name), options);
+  TimedPath timed;
+  run_interruptible([&](const std::stop_token& stop) {
+    options.stop = stop;
+    timed = planning::time_path(scene.problem(), path, planning::motion_name(name), options);
+  });
+  return timed;
 }
 
 py::array_t<double> rows(
@@ -76,7 +80,7 @@ std::vector<std::string> export_motion(const TimedPath& timed, const std::string
   planning::ExportOptions options;
   options.any_robot = any_robot;
   for (const std::filesystem::path& file : plugin_manager().exporter(format).write(
-           timed.motion, std::string(py::str(folder)), options)) {
+           timed.motion, path_from(folder, "folder"), options)) {
     files.push_back(file.string());
   }
   return files;
@@ -84,14 +88,20 @@ std::vector<std::string> export_motion(const TimedPath& timed, const std::string
 
 py::list grasps(const SceneModel& scene, const std::string& object, int most, int samples,
                 std::uint64_t seed) {
+  for (const auto& [argument, value] : {std::pair("most", most), std::pair("samples", samples)}) {
+    if (value < 1) {
+      throw InputError({argument, "", std::to_string(value), "1 or more", ""});
+    }
+  }
   planning::PregraspOptions options;
   options.most = most;
   options.samples = samples;
   options.seed = seed;
   std::vector<planning::Pregrasp> found;
   {
-    const py::gil_scoped_release release;
-    found = planning::find_pregrasps(scene.problem(), object, options).found;
+    run_interruptible([&](const std::stop_token& stop) {
+      found = planning::find_pregrasps(scene.problem(), object, options, stop).found;
+    });
   }
   py::list answers;
   for (const planning::Pregrasp& grasp : found) {

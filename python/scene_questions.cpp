@@ -1,12 +1,16 @@
 #include "scene_questions.h"
 
+#include "bindings.h"
+#include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/jacobian.h"
+#include "handway/geometric/robot/limit_violation.h"
 #include "handway/geometric/robot/numeric_inverse_kinematics.h"
 #include "handway/geometric/robot/robot_state.h"
 
 #include <algorithm>
 #include <iterator>
+#include <stop_token>
 #include <vector>
 
 namespace py = pybind11;
@@ -23,17 +27,28 @@ Batch configurations(const SceneModel& scene, const Array& q) {
   return batch_from(q, scene.robot().variable_count(), "q");
 }
 
-/// Answers to all rows, from a checker of one's own, without the interpreter's lock.
+constexpr std::size_t kFewRows = 200;  // so many are answered before anybody would press Ctrl+C
+
+/// Answers to all rows, from a checker of one's own, without the interpreter's lock. Many rows can
+/// be interrupted.
 template <typename Value, typename Question>
 std::vector<Value> ask_each(const SceneModel& scene, const Batch& batch, const Question& question) {
-  const py::gil_scoped_release release;
   std::vector<Value> answers;
   answers.reserve(batch.rows.size());
-  scene.checkers().lend([&](CollisionChecker& checker) {
-    for (const Configuration& q : batch.rows) {
-      answers.push_back(question(checker, q));
-    }
-  });
+  const auto ask = [&](const std::stop_token& stop) {
+    scene.checkers().lend([&](CollisionChecker& checker) {
+      for (const Configuration& q : batch.rows) {
+        geometric::end_if_stopped(stop);
+        answers.push_back(question(checker, q));
+      }
+    });
+  };
+  if (batch.rows.size() > kFewRows) {
+    run_interruptible(ask);
+  } else {
+    const py::gil_scoped_release release;
+    ask({});
+  }
   return answers;
 }
 
@@ -66,13 +81,11 @@ py::object clearance(const SceneModel& scene, const Array& q, double enough) {
 }
 
 py::object within_limits(const SceneModel& scene, const Array& q) {
-  constexpr double kTolerance = 1e-9;  // rad or m
   const Batch batch = configurations(scene, q);
   const geometric::RobotModel& robot = scene.robot();
   std::vector<char> answers;
   for (const Configuration& row : batch.rows) {
-    answers.push_back(
-        static_cast<char>(((robot.clamped(row) - row).array().abs() <= kTolerance).all()));
+    answers.push_back(static_cast<char>(limit_violations(robot, row).empty()));
   }
   return truths(batch, answers);
 }
