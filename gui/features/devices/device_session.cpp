@@ -340,7 +340,7 @@ void DeviceSession::take_measured(const Eigen::VectorXd& q) {
     mirror();
   }
   const bool moved =
-      timed_from_.size() != q.size() || (timed_from_ - q).cwiseAbs().maxCoeff() > kSamePlace;
+      timed_from_.size() != q.size() || (timed_from_ - q).lpNorm<Eigen::Infinity>() > kSamePlace;
   if (moved && driver_.state() == State::kConnected) {
     time_again();
   }

@@ -25,7 +25,7 @@ QString note_of(const planning::PlanningProblem& problem, const planning::Path& 
       !remark.empty()) {
     note += QStringLiteral(" %1.").arg(QString::fromStdString(remark));
   }
-  if ((path.waypoints.front() - problem.start).cwiseAbs().maxCoeff() > kSame) {
+  if ((path.waypoints.front() - problem.start).lpNorm<Eigen::Infinity>() > kSame) {
     note += QObject::tr(" It does not begin at the scene's start.");
   }
   return note;

@@ -73,7 +73,7 @@ std::vector<Val3Point> val3_points(const JointTrajectory& trajectory, const Join
   for (std::size_t i = 1; i < trajectory.times.size(); ++i) {
     const Eigen::VectorXd to = trajectory.positions.row(static_cast<Eigen::Index>(i));
     const double duration = trajectory.times[i] - trajectory.times[i - 1];
-    if ((to - from).cwiseAbs().maxCoeff() < kNoMove) {
+    if ((to - from).lpNorm<Eigen::Infinity>() < kNoMove) {
       wait_until = trajectory.times[i];
       continue;
     }

@@ -50,7 +50,7 @@ void EmulatedRobot::command(const Eigen::VectorXd& position, const Eigen::Vector
 void EmulatedRobot::brake() {
   if (!braking_) {
     const double duration =
-        (command_velocity_.cwiseAbs().array() / deceleration_.array()).maxCoeff();
+        command_velocity_.cwiseQuotient(deceleration_).lpNorm<Eigen::Infinity>();
     braking_ = Braking{command_, command_velocity_, duration, 0.0};
   }
 }
@@ -69,7 +69,7 @@ void EmulatedRobot::follow_command() {
   velocity_ = (position_ - before) / kStep;
 }
 
-bool EmulatedRobot::moving() const { return velocity_.cwiseAbs().maxCoeff() > kAtRest; }
+bool EmulatedRobot::moving() const { return velocity_.lpNorm<Eigen::Infinity>() > kAtRest; }
 
 RobotEmulator::RobotEmulator(std::unique_ptr<Running> running) : running_(std::move(running)) {}
 

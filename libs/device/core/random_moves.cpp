@@ -46,7 +46,7 @@ void MinimumJerkMoves::begin_next_move() {
   begin_ += duration_ + rest_;
   from_ = to_;
   to_ = next_target();
-  const double distance = (to_ - from_).cwiseAbs().maxCoeff();
+  const double distance = (to_ - from_).lpNorm<Eigen::Infinity>();
   duration_ = (pace_.reaction + pace_.per_unit * distance) * random_.uniform(0.85, 1.15);
   rest_ = random_.uniform(0.0, pace_.longest_rest);
 }

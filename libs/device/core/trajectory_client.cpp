@@ -240,7 +240,7 @@ void TrajectoryClient::look_at_end(Clock::time_point now) {
     return;
   }
   const Eigen::VectorXd end = trajectory_.at(trajectory_.duration());
-  const double away = (measured_.position - end).cwiseAbs().maxCoeff();
+  const double away = (measured_.position - end).lpNorm<Eigen::Infinity>();
   if (away <= tolerances_.end &&
       measured_.received - begin_ > std::chrono::duration<double>(trajectory_.duration())) {
     phase_ = MotionPhase::kDone;

@@ -175,7 +175,7 @@ std::string settle_units(std::vector<SeenHand>& hands) {
   });
   double most = 0.0;
   for (const SeenHand& hand : hands) {
-    most = std::max(most, hand.points.cwiseAbs().maxCoeff());
+    most = std::max(most, hand.points.lpNorm<Eigen::Infinity>());
   }
   const bool picture = 2 * in_picture > std::ssize(hands);
   const bool shares = picture && most < 3.0;

@@ -395,7 +395,7 @@ void turn_to_radians(const RobotModel& hand, Eigen::MatrixXd& values,
     }
   }
   if (turning.empty() ||
-      values(Eigen::all, turning).cwiseAbs().maxCoeff() <= 2.0 * std::numbers::pi) {
+      values(Eigen::all, turning).lpNorm<Eigen::Infinity>() <= 2.0 * std::numbers::pi) {
     return;
   }
   values(Eigen::all, turning) *= geometric::kDegree;

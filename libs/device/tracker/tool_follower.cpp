@@ -169,7 +169,7 @@ void ToolFollower::follow(double dt, FollowStep& step) {
   const std::vector<int>& variables = ik_->variables();
   const Eigen::VectorXd& next = found.solutions.front().q;
   const Eigen::VectorXd last = goal_(variables);
-  if ((next - last).cwiseAbs().maxCoeff() > settings_.largest_branch_step) {
+  if ((next - last).lpNorm<Eigen::Infinity>() > settings_.largest_branch_step) {
     step.state = FollowState::kBranchEnd;
     step.reason = "only a posture far from the present one reaches there";
     return;
@@ -181,7 +181,7 @@ void ToolFollower::follow(double dt, FollowStep& step) {
   const double share = std::min(
       1.0, (top_speeds_ * dt).cwiseQuotient(left.cwiseAbs().cwiseMax(kArrived)).minCoeff());
   q_(variables) = here + share * left;
-  const bool arrived = (1.0 - share) * left.cwiseAbs().maxCoeff() <= kArrived;
+  const bool arrived = (1.0 - share) * left.lpNorm<Eigen::Infinity>() <= kArrived;
   step.state = arrived ? FollowState::kFollowing : FollowState::kSlowed;
 }
 

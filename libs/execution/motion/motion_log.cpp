@@ -196,7 +196,7 @@ std::vector<RecordedDevice> read_motion_log(const std::filesystem::path& file) {
 std::vector<JointDifference> differences(const RecordedDevice& device) {
   const Eigen::MatrixXd away = (device.measured - device.planned).cwiseAbs();
   std::vector<JointDifference> result;
-  for (Eigen::Index j = 0; j < away.cols(); ++j) {
+  for (Eigen::Index j = 0; j < away.cols() && away.rows() > 0; ++j) {
     Eigen::Index worst = 0;
     const double max = away.col(j).maxCoeff(&worst);
     result.push_back({device.joints[static_cast<std::size_t>(j)], max,

@@ -260,7 +260,7 @@ class Run {
         outcome_.time = std::min(time, link.trajectory().duration());
         outcome_.errors[i].add(measured.position - planned);
       }
-      const bool still = (measured.position - last_[i]).cwiseAbs().maxCoeff() < kAtRest;
+      const bool still = (measured.position - last_[i]).lpNorm<Eigen::Infinity>() < kAtRest;
       still_[i] = still ? still_[i] + 1 : 0;
       last_[i] = measured.position;
       if (observer_works_) {

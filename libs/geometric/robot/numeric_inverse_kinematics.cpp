@@ -142,7 +142,7 @@ void DampedLeastSquares::draw_near(const Configuration& reference, Configuration
     here = miss(q);
     const Eigen::VectorXd wanted = (reference - q)(variables_);
     Eigen::VectorXd motion = null_space_motion(error_jacobian(here.error), wanted);
-    if (const double largest = motion.cwiseAbs().maxCoeff(); largest > kLargestStep) {
+    if (const double largest = motion.lpNorm<Eigen::Infinity>(); largest > kLargestStep) {
       motion *= kLargestStep / largest;
     }
     const double least = (1.0 - kLeastNearing) * distance(reference, q);
@@ -243,7 +243,7 @@ Eigen::VectorXd DampedLeastSquares::step(const Eigen::MatrixXd& normal,
   damped.diagonal().array() += damping;
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(gradient.size());
   delta(free_) = damped.ldlt().solve(Eigen::VectorXd(gradient(free_))).eval();
-  const double largest = delta.cwiseAbs().maxCoeff();
+  const double largest = delta.lpNorm<Eigen::Infinity>();
   return largest > kLargestStep ? Eigen::VectorXd(delta * (kLargestStep / largest)) : delta;
 }
 

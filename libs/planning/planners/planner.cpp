@@ -122,7 +122,7 @@ std::string proof_of_infeasibility(const PlanningProblem& problem) {
 void require_ends(const PlanningProblem& problem, const Path& path, const std::string& planner) {
   constexpr double kSameEnd = 1e-9;  // rad or m
   const auto is_same = [](const Configuration& a, const Configuration& b) {
-    return a.size() == b.size() && (a - b).cwiseAbs().maxCoeff() <= kSameEnd;
+    return a.size() == b.size() && (a - b).lpNorm<Eigen::Infinity>() <= kSameEnd;
   };
   if (path.waypoints.size() < 2 || !is_same(path.waypoints.front(), problem.start) ||
       !is_same(path.waypoints.back(),

@@ -96,7 +96,7 @@ std::pair<double, double> bisect(double low, double high, const Predicate& is_lo
 /// The largest share that a joint takes of its limit.
 template <typename Values>
 double largest_share(const Eigen::MatrixBase<Values>& values, const Eigen::VectorXd& limits) {
-  return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
+  return values.cwiseQuotient(limits).template lpNorm<Eigen::Infinity>();
 }
 
 /// What ds²/dt² may be in `cell` at speed² x, so that at its end speed² is at most `most`.

@@ -13,7 +13,7 @@ constexpr int kHalvings = 5;
 FreeStep advance(CollisionChecker& checker, const Configuration& from, const Configuration& to,
                  double resolution) {
   const Configuration delta = to - from;
-  const double longest = delta.cwiseAbs().maxCoeff();
+  const double longest = delta.lpNorm<Eigen::Infinity>();
   const int steps = static_cast<int>(std::ceil(longest / resolution));
   double reached = 0.0;
   double beyond = 1.0;
