@@ -7,10 +7,12 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -96,6 +98,23 @@ int flushed(int exit_code) {
   return exit_code == handway::tools::kDone ? handway::tools::kNotWritten : exit_code;
 }
 
+// " for FILE (N MB)", of the largest file among the arguments; empty if none is a file.
+std::string largest_input(int argc, char** argv) {
+  std::string name;
+  std::uintmax_t largest = 0;
+  for (int i = 1; i < argc; ++i) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(argv[i], error);
+    if (!error && size >= largest) {
+      largest = size;
+      name = argv[i];
+    }
+  }
+  return name.empty()
+             ? ""
+             : fmt::format(" for {} ({:.1f} MB)", name, 1e-6 * static_cast<double>(largest));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -109,10 +128,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "handway: standard output can't be written: {}\n", error.what());
     return handway::tools::kNotWritten;
   } catch (const std::bad_alloc&) {
-    fmt::print(
-        stderr,
-        "handway: there is not enough memory for this input. Use a smaller one, or raise the "
-        "limit (ulimit -v)\n");
+    fmt::print(stderr,
+               "handway: there is not enough memory{}. Use a smaller input, or raise the limit "
+               "(ulimit -v)\n",
+               largest_input(argc, argv));
     return handway::tools::kInvalidInput;
   } catch (const std::exception& error) {
     fmt::print(stderr, "handway: {}\n", error.what());
