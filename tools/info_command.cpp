@@ -265,6 +265,12 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
   fmt::print("{}\n", report.dump(2));
 }
 
+// Whether a polyhedron around the shape stands for it.
+bool is_round(const geometric::Shape& shape) {
+  return !std::holds_alternative<geometric::Box>(shape) &&
+         !std::holds_alternative<geometric::Mesh>(shape);
+}
+
 void print_text(const std::filesystem::path& file, const planning::LoadedScene& loaded,
                 const std::vector<End>& ends,
                 const std::optional<planning::PoseGoalSolutions>& solutions,
@@ -280,9 +286,13 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
     print_robot(robot);
   }
   for (const geometric::SceneObject& object : scene.objects) {
-    fmt::print("object {}: {}, {} triangles, {}{}\n", object.name, shape_name(object.shape),
-               tessellate(object.shape)->triangles.size(), form_of(object),
-               object.attachment ? ", carried by " + object.attachment->link : "");
+    fmt::print("object {}: {}, {} triangles{}, {}{}\n", object.name, shape_name(object.shape),
+               tessellate(object.shape)->triangles.size(),
+               is_round(object.shape)
+                   ? fmt::format(" up to {:g} mm outside",
+                                 geometric::millimetres(geometric::kRoundTolerance))
+                   : "",
+               form_of(object), object.attachment ? ", carried by " + object.attachment->link : "");
   }
   for (const geometric::PathConstraint& constraint : scene.constraints) {
     fmt::print("constraint {}: {} of {} along the path\n", constraint.name, kind_of(constraint),

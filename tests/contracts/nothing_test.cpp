@@ -179,7 +179,7 @@ TEST_P(EveryNothing, IsAskedWhatTheWindowAsks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, EveryNothing, testing::ValuesIn(kNothings),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 TEST(NoPostures, AreNamedInsteadOfAnalysed) {
   for (const auto& [rows, columns] : {std::pair(0, 5), std::pair(5, 0), std::pair(0, 0)}) {

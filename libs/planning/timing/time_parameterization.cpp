@@ -19,7 +19,8 @@ using geometric::Configuration;
 using Knot = TimeParameterization::Knot;
 
 constexpr int kCellsOfStraight = 200;  // at most
-constexpr int kLeastCells = 16;
+constexpr int kLeastCellsOfStraight = 4;
+constexpr int kLeastCellsOfArc = 8;
 constexpr double kCellsOfPath = 2000.0;  // of all straight parts, in proportion to their lengths
 constexpr double kArcOfCell = std::numbers::pi / 360.0;  // rad
 
@@ -37,7 +38,8 @@ struct Cell {
 int cell_count(const PathPiece& piece, double path_length) {
   const double wanted = piece.is_arc() ? std::ceil(piece.length / piece.radius / kArcOfCell)
                                        : std::ceil(kCellsOfPath * piece.length / path_length);
-  const int count = std::max(kLeastCells, static_cast<int>(wanted));
+  const int count =
+      std::max(piece.is_arc() ? kLeastCellsOfArc : kLeastCellsOfStraight, static_cast<int>(wanted));
   return piece.is_arc() ? count : std::min(kCellsOfStraight, count);
 }
 

@@ -389,7 +389,7 @@ INSTANTIATE_TEST_SUITE_P(
                             .carries = true,
                             .allows = true,
                             .upright = true}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& one) { return one.param.name; });
 
 }  // namespace
 }  // namespace handway::geometric
