@@ -11,6 +11,9 @@
 
 namespace handway::geometric {
 Aabb bounding_box(const TriangleMesh& mesh) {
+  if (mesh.vertices.empty()) {
+    return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  }
   Aabb box{mesh.vertices.front(), mesh.vertices.front()};
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
     box.lower = box.lower.cwiseMin(vertex);
