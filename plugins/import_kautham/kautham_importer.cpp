@@ -33,7 +33,7 @@ std::string unique_name(const Range& taken, const std::string& wanted) {
   return name;
 }
 
-geometric::Shape scaled(const geometric::Shape& shape, double scale) {
+geometric::Shape scaled_about_frame(const geometric::Shape& shape, double scale) {
   const auto* mesh = std::get_if<geometric::Mesh>(&shape);
   if (!mesh) {
     return geometric::scaled(shape, scale);
@@ -206,8 +206,9 @@ class SceneBuilder {
       for (const geometric::LinkGeometry& part : model.link(link).collision) {
         geometric::Pose X_WG = X_BL[static_cast<std::size_t>(link)] * part.X_LG;
         X_WG.translation() *= scale;
-        scene_->objects.push_back({unique_name(scene_->objects, name), scaled(part.shape, scale),
-                                   obstacle.X_WO * X_WG, part.color, std::nullopt});
+        scene_->objects.push_back({unique_name(scene_->objects, name),
+                                   scaled_about_frame(part.shape, scale), obstacle.X_WO * X_WG,
+                                   part.color, std::nullopt});
       }
     }
   }
