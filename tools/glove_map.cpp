@@ -4,6 +4,7 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording.h"
+#include "handway/device/retargeting/mapping_check.h"
 #include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"
@@ -56,6 +57,9 @@ int map(const MapOptions& options) {
     }
     mapping = std::move(fit.mapping);
     mapping.source += ", fitted to " + options.fit.filename().string();
+  }
+  for (const std::string& doubt : device::mapping_doubts(mapping, *model)) {
+    fmt::print(stderr, "warning: {}\n", doubt);
   }
   print(mapping);
   if (!options.out.empty()) {

@@ -6,6 +6,7 @@
 #include "handway/device/hand/joint_recording.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
+#include "handway/device/retargeting/mapping_check.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
@@ -391,6 +392,11 @@ int pca(const PcaOptions& options) {
     }
   }
   fmt::print("{}", clamp_text(recordings, mapper));
+  for (const MappedRecording& recording : recordings) {
+    if (const std::string warning = device::clamping_warning(recording.mapped); !warning.empty()) {
+      fmt::print("  warning: {}\n", warning);
+    }
+  }
 
   NamedComponents both;
   Analysis chosen;

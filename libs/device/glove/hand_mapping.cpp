@@ -152,6 +152,8 @@ namespace {
 using geometric::InputError;
 using geometric::RobotModel;
 
+constexpr double kLeastRange = 1e-4;  // rad or m, of a joint that moves
+
 double on_curve(const std::vector<CurvePoint>& curve, double angle) {
   if (angle <= curve.front().angle) {
     return curve.front().joint;
@@ -182,6 +184,9 @@ int variable_of(const RobotModel& hand, const JointWire& wire, const HandMapping
 void check_complete(const RobotModel& hand, const HandMapping& mapping) {
   for (int i = 0; i < hand.variable_count(); ++i) {
     const std::string& name = hand.variable(i).name;
+    if (hand.upper()[i] - hand.lower()[i] < kLeastRange) {
+      continue;  // it can't move, as if it were fixed
+    }
     if (std::ranges::find(mapping.wires, name, &JointWire::joint) == mapping.wires.end()) {
       throw InputError({"mapping for " + mapping.hand, "", "nothing for joint " + name,
                         "a sensor for it, or \"fixed: middle\"", ""});

@@ -5,18 +5,22 @@
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
+#include "handway/device/retargeting/mapping_check.h"
 #include "handway/device/retargeting/robot_fingers.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/group_proposal.h"
+#include "retargeting/finger_bend.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -35,7 +39,6 @@ using geometric::RobotModel;
 constexpr std::array<const char*, kFingers> kSensorPrefixes{"Thumb", "Index", "Middle", "Ring",
                                                             "Pinkie"};
 constexpr std::array<const char*, 3> kFlexions{"MPJ", "PIJ", "DIJ"};
-constexpr double kClearlyBent = 0.3;      // rad: less is how phalanges are drawn
 constexpr double kClearlyMore = 1.2;      // of a range on one side of 0, against the other
 constexpr double kParallel = 0.7;         // cosine of the angle between axes
 constexpr double kDifferenceStep = 1e-3;  // rad
@@ -44,17 +47,20 @@ int sensor_called(const std::string& name) { return find_sensor(name).value(); }
 
 double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
-/// The joints of a hand in the frame of a person's palm (see hand_landmarks()), at zero or as near
-/// as their limits let them.
+/// The joints of a hand in the frame of a person's palm (see hand_landmarks()): fingers straight,
+/// other joints neutral.
 class HandAtRest {
  public:
   explicit HandAtRest(const RobotModel& model)
       : model_(model),
         hand_(find_fingers(model)),
-        q_(Configuration::Zero(model.variable_count())
-               .cwiseMax(model.lower())
-               .cwiseMin(model.upper())),
+        q_(model.neutral()),
         X_BL_(static_cast<std::size_t>(model.link_count())) {
+    for (const RobotFinger& finger : hand_.fingers) {
+      for (std::size_t k = 0; k < finger.variables.size(); ++k) {
+        q_[finger.variables[k]] = finger.straight[k];
+      }
+    }
     model_.forward_kinematics(q_, X_BL_);
   }
 
@@ -83,19 +89,86 @@ class HandAtRest {
     return seen(palm().inverse() * X_BL_[static_cast<std::size_t>(link)].translation());
   }
   [[nodiscard]] Vector3d tip(const RobotFinger& finger) const { return tip_at(finger, X_BL_); }
+  /// How far a variable closes the finger, rad per unit; 0: not at all.
+  [[nodiscard]] static double flexion(const RobotFinger& finger, int variable) {
+    const auto found = std::ranges::find(finger.variables, variable);
+    return found == finger.variables.end()
+               ? 0.0
+               : finger.flexion[static_cast<std::size_t>(found - finger.variables.begin())];
+  }
 
-  /// Where a joint takes the fingertip from the middle of the finger's ranges, per rad.
-  [[nodiscard]] Vector3d tip_motion(const RobotFinger& finger, int variable) const {
+  /// Where a joint takes the fingertip, per rad: the mean over its range and those of the finger's
+  /// other joints.
+  /// @param held a variable that stays at a value meanwhile.
+  [[nodiscard]] Vector3d tip_motion(const RobotFinger& finger, int variable,
+                                    std::optional<std::pair<int, double>> held = {}) const {
+    constexpr std::array<double, 3> kShares{0.2, 0.5, 0.8};
+    std::size_t samples = 1;
+    for (std::size_t k = 1; k < finger.variables.size(); ++k) {
+      samples *= kShares.size();
+    }
+    Configuration q = q_;
+    std::vector<Pose> X_BL(X_BL_.size());
+    const auto tip_with = [&](double share) {
+      q[variable] = std::lerp(lower(variable), upper(variable), share);
+      model_.forward_kinematics(q, X_BL);
+      return tip_at(finger, X_BL);
+    };
+    Vector3d motion = Vector3d::Zero();
+    for (std::size_t sample = 0; sample < samples; ++sample) {
+      std::size_t rest = sample;
+      for (const int v : finger.variables) {
+        if (v != variable) {
+          q[v] = std::lerp(lower(v), upper(v), kShares.at(rest % kShares.size()));
+          rest /= kShares.size();
+        }
+      }
+      if (held) {
+        q[held->first] = held->second;
+      }
+      motion += tip_with(kShares.back()) - tip_with(kShares.front());
+    }
+    const double range = upper(variable) - lower(variable);
+    return motion / (static_cast<double>(samples) * (kShares.back() - kShares.front()) * range);
+  }
+  /// The fingertip with the finger in the middle of its ranges. @param held a variable elsewhere.
+  [[nodiscard]] Vector3d middle_tip(const RobotFinger& finger,
+                                    const std::pair<int, double>& held) const {
     Configuration q = q_;
     for (const int v : finger.variables) {
       q[v] = middle(v);
     }
+    q[held.first] = held.second;
     std::vector<Pose> X_BL(X_BL_.size());
     model_.forward_kinematics(q, X_BL);
-    const Vector3d before = tip_at(finger, X_BL);
-    q[variable] += kDifferenceStep;
+    return tip_at(finger, X_BL);
+  }
+  /// Distance of a fingertip from where the other fingertips get to, at a share of the range of
+  /// the finger's only joint, m.
+  [[nodiscard]] double distance_to_others(const RobotFinger& finger, double share) const {
+    constexpr int kSteps = 8;
+    Configuration q = q_;
+    const int variable = finger.variables.front();
+    std::vector<Pose> X_BL(X_BL_.size());
+    q[variable] = std::lerp(lower(variable), upper(variable), share);
     model_.forward_kinematics(q, X_BL);
-    return (tip_at(finger, X_BL) - before) / kDifferenceStep;
+    const Vector3d own = tip_at(finger, X_BL);
+    double least = std::numeric_limits<double>::infinity();
+    for (int step = 0; step <= kSteps; ++step) {
+      for (const RobotFinger& other : hand_.fingers) {
+        for (const int v : other.variables) {
+          q[v] = std::lerp(lower(v), upper(v), static_cast<double>(step) / kSteps);
+        }
+      }
+      q[variable] = std::lerp(lower(variable), upper(variable), share);
+      model_.forward_kinematics(q, X_BL);
+      for (const RobotFinger& other : hand_.fingers) {
+        if (&other != &finger) {
+          least = std::min(least, (tip_at(other, X_BL) - own).norm());
+        }
+      }
+    }
+    return least;
   }
 
  private:
@@ -123,7 +196,8 @@ class MappingProposer {
   [[nodiscard]] HandMapping propose() {
     const geometric::GroupProposal groups = geometric::propose_groups(model_);
     for (const std::string& joint : groups.wrist) {
-      if (const std::optional<int> variable = model_.find_variable(joint)) {
+      const std::optional<int> variable = model_.find_variable(joint);
+      if (variable && joint_moves(model_, model_.variable_link(*variable))) {
         add_wrist(*variable);
       }
     }
@@ -137,7 +211,11 @@ class MappingProposer {
       }
     }
     HandMapping mapping;
-    const bool is_whole = wires_.size() == static_cast<std::size_t>(model_.variable_count());
+    int moving = 0;
+    for (int v = 0; v < model_.variable_count(); ++v) {
+      moving += joint_moves(model_, model_.variable_link(v)) ? 1 : 0;
+    }
+    const bool is_whole = std::ssize(wires_) == moving;
     mapping.hand = is_whole ? model_.name() : model_.name() + "_hand";
     mapping.source = "proposed from the joints' order and axes";
     for (auto& [variable, wire] : wires_) {
@@ -180,22 +258,49 @@ class MappingProposer {
   void add_wrist(int variable) {
     const Vector3d axis = rest_.axis(variable);
     if (std::abs(axis.y()) >= std::abs(axis.z())) {
-      add_turning(variable, "WristPitch", sign_of(axis.y()), 0.0);
+      add_turning(variable, "WristPitch", sign_of(axis.y()), rest_.at_rest(variable));
     } else {
-      add_turning(variable, "WristYaw", -sign_of(axis.z()), 0.0);
+      add_turning(variable, "WristYaw", -sign_of(axis.z()), rest_.at_rest(variable));
     }
+  }
+
+  /// A person's open hand is the joint's value `open`, a closed one the limit it closes to.
+  void add_closing(int variable, const std::string& sensor, double sign, double open) {
+    JointWire wire;
+    wire.sensor = sensor_called(sensor);
+    const double most = typical_angle_ranges().at(static_cast<std::size_t>(wire.sensor)).second;
+    wire.gain = ((sign > 0.0 ? rest_.upper(variable) : rest_.lower(variable)) - open) / most;
+    wire.offset = open;
+    add(variable, wire);
   }
 
   /// The only joint of a finger closes the hand.
   void add_gripping(const RobotFinger& finger) {
-    Vector3d others = Vector3d::Zero();
-    for (const RobotFinger& other : rest_.hand().fingers) {
-      others += &other == &finger ? Vector3d::Zero() : rest_.tip(other);
-    }
-    others /= static_cast<double>(rest_.hand().fingers.size() - 1);
     const int variable = finger.variables.front();
-    const double sign = sign_of(rest_.tip_motion(finger, variable).dot(others - rest_.tip(finger)));
-    add_spanning(variable, prefix(finger) + "MPJ", sign);
+    if (is_jointed(finger)) {
+      add_closing(variable, prefix(finger) + "MPJ", finger.flexion.front(),
+                  finger.straight.front());
+      return;
+    }
+    const double change =
+        rest_.distance_to_others(finger, 1.0) - rest_.distance_to_others(finger, 0.0);
+    const double sign =
+        std::abs(finger.flexion.front()) > 0.0 ? sign_of(finger.flexion.front()) : -sign_of(change);
+    add_closing(variable, prefix(finger) + "MPJ", sign,
+                sign > 0.0 ? rest_.lower(variable) : rest_.upper(variable));
+  }
+
+  /// Whether the only joint of a finger also bends what follows: then it is a finger that can be
+  /// straight, and no jaw.
+  [[nodiscard]] bool is_jointed(const RobotFinger& finger) const {
+    int moved = 0;
+    for (int link = finger.tip_link; link > 0 && link != rest_.hand().palm;
+         link = model_.parent(link)) {
+      moved += joint_moves(model_, link) && model_.drive(link).variable == finger.variables.front()
+                   ? 1
+                   : 0;
+    }
+    return moved > 1 && finger.flexion.front() != 0.0;
   }
 
   void add_finger(const RobotFinger& finger) {
@@ -204,9 +309,10 @@ class MappingProposer {
     std::vector<int> twisting;
     for (const int v : finger.variables) {
       const Vector3d a = rest_.axis(v).cwiseAbs();
-      (!rest_.turns(v) || (a.y() >= a.x() && a.y() >= a.z()) ? flexing
-       : a.z() >= a.x()                                      ? spreading
-                                                             : twisting)
+      const bool bends = HandAtRest::flexion(finger, v) != 0.0;
+      (!rest_.turns(v) || bends || (a.y() >= a.x() && a.y() >= a.z()) ? flexing
+       : a.z() >= a.x()                                               ? spreading
+                                                                      : twisting)
           .push_back(v);
     }
     // Turning a finger about its own axis takes its tip sideways as soon as it is bent.
@@ -253,8 +359,6 @@ class MappingProposer {
   }
 
   void add_flexions(const RobotFinger& finger, const std::vector<int>& variables) {
-    const auto flexed = [](const Vector3d& bone) { return std::atan2(-bone.z(), bone.x()); };
-    double before = 0.0;
     for (std::size_t i = 0; i < variables.size(); ++i) {
       const int v = variables[i];
       const std::string sensor = prefix(finger) + kFlexions.at(i);
@@ -262,14 +366,9 @@ class MappingProposer {
         add_spanning(v, sensor, -sign_of(rest_.tip_motion(finger, v).z()));
         continue;
       }
-      const Vector3d next =
-          i + 1 < variables.size() ? rest_.place(variables[i + 1]) : rest_.tip(finger);
-      const double here = flexed(next - rest_.place(v));
-      const double bent = std::remainder(here - before, 2.0 * std::numbers::pi);
-      before = here;
-      const double sign = sign_of(rest_.axis(v).y());
-      add_turning(v, sensor, sign,
-                  rest_.at_rest(v) - (std::abs(bent) > kClearlyBent ? sign * bent : 0.0));
+      const double flexion = HandAtRest::flexion(finger, v);
+      add_turning(v, sensor, sign_of(flexion != 0.0 ? flexion : rest_.axis(v).y()),
+                  rest_.at_rest(v));
     }
   }
 
@@ -291,21 +390,53 @@ class MappingProposer {
                   bends_alike ? outer_sign * sign_of(along) : closing_sign(thumb, inner),
                   rest_.at_rest(inner));
     }
+    double roll_sign = 1.0;
     for (std::size_t i = 0; i < base.size(); ++i) {
-      if (i < kBaseSensors.size()) {
-        const std::string sensor = kBaseSensors.at(i);
-        const double same = rest_.tip_motion(thumb, base[i]).dot(human_thumb_motion(sensor));
-        add_spanning(base[i], sensor, sign_of(same));
+      if (i == 0) {
+        roll_sign =
+            sign_of(rest_.tip_motion(thumb, base[i]).dot(human_thumb_motion("ThumbRotate")));
+        add_spanning(base[i], kBaseSensors[0], roll_sign);
+      } else if (i == 1) {
+        add_spanning(base[i], kBaseSensors[1], abduction_sign(thumb, base[0], roll_sign, base[1]));
       } else {
         add_fixed(base[i]);
       }
     }
   }
 
-  /// Where its range is clearly on one side of 0 it bends to that side; else towards the palm.
+  /// Positive abduction takes the thumb away from the index finger, and to where it takes a
+  /// person's for the same share of the roll, which turns what abduction does.
+  [[nodiscard]] double abduction_sign(const RobotFinger& thumb, int roll, double roll_sign,
+                                      int abduction) const {
+    double alike = 0.0;
+    for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      const std::pair rolled(roll, std::lerp(rest_.lower(roll), rest_.upper(roll),
+                                             roll_sign > 0.0 ? share : 1.0 - share));
+      const Vector3d motion = rest_.tip_motion(thumb, abduction, rolled).normalized();
+      alike += motion.dot(human_thumb_motion("ThumbAbduct", share).normalized()) +
+               motion.dot(from_index_finger(rest_.middle_tip(thumb, rolled)));
+    }
+    return sign_of(alike);
+  }
+
+  /// The direction away from the line of the straight index finger; zero without one.
+  [[nodiscard]] Vector3d from_index_finger(const Vector3d& point) const {
+    const auto index =
+        std::ranges::find(rest_.hand().fingers, Finger::kIndex, &RobotFinger::finger);
+    if (index == rest_.hand().fingers.end()) {
+      return Vector3d::Zero();
+    }
+    const Vector3d base = rest_.place(index->variables.front());
+    const Vector3d along = (rest_.tip(*index) - base).normalized();
+    const Vector3d offset = point - base;
+    return (offset - along.dot(offset) * along).normalized();
+  }
+
+  /// Where its range is clearly on one side of the straight finger it bends to that side; else
+  /// towards the palm.
   [[nodiscard]] double closing_sign(const RobotFinger& finger, int variable) const {
-    const double up = rest_.upper(variable);
-    const double down = -rest_.lower(variable);
+    const double up = rest_.upper(variable) - rest_.at_rest(variable);
+    const double down = rest_.at_rest(variable) - rest_.lower(variable);
     if (up > kClearlyMore * down || down > kClearlyMore * up) {
       return sign_of(up - down);
     }
@@ -313,13 +444,15 @@ class MappingProposer {
   }
 
   /// Where a sensor takes a person's thumb from the middle of its typical posture.
-  [[nodiscard]] static Vector3d human_thumb_motion(const std::string& sensor) {
+  /// @param roll share of its roll.
+  [[nodiscard]] static Vector3d human_thumb_motion(const std::string& sensor, double roll = 0.5) {
     GloveAngles angles;
     angles.angles.fill(0.0);
     for (const char* joint : {"ThumbRotate", "ThumbAbduct", "ThumbMPJ", "ThumbIJ"}) {
       const auto s = static_cast<std::size_t>(sensor_called(joint));
       angles.angles.at(s) =
-          0.5 * (typical_angle_ranges().at(s).first + typical_angle_ranges().at(s).second);
+          std::lerp(typical_angle_ranges().at(s).first, typical_angle_ranges().at(s).second,
+                    std::string_view(joint) == "ThumbRotate" ? roll : 0.5);
     }
     const int tip = tip_landmark(Finger::kThumb);
     const Vector3d before = hand_landmarks(angles).col(tip);
@@ -338,7 +471,14 @@ class MappingProposer {
 
 }  // namespace
 
-HandMapping propose_mapping(const RobotModel& model) { return MappingProposer(model).propose(); }
+HandMapping propose_mapping(const RobotModel& model) {
+  HandMapping mapping = MappingProposer(model).propose();
+  const std::vector<std::string> doubts = mapping_doubts(mapping, model);
+  if (!doubts.empty()) {
+    mapping.source += ". Not certain. " + fmt::format("{}", fmt::join(doubts, " "));
+  }
+  return mapping;
+}
 
 namespace {
 

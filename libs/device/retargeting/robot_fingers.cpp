@@ -4,6 +4,7 @@
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/group_proposal.h"
+#include "retargeting/finger_bend.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -32,10 +33,6 @@ using geometric::RobotModel;
 
 constexpr std::array<Finger, kFingers> kAllFingers{Finger::kThumb, Finger::kIndex, Finger::kMiddle,
                                                    Finger::kRing, Finger::kLittle};
-
-bool moves(const RobotModel& model, int link) {
-  return link > 0 && model.drive(link).variable >= 0;
-}
 
 /// Links from the root to `link`.
 std::vector<int> chain_to(const RobotModel& model, int link) {
@@ -83,14 +80,14 @@ std::pair<int, std::vector<std::vector<int>>> finger_chains(const RobotModel& mo
     chain.erase(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(common));
   }
   std::erase_if(chains, [&](const std::vector<int>& chain) {
-    return std::ranges::none_of(chain, [&](int link) { return moves(model, link); });
+    return std::ranges::none_of(chain, [&](int link) { return joint_moves(model, link); });
   });
   return {palm, chains.size() > kAllFingers.size() ? longest_of_branches(chains) : chains};
 }
 
 /// The fingertip in the frame of the last link of a chain.
 Vector3d tip_point(const RobotModel& model, int link) {
-  if (!moves(model, link)) {
+  if (!joint_moves(model, link)) {
     return Vector3d::Zero();
   }
   Vector3d farthest = Vector3d::Zero();
@@ -118,92 +115,91 @@ std::optional<Finger> finger_by_name(const RobotModel& model, const std::vector<
   return std::nullopt;
 }
 
-// How far the points but one are from the line that fits them best.
-double off_line(const std::vector<RobotFinger>& fingers, std::size_t left_out, Vector3d& along) {
+/// A finger with its links from the palm on and how it bends.
+struct FoundFinger {
+  RobotFinger finger;
+  std::vector<int> chain;
+  FingerBend bend;
+};
+
+/// How unlike side by side the fingers but one are, m: how far their knuckles are from the line
+/// that fits them best, and how much their axes differ.
+double disorder(const std::vector<FoundFinger>& fingers, std::size_t left_out, Vector3d& along) {
+  constexpr double kOfAxes = 0.02;  // m, of axes at right angles
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(fingers.size()) - 1);
+  double difference = 0.0;
+  const FoundFinger* before = nullptr;
   for (std::size_t f = 0, column = 0; f < fingers.size(); ++f) {
     if (f != left_out) {
-      points.col(static_cast<Eigen::Index>(column++)) = fingers[f].p_PB;
+      points.col(static_cast<Eigen::Index>(column++)) = fingers[f].bend.knuckle;
+      if (before != nullptr && before->bend.bends() && fingers[f].bend.bends()) {
+        difference += 1.0 - std::abs(before->bend.axis.dot(fingers[f].bend.axis));
+      }
+      before = &fingers[f];
     }
   }
   points.colwise() -= Vector3d(points.rowwise().mean());
   // Of a type with as many rows, its workspace has their size, which two fingers don't fill.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(points, Eigen::ComputeThinU);
   along = svd.matrixU().col(0);
-  return svd.singularValues().size() > 1 ? svd.singularValues()[1] : 0.0;
+  return (svd.singularValues().size() > 1 ? svd.singularValues()[1] : 0.0) +
+         kOfAxes * difference / static_cast<double>(fingers.size());
 }
 
 // The thumb begins beside the line of the others, which follow from its side on.
-void number_by_place(std::vector<RobotFinger>& fingers) {
+void number_by_place(std::vector<FoundFinger>& fingers) {
   std::size_t thumb = 0;
   Vector3d along = Vector3d::UnitX();
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t f = 0; f < fingers.size(); ++f) {
     Vector3d direction;
-    if (const double residual = off_line(fingers, f, direction); residual < least - 1e-9) {
-      least = residual;
+    if (const double value = disorder(fingers, f, direction); value < least - 1e-9) {
+      least = value;
       thumb = f;
       along = direction;
     }
   }
   std::swap(fingers[0], fingers[thumb]);
-  const auto place = [&](const RobotFinger& finger) { return finger.p_PB.dot(along); };
-  std::sort(fingers.begin() + 1, fingers.end(),
-            [&](const RobotFinger& a, const RobotFinger& b) { return place(a) < place(b); });
-  if (std::abs(place(fingers[0]) - place(fingers[1])) >
-      std::abs(place(fingers[0]) - place(fingers.back()))) {
+  const auto place = [&](const FoundFinger& found) {
+    return (&found == fingers.data() ? found.finger.p_PB : found.bend.knuckle).dot(along);
+  };
+  const double of_thumb = place(fingers[0]);
+  std::sort(fingers.begin() + 1, fingers.end(), [&](const FoundFinger& a, const FoundFinger& b) {
+    return a.bend.knuckle.dot(along) < b.bend.knuckle.dot(along);
+  });
+  if (std::abs(of_thumb - place(fingers[1])) > std::abs(of_thumb - place(fingers.back()))) {
     std::reverse(fingers.begin() + 1, fingers.end());
   }
   for (std::size_t f = 0; f < fingers.size(); ++f) {
-    fingers[f].finger = kAllFingers[f];
+    fingers[f].finger.finger = kAllFingers[f];
   }
 }
 
-/// Where fingertips are in the palm's frame.
-class Palm {
- public:
-  Palm(const RobotModel& model, int palm)
-      : model_(model), palm_(palm), X_BL_(static_cast<std::size_t>(model.link_count())) {}
-
-  Vector3d tip(const RobotFinger& finger, const Configuration& q) {
-    return point(finger.tip_link, finger.p_LT, q);
-  }
-  Vector3d point(int link, const Vector3d& p_LT, const Configuration& q) {
-    model_.forward_kinematics(q, X_BL_);
-    return X_BL_[static_cast<std::size_t>(palm_)].inverse() *
-           (X_BL_[static_cast<std::size_t>(link)] * p_LT);
-  }
-
-  /// The joints of a finger where its tip is farthest from its base (`sign` 1) or nearest (-1). A
-  /// joint that hardly changes that, as the first one, stays neutral.
-  Configuration extreme(const RobotFinger& finger, double sign) {
-    constexpr int kSweeps = 3;
-    constexpr int kSteps = 16;
-    constexpr double kNoChange = 5e-4;  // m
-    Configuration q = model_.neutral();
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-      for (const int v : finger.variables) {
-        double best = sign * (tip(finger, q) - finger.p_PB).norm();
-        double kept = q[v];
-        for (int step = 0; step <= kSteps; ++step) {
-          q[v] = model_.lower()[v] + (model_.upper()[v] - model_.lower()[v]) * step / kSteps;
-          const double value = sign * (tip(finger, q) - finger.p_PB).norm();
-          if (value > best + kNoChange) {
-            best = value;
-            kept = q[v];
-          }
+/// The joints of a finger where its tip is farthest from its base (`sign` 1) or nearest (-1). A
+/// joint that hardly changes that, as the first one, stays neutral.
+Configuration extreme(PalmKinematics& palm, const RobotFinger& finger, double sign) {
+  constexpr int kSweeps = 3;
+  constexpr int kSteps = 16;
+  constexpr double kNoChange = 5e-4;  // m
+  const RobotModel& model = palm.model();
+  Configuration q = model.neutral();
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (const int v : finger.variables) {
+      double best = sign * (palm.tip(finger, q) - finger.p_PB).norm();
+      double kept = q[v];
+      for (int step = 0; step <= kSteps; ++step) {
+        q[v] = std::lerp(model.lower()[v], model.upper()[v], static_cast<double>(step) / kSteps);
+        const double value = sign * (palm.tip(finger, q) - finger.p_PB).norm();
+        if (value > best + kNoChange) {
+          best = value;
+          kept = q[v];
         }
-        q[v] = kept;
       }
+      q[v] = kept;
     }
-    return q;
   }
-
- private:
-  const RobotModel& model_;
-  int palm_;
-  std::vector<Pose> X_BL_;
-};
+  return q;
+}
 
 /// Directions that a person's hand and the robot's have in common, a column each.
 struct Directions {
@@ -218,37 +214,42 @@ struct Directions {
   }
 };
 
-GloveAngles flexed(double angle) {
-  GloveAngles angles;
-  angles.angles.fill(0.0);
-  for (const char* finger : {"Index", "Middle", "Ring", "Pinkie"}) {
-    for (const char* joint : {"MPJ", "PIJ", "DIJ"}) {
-      angles.angles.at(static_cast<std::size_t>(*find_sensor(std::string(finger) + joint))) = angle;
+/// Where a straight finger points, and to which side it closes.
+std::pair<Vector3d, Vector3d> directions_of(PalmKinematics& palm, const FoundFinger& found) {
+  const RobotFinger& finger = found.finger;
+  if (found.bend.bends()) {
+    Configuration q = palm.model().neutral();
+    for (std::size_t k = 0; k < finger.variables.size(); ++k) {
+      q[finger.variables[k]] = found.bend.straight[k];
     }
+    const Vector3d along = palm.tip(finger, q) - found.bend.knuckle;
+    return {along, found.bend.axis.cross(along)};
   }
-  return angles;
+  const Configuration straight = extreme(palm, finger, 1.0);
+  const Configuration closed = extreme(palm, finger, -1.0);
+  Configuration bent = palm.model().neutral();
+  for (const int v : finger.variables) {
+    bent[v] = 0.5 * (straight[v] + closed[v]);
+  }
+  const Vector3d tip = palm.tip(finger, straight);
+  return {tip - finger.p_PB, palm.tip(finger, bent) - tip};
 }
 
-Directions common_directions(const RobotFingers& hand, Palm& palm, const Configuration& neutral) {
-  const HandLandmarks flat = hand_landmarks(flexed(0.0));
-  const HandLandmarks half = hand_landmarks(flexed(0.25 * std::numbers::pi));
+Directions common_directions(const std::vector<FoundFinger>& fingers, PalmKinematics& palm) {
+  GloveAngles open;
+  open.angles.fill(0.0);
+  const HandLandmarks flat = hand_landmarks(open);
   Directions directions;
   const RobotFinger* before = nullptr;
-  for (const RobotFinger& finger : hand.fingers) {
+  for (const FoundFinger& found : fingers) {
+    const RobotFinger& finger = found.finger;
     if (finger.finger == Finger::kThumb) {
       continue;
     }
-    Configuration bent = neutral;
-    const Configuration straight = palm.extreme(finger, 1.0);
-    const Configuration closed = palm.extreme(finger, -1.0);
-    for (const int v : finger.variables) {
-      bent[v] = 0.5 * (straight[v] + closed[v]);
-    }
-    const Vector3d tip = palm.tip(finger, straight);
-    const int human_tip = tip_landmark(finger.finger);
+    const auto [along, closing] = directions_of(palm, found);
     const int human_base = base_landmark(finger.finger);
-    directions.add(flat.col(human_tip) - flat.col(human_base), tip - finger.p_PB);
-    directions.add(half.col(human_tip) - flat.col(human_tip), palm.tip(finger, bent) - tip);
+    directions.add(flat.col(tip_landmark(finger.finger)) - flat.col(human_base), along);
+    directions.add(-Vector3d::UnitZ(), closing);
     if (before != nullptr) {
       directions.add(flat.col(human_base) - flat.col(base_landmark(before->finger)),
                      finger.p_PB - before->p_PB);
@@ -281,38 +282,78 @@ void orient(const Directions& directions, RobotFingers& hand) {
   hand.R_PH = hand.left ? left : right;
 }
 
-RobotFinger make_finger(const RobotModel& model, const std::vector<int>& chain, Palm& palm) {
-  RobotFinger finger;
-  finger.tip_link = chain.back();
-  finger.p_LT = tip_point(model, chain.back());
-  int first = -1;
+/// The joints of a chain that move it.
+std::vector<int> variables_of(const RobotModel& model, const std::vector<int>& chain) {
+  std::vector<int> variables;
   for (const int link : chain) {
-    if (moves(model, link)) {
-      first = first < 0 ? link : first;
-      const int variable = model.drive(link).variable;
-      if (std::ranges::count(finger.variables, variable) == 0) {
-        finger.variables.push_back(variable);
-      }
+    if (joint_moves(model, link) &&
+        std::ranges::count(variables, model.drive(link).variable) == 0) {
+      variables.push_back(model.drive(link).variable);
     }
   }
-  finger.p_PB = palm.point(first, Vector3d::Zero(), model.neutral());
-  finger.reach = (palm.tip(finger, palm.extreme(finger, 1.0)) - finger.p_PB).norm();
-  return finger;
+  return variables;
 }
 
 // What a finger merely follows is left to the finger that has the joint, unless it has no other.
-void leave_to_owners(const RobotModel& model, const std::vector<std::vector<int>>& chains,
-                     std::vector<RobotFinger>& fingers) {
+std::vector<int> own_variables(const RobotModel& model, const std::vector<std::vector<int>>& chains,
+                               const std::vector<int>& chain) {
+  const auto has_joint = [&](const std::vector<int>& links, int variable) {
+    return std::ranges::count(links, model.variable_link(variable)) > 0;
+  };
+  const std::vector<int> all = variables_of(model, chain);
+  std::vector<int> own = all;
+  std::erase_if(own, [&](int variable) {
+    return !has_joint(chain, variable) && std::ranges::any_of(chains, [&](const auto& other) {
+      return has_joint(other, variable);
+    });
+  });
+  return own.empty() ? all : own;
+}
+
+/// The first link that only this finger has and one of its own joints moves; else the first that
+/// moves.
+int first_link(const RobotModel& model, const std::vector<std::vector<int>>& chains,
+               const std::vector<int>& chain, const std::vector<int>& variables) {
+  const auto moves = [&](int link) { return joint_moves(model, link); };
+  const auto is_own = [&](int link) {
+    return moves(link) && std::ranges::count(variables, model.drive(link).variable) > 0 &&
+           std::ranges::count_if(chains, [&](const std::vector<int>& other) {
+             return std::ranges::count(other, link) > 0;
+           }) == 1;
+  };
+  const auto own = std::ranges::find_if(chain, is_own);
+  return own != chain.end() ? *own : *std::ranges::find_if(chain, moves);
+}
+
+FoundFinger make_finger(PalmKinematics& palm, const std::vector<std::vector<int>>& chains,
+                        const std::vector<int>& chain) {
+  const RobotModel& model = palm.model();
+  FoundFinger found;
+  RobotFinger& finger = found.finger;
+  found.chain = chain;
+  finger.tip_link = chain.back();
+  finger.p_LT = tip_point(model, chain.back());
+  finger.variables = own_variables(model, chains, chain);
+  finger.p_PB = palm.point(first_link(model, chains, chain, finger.variables), Vector3d::Zero(),
+                           model.neutral());
+  finger.reach = (palm.tip(finger, extreme(palm, finger, 1.0)) - finger.p_PB).norm();
+  found.bend = bend_of(palm, chain, finger);
+  return found;
+}
+
+/// Decides to which sides the fingers close.
+void find_sides(PalmKinematics& palm, std::vector<FoundFinger>& fingers, RobotFingers& hand) {
+  std::vector<RobotFinger> plain;
+  std::vector<FingerBend> bends;
+  for (const FoundFinger& found : fingers) {
+    plain.push_back(found.finger);
+    bends.push_back(found.bend);
+  }
+  hand.doubts = find_closing_sides(palm, plain, bends);
   for (std::size_t f = 0; f < fingers.size(); ++f) {
-    const auto is_followed = [&](int variable) {
-      const auto has_joint = [&](const std::vector<int>& chain) {
-        return std::ranges::count(chain, model.variable_link(variable)) > 0;
-      };
-      return !has_joint(chains[f]) && std::ranges::any_of(chains, has_joint);
-    };
-    std::vector<int> own = fingers[f].variables;
-    std::erase_if(own, is_followed);
-    fingers[f].variables = own.empty() ? fingers[f].variables : own;
+    fingers[f].bend = std::move(bends[f]);
+    fingers[f].finger.straight = fingers[f].bend.straight;
+    fingers[f].finger.flexion = fingers[f].bend.rates;
   }
 }
 
@@ -345,10 +386,11 @@ RobotFingers find_fingers(const RobotModel& model, const std::map<Finger, std::s
                       "Name its fingertips by \"fingertips\" of a retargeting file."});
   }
   hand.palm = palm_link;
-  Palm palm(model, palm_link);
+  PalmKinematics palm(model, palm_link);
+  std::vector<FoundFinger> fingers;
   std::set<Finger> named;
   for (const std::vector<int>& chain : chains) {
-    RobotFinger& finger = hand.fingers.emplace_back(make_finger(model, chain, palm));
+    RobotFinger& finger = fingers.emplace_back(make_finger(palm, chains, chain)).finger;
     for (const auto& [wanted, name] : tips) {
       if (model.link(finger.tip_link).name == name) {
         finger.finger = wanted;
@@ -360,12 +402,15 @@ RobotFingers find_fingers(const RobotModel& model, const std::map<Finger, std::s
       named.insert(*known);
     }
   }
-  leave_to_owners(model, chains, hand.fingers);
-  if (named.size() < hand.fingers.size()) {
-    number_by_place(hand.fingers);
+  if (named.size() < fingers.size()) {
+    number_by_place(fingers);
   }
-  std::ranges::sort(hand.fingers, {}, &RobotFinger::finger);
-  orient(common_directions(hand, palm, model.neutral()), hand);
+  std::ranges::sort(fingers, {}, [](const FoundFinger& found) { return found.finger.finger; });
+  find_sides(palm, fingers, hand);
+  orient(common_directions(fingers, palm), hand);
+  for (FoundFinger& found : fingers) {
+    hand.fingers.push_back(std::move(found.finger));
+  }
   return hand;
 }
 

@@ -103,8 +103,10 @@ void expect_moves_like_a_person(const RobotModel& model) {
   set(beside, "ThumbMPJ", 20.0);
   GloveAngles opposed = beside;
   set(opposed, "ThumbRotate", 70.0);
-  const double thumb_beside = mapped_tips(model, mapping, beside)[0].z();
-  const double thumb_opposed = mapped_tips(model, mapping, opposed)[0].z();
+  // From beside the palm (y) to before it (-z), as a person's.
+  const Eigen::Vector3d across(0.0, 1.0, 1.0);
+  const double thumb_beside = mapped_tips(model, mapping, beside)[0].dot(across);
+  const double thumb_opposed = mapped_tips(model, mapping, opposed)[0].dot(across);
   for (std::size_t f = 1; f < straight.size(); ++f) {
     EXPECT_GT(straight[f].x(), 0.9) << "finger " << f << " is straight";
     EXPECT_LT(closed[f].norm(), 0.8) << "finger " << f << " is bent";

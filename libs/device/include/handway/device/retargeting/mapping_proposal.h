@@ -23,10 +23,12 @@ namespace handway::device {
 ///     A joint before the last that turns about another axis than it is one of the first ones,
 ///     unless these are two already: so is that of a thumb of two joints that opposes and bends.
 ///   - Joints between root and palm of a robot without an arm take the wrist's sensors.
-///   - A finger of one joint takes the inner sensor over its whole range.
+///   - A finger of one joint takes the inner sensor: from straight to the limit to that it closes;
+///     a jaw from open to closed.
+///   - A joint whose limits leave it no room takes nothing, as if it were fixed.
 ///
-/// Signs follow from the joints' axes in the palm's frame, of the thumb's first joints from where
-/// they take its tip.
+/// Signs follow from the side to that the fingers close (find_fingers()), of the thumb's first
+/// joints from where they take its tip. What mapping_doubts() finds stands in `source`.
 /// @param model a hand, or an arm with one: then the mapping leaves the arm's joints out.
 /// @throws geometric::InputError as find_fingers().
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandMapping propose_mapping(const geometric::RobotModel& model);

@@ -18,7 +18,14 @@ struct RobotFinger {
   int tip_link = -1;
   Eigen::Vector3d p_LT = Eigen::Vector3d::Zero();  ///< The fingertip in its link's frame, m.
   std::vector<int> variables;  ///< The joints from the palm to the tip that move, as variables.
-  /// Where its first joint is, in the palm's frame, m.
+  /// Where the variables bring the phalanges in line with each other and the palm, rad: shape
+  /// [variables].
+  std::vector<double> straight;
+  /// How far a variable closes the finger, rad per unit: negative if it closes it with falling
+  /// values, 0 if it does not bend it. Shape [variables].
+  std::vector<double> flexion;
+  /// Where its own first joint is, in the palm's frame, m: of one that begins at a part of the palm
+  /// that moves, or that follows another finger, beyond that part.
   Eigen::Vector3d p_PB = Eigen::Vector3d::Zero();
   double reach = 0.0;  ///< From there to the tip of the straight finger, m.
 };
@@ -31,6 +38,8 @@ struct RobotFingers {
   Eigen::Matrix3d R_PH = Eigen::Matrix3d::Identity();
   /// The robot's hand is a left one: a person's is mirrored for it.
   bool left = false;
+  /// What the geometry does not tell for certain, as sentences: to which side fingers close.
+  std::vector<std::string> doubts;
 };
 
 /// Finds palm, fingers and fingertips from the kinematic tree alone: the fingertips are those of
@@ -39,7 +48,9 @@ struct RobotFingers {
 /// last link's shape that is farthest from its joint. Which finger is which follows from names
 /// where they say so ("thumb", "th", "index", "ff", …), else from where fingers begin: the thumb
 /// beside the line of the others, which are numbered from it. How the palm is turned follows from
-/// where straight and half closed fingers point.
+/// where straight fingers point and to which side they close: which side the ranges of their joints
+/// go to, and on which side they come nearer to the thumb's workspace. Joints whose limits leave no
+/// room count as fixed.
 /// @param tips links of fingertips by finger, in place of those that would be found.
 /// @throws InputError if there are fewer than two fingers, or `tips` names no link of one.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RobotFingers

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "handway/device/retargeting/robot_fingers.h"
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/robot/robot_model.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace handway::device {
+
+/// Returns whether the joint that carries `link` moves it: limits that leave no room are a fixed
+/// joint.
+[[nodiscard]] bool joint_moves(const geometric::RobotModel& model, int link);
+
+/// Poses and points of a hand in the frame of its palm.
+class PalmKinematics {
+ public:
+  /// @param model must outlive this object.
+  PalmKinematics(const geometric::RobotModel& model, int palm)
+      : model_(model), palm_(palm), X_BL_(static_cast<std::size_t>(model.link_count())) {}
+
+  [[nodiscard]] const geometric::RobotModel& model() const { return model_; }
+  [[nodiscard]] int palm() const { return palm_; }
+  [[nodiscard]] geometric::Pose pose(int link, const geometric::Configuration& q);
+  [[nodiscard]] Eigen::Vector3d point(int link, const Eigen::Vector3d& p_L,
+                                      const geometric::Configuration& q) {
+    return pose(link, q) * p_L;
+  }
+  [[nodiscard]] Eigen::Vector3d tip(const RobotFinger& finger, const geometric::Configuration& q) {
+    return point(finger.tip_link, finger.p_LT, q);
+  }
+
+ private:
+  const geometric::RobotModel& model_;
+  int palm_;
+  std::vector<geometric::Pose> X_BL_;
+};
+
+/// How the joints of a finger bend it, in the palm's frame: those that turn about the axis that
+/// most of its joints have in common.
+struct FingerBend {
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();     ///< Of length 1; zero: nothing bends it.
+  Eigen::Vector3d knuckle = Eigen::Vector3d::Zero();  ///< Where the first of them is, m.
+  /// The finger's variables where its phalanges are in line, rad: shape [variables].
+  std::vector<double> straight;
+  /// How far all phalanges turn about the axis for each variable: shape [variables], 0 for one that
+  /// does not bend the finger.
+  std::vector<double> rates;
+  std::vector<bool> is_at_knuckle;  ///< Whether a variable bends the finger at its knuckle alone.
+  /// Of the joints' ranges about the axis, seen from the straight finger: 1 if they only bend it
+  /// one way, -1 the other way, 0 both ways alike.
+  double asymmetry = 0.0;
+
+  [[nodiscard]] bool bends() const { return !axis.isZero(); }
+  void reverse();
+};
+
+/// @param finger with variables, tip and first joint. @param chain its links from the palm on.
+[[nodiscard]] FingerBend bend_of(PalmKinematics& palm, const std::vector<int>& chain,
+                                 const RobotFinger& finger);
+
+/// Decides which way each finger closes, and turns the axes of `bends` so that positive angles
+/// close it. Fingers side by side close to the same side. What counts is which side the joints'
+/// ranges go to from the straight finger, and on which side the fingers come nearer to the whole
+/// workspace of the thumb (of fingers that are not side by side: of the others).
+/// @param fingers the thumb, if there is one, is known. @param bends one per finger.
+/// @returns what is not certain, as sentences.
+[[nodiscard]] std::vector<std::string> find_closing_sides(PalmKinematics& palm,
+                                                          const std::vector<RobotFinger>& fingers,
+                                                          std::vector<FingerBend>& bends);
+
+}  // namespace handway::device
