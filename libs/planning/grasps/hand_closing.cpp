@@ -92,12 +92,30 @@ Eigen::VectorXd HandClosing::towards(const Finger& finger, const Eigen::VectorXd
 
 void HandClosing::find_fingers() {
   const RobotModel& model = problem_.model();
-  std::map<int, Finger> by_root;  // the palm's child that everything of a finger hangs from
+  std::vector<int> tips_below(static_cast<std::size_t>(model.link_count()), 0);
+  for (const int tip : fingertips(model, problem_.hand)) {
+    for (int link = tip; link >= 0; link = model.parent(link)) {
+      ++tips_below[static_cast<std::size_t>(link)];
+    }
+  }
+  const auto carries_fingers = [&](int link) {
+    return tips_below[static_cast<std::size_t>(link)] > 1;
+  };
+  std::map<int, Finger> by_root;  // what everything of a finger hangs from: at the palm, or at a
+                                  // part of it that moves
   const auto root_of = [&](int link) {
-    while (link >= 0 && model.parent(link) != palm_) {
+    if (carries_fingers(link)) {
+      return -1;
+    }
+    while (link >= 0 && model.parent(link) != palm_ &&
+           (model.parent(link) < 0 || !carries_fingers(model.parent(link)))) {
       link = model.parent(link);
     }
-    return link;
+    int below = link;  // of the palm?
+    while (below >= 0 && below != palm_) {
+      below = model.parent(below);
+    }
+    return below == palm_ ? link : -1;
   };
   for (int link = 1; link < model.link_count(); ++link) {  // those of coupled joints too
     const auto joint = std::ranges::find(problem_.hand, model.drive(link).variable);

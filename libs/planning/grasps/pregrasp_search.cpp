@@ -1,9 +1,11 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 
+#include "core/thread_pool.h"
 #include "grasps/hand_closing.h"
 #include "grasps/pregrasp_rejections.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/core/carried_objects.h"
 #include "handway/planning/core/limbs.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
@@ -12,8 +14,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -46,6 +50,14 @@ constexpr double kClosingStep = 0.03;  // normalised
 constexpr double kSameTurn = geometric::radians(30.0);
 constexpr double kSamePlace = 0.03;  // m
 constexpr int kMostJudged = 400;     // rejected places of the hand, to say what was in the way
+constexpr double kHolds = 0.3;       // imbalance of the fingers: friction holds up to here, …
+constexpr double kSlips = 0.6;       // … and not from here on
+constexpr double kOfHold = 0.6;      // share of the score that is lost then
+constexpr double kSurfaceSpacing = 0.004;  // m
+constexpr int kLeastSamples = 1024;        // before a search ends early …
+constexpr int kPatience = 1024;            // … since so many samples made the best ones no better
+constexpr double kBetter = 0.01;           // of a score
+constexpr int kBatch = 32;                 // samples between two reports of progress
 
 const geometric::SceneObject& needed_object(const PlanningProblem& problem, std::string_view name) {
   const std::string file = problem.scene->file.string();
@@ -53,6 +65,12 @@ const geometric::SceneObject& needed_object(const PlanningProblem& problem, std:
   if (!object || object->attachment) {
     throw geometric::InputError({file, "object", std::string(name), "an object that stands still",
                                  "Choose another one to grasp"});
+  }
+  if (const std::vector<CarriedObject> carried = carried_objects(*problem.scene);
+      problem.hand.empty() && !carried.empty()) {
+    throw geometric::InputError({file, "object", std::string(name),
+                                 "a hand that is free: it carries " + carried.front().name,
+                                 "Detach what it carries first"});
   }
   if (problem.hand.empty()) {
     throw geometric::InputError({file, "robot " + problem.scene->robots.front().name,
@@ -104,12 +122,111 @@ PlanningProblem with_nearest_hand(const PlanningProblem& problem,
   return of_one;
 }
 
+/// Points of a link's surface, in its frame, `spacing` (m) apart or a little more.
+std::vector<Vector3d> surface_points(const geometric::Link& link, double spacing) {
+  constexpr int kMostSteps = 40;
+  const geometric::TriangleMesh mesh = geometric::collision_mesh(link);
+  std::vector<Vector3d> points;
+  for (const auto& triangle : mesh.triangles) {
+    const Vector3d a = mesh.vertices[static_cast<std::size_t>(triangle[0])];
+    const Vector3d u = mesh.vertices[static_cast<std::size_t>(triangle[1])] - a;
+    const Vector3d v = mesh.vertices[static_cast<std::size_t>(triangle[2])] - a;
+    const double longest = std::max({u.norm(), v.norm(), (u - v).norm()});
+    const int steps = std::clamp(static_cast<int>(longest / spacing), 1, kMostSteps);
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; i + j <= steps; ++j) {
+        points.emplace_back(a + (u * i + v * j) / steps);
+      }
+    }
+  }
+  return points;
+}
+
+/// Distance of the origin from the convex hull of unit vectors: 0 if pushes against them balance
+/// each other, sin(a) if two miss opposing each other by an angle of a each.
+double imbalance(const std::vector<Vector3d>& directions) {
+  constexpr int kSteps = 200;
+  if (directions.empty()) {
+    return 1.0;
+  }
+  Vector3d nearest = directions.front();
+  for (int step = 0; step < kSteps; ++step) {
+    const Vector3d& support = *std::ranges::min_element(
+        directions, {}, [&](const Vector3d& d) { return d.dot(nearest); });
+    const Vector3d change = support - nearest;
+    if (change.squaredNorm() < 1e-12) {
+      break;
+    }
+    const double share = -nearest.dot(change) / change.squaredNorm();
+    if (share < 1e-6) {
+      break;
+    }
+    nearest += std::min(share, 1.0) * change;
+  }
+  return nearest.norm();
+}
+
+/// Where a sample ended.
+enum class SampleEnd {
+  kTooWide,
+  kTooThin,
+  kOutOfReach,
+  kInObject,
+  kBlocked,
+  kOneSided,
+  kFound,
+  kUnknown,  ///< Rejected, and not asked why.
+};
+
+/// What one place of the hand came to.
+struct SampleResult {
+  SampleEnd end = SampleEnd::kUnknown;
+  double width = HUGE_VAL;           ///< Of the object between the fingers, m.
+  std::set<std::string> in_the_way;  ///< If blocked.
+  std::optional<Pregrasp> grasp;
+};
+
+/// What the samples of a search came to, added in their order.
+class SampleResults {
+ public:
+  void add(SampleResult result) {
+    ++rejections_.tried;
+    narrowest_ = std::min(narrowest_, result.width);
+    rejections_.too_wide += result.end == SampleEnd::kTooWide ? 1 : 0;
+    rejections_.too_thin += result.end == SampleEnd::kTooThin ? 1 : 0;
+    rejections_.out_of_reach += result.end == SampleEnd::kOutOfReach ? 1 : 0;
+    rejections_.in_object += result.end == SampleEnd::kInObject ? 1 : 0;
+    rejections_.one_sided += result.end == SampleEnd::kOneSided ? 1 : 0;
+    if (result.end == SampleEnd::kBlocked) {
+      rejections_.block(result.in_the_way);
+    }
+    if (result.grasp) {
+      found_.push_back(std::move(*result.grasp));
+    }
+  }
+
+  [[nodiscard]] const PregraspRejections& rejections() const { return rejections_; }
+  [[nodiscard]] double narrowest() const { return narrowest_; }
+  [[nodiscard]] const std::vector<Pregrasp>& found() const { return found_; }
+  /// Whether it helps to know why one more sample is rejected.
+  [[nodiscard]] bool asks_why() const {
+    return found_.empty() && rejections_.judged() < kMostJudged;
+  }
+
+ private:
+  std::vector<Pregrasp> found_;
+  PregraspRejections rejections_;
+  double narrowest_ = HUGE_VAL;
+};
+
+/// Tries places of the hand around an object; one per thread.
 class PregraspSearch {
  public:
   PregraspSearch(const PlanningProblem& problem, const geometric::SceneObject& object,
-                 const PregraspOptions& options)
+                 const PregraspOptions& options, const std::stop_token& stop)
       : problem_(problem),
         options_(options),
+        stop_(stop),
         checker_(problem.checker->clone()),
         ik_(problem.scene->robots.front().model,
             palm_link(problem.model(), problem.arm, problem.hand), problem.arm),
@@ -119,7 +236,11 @@ class PregraspSearch {
         with_object_(checker_->world().pairs_with(object.name)),
         object_(object.name) {
     for (int link = 0; link < problem.model().link_count(); ++link) {
-      middles_.push_back(middle_of(problem.model().link(link)));
+      const bool is_of_hand = std::ranges::any_of(hand_.fingers(), [&](const auto& finger) {
+        return std::ranges::count(finger.links, link) > 0;
+      });
+      surfaces_.push_back(is_of_hand ? surface_points(problem.model().link(link), kSurfaceSpacing)
+                                     : std::vector<Vector3d>());
     }
     box_.size().maxCoeff(&longest_);
     make_profile(geometric::tessellate(object.shape)->vertices);
@@ -137,6 +258,9 @@ class PregraspSearch {
       } else if (!is_self && std::ranges::count(with_object_, pair) == 0) {
         with_others_.push_back(pair);
       }
+    }
+    for (const HandClosing::Finger& finger : hand_.fingers()) {
+      checks_.push_back(checks_of(finger));
     }
   }
 
@@ -157,62 +281,72 @@ class PregraspSearch {
     return {};
   }
 
-  void try_sample(sampling::RandomStream random) {
+  /// Tries one place of the hand.
+  /// @param judges whether a rejected one is asked for what is in the way.
+  [[nodiscard]] SampleResult sample(sampling::RandomStream random, bool judges) {
+    last_pair_ = 0;  // of this sample alone: which pair is looked at first counts as work
+    SampleResult result;
     const Eigen::Matrix3d R_OG = orientation(random);
-    const double width = width_along(R_OG.col(1));
-    const std::span<const HandClosing::Preshape> fitting = hand_.opened_to(width);
-    ++rejections_.tried;
-    narrowest_ = std::min(narrowest_, width);
+    result.width = width_along(R_OG.col(1));
+    const std::span<const HandClosing::Preshape> fitting = hand_.opened_to(result.width);
     if (fitting.empty()) {  // it does not fit, or the hand would close on from too far
-      ++(width > hand_.widest() ? rejections_.too_wide : rejections_.too_thin);
-      return;
+      result.end = result.width > hand_.widest() ? SampleEnd::kTooWide : SampleEnd::kTooThin;
+      return result;
     }
     const HandClosing::Preshape& preshape = fitting[random.below(fitting.size())];
     const Pose X_OP = palm_at(preshape, R_OG, random);
     const Configuration opened = hand_.with_hand(problem_.start, preshape.open);
     const std::vector<Configuration> solutions = ik_.all(opened, X_BO_ * X_OP);
     if (solutions.empty()) {
-      ++rejections_.out_of_reach;
-      return;
+      result.end = SampleEnd::kOutOfReach;
+      return result;
     }
     const Configuration wider = opened_wider(solutions.front());
     for (Configuration q : solutions) {  // the hand is at the same place in all of them
       q = hand_in(std::move(q), wider);
       const std::optional<int> pair = colliding(q);
       if (!pair && keeps_gaps()) {
-        for (const HandClosing::Finger& finger : hand_.fingers()) {
+        for (std::size_t finger = 0; finger < hand_.fingers().size(); ++finger) {
           q = closed_finger(std::move(q), finger);
         }
-        take(q);
-        return;
+        result.grasp = grasp_of(q);
+        result.end = result.grasp ? SampleEnd::kFound : SampleEnd::kOneSided;
+        return result;
       }
       if (!pair || is_of_hand(*pair)) {
         break;
       }
     }
-    if (found_.empty() && rejections_.judged() < kMostJudged) {
-      judge(hand_in(solutions.front(), wider));
+    if (judges) {
+      judge(hand_in(solutions.front(), wider), result);
     }
+    return result;
   }
 
-  [[nodiscard]] std::string why_none() const {
-    return why_no_grasp(rejections_, object_, narrowest_, hand_.widest(),
+  [[nodiscard]] std::string why_none(const SampleResults& results) const {
+    return why_no_grasp(results.rejections(), object_, results.narrowest(), hand_.widest(),
                         (X_BO_ * box_.centre()).norm());
   }
 
-  [[nodiscard]] std::vector<Pregrasp> best() {
-    std::ranges::stable_sort(found_, std::greater(), &Pregrasp::score);
+  /// The best of all that differ, the best first.
+  [[nodiscard]] std::vector<Pregrasp> best(const std::vector<Pregrasp>& found) const {
+    std::vector<const Pregrasp*> ranked;
+    ranked.reserve(found.size());
+    for (const Pregrasp& grasp : found) {
+      ranked.push_back(&grasp);
+    }
+    std::ranges::stable_sort(ranked, std::greater(), &Pregrasp::score);
     std::vector<Pregrasp> chosen;
     std::vector<Pose> palms;
-    for (Pregrasp& grasp : found_) {
-      const Pose X_BP = ik_.pose(grasp.q);
+    for (const Pregrasp* grasp : ranked) {
+      const Pose X_BP = ik_.pose(grasp->q);
       const bool known = std::ranges::any_of(palms, [&](const Pose& other) {
         return Eigen::AngleAxisd(X_BP.linear().transpose() * other.linear()).angle() < kSameTurn &&
                (X_BP.translation() - other.translation()).norm() < kSamePlace;
       });
       if (!known) {
         palms.push_back(X_BP);
-        chosen.push_back(std::move(grasp));
+        chosen.push_back(*grasp);
       }
       if (static_cast<int>(chosen.size()) >= options_.most) {
         break;
@@ -228,27 +362,26 @@ class PregraspSearch {
     return q;
   }
 
-  /// Counts what is in the way of a configuration that is no grasp.
-  void judge(const Configuration& q) {
+  /// Finds what is in the way of a configuration that is no grasp.
+  void judge(const Configuration& q, SampleResult& result) {
     checker_->place(q);
     if (!keeps_gaps()) {
-      ++rejections_.in_object;
+      result.end = SampleEnd::kInObject;
       return;
     }
     const geometric::CollisionWorld& world = checker_->world();
-    std::set<std::string> touched;
     for (int check = 0; check < world.check_count(); ++check) {
       if (checker_->pair_closeness(check, 0.0) == geometric::Closeness::kFarther) {
         continue;
       }
       const geometric::NamedPair pair = geometric::named_pair(world, check, 0.0);
-      touched.insert(world.constraint(check) ? "Constraint " + pair.a
-                     : world.is_self_pair(world.pairs()[static_cast<std::size_t>(check)])
-                         ? "The robot itself"
-                         : pair.b);
+      result.in_the_way.insert(world.constraint(check) ? "Constraint " + pair.a
+                               : world.is_self_pair(world.pairs()[static_cast<std::size_t>(check)])
+                                   ? "The robot itself"
+                                   : pair.b);
     }
-    if (!touched.empty()) {
-      rejections_.block(touched);
+    if (!result.in_the_way.empty()) {
+      result.end = SampleEnd::kBlocked;
     }
   }
 
@@ -340,7 +473,53 @@ class PregraspSearch {
     return keep(with_object_, options_.gap) && keep(of_hand_, options_.own_gap);
   }
 
-  bool keeps_gap(const Configuration& q) { return !colliding(q) && keeps_gaps(); }
+  /// What is to be looked at when a finger moves: pairs and constraints of the links that its
+  /// joints move, each with the gap that it has to keep, m.
+  struct MovedCheck {
+    int check = 0;
+    double gap = 0.0;
+  };
+
+  [[nodiscard]] std::vector<MovedCheck> checks_of(const HandClosing::Finger& finger) const {
+    const geometric::RobotModel& model = problem_.model();
+    std::vector<bool> moved(static_cast<std::size_t>(model.link_count()), false);
+    for (int link = 1; link < model.link_count(); ++link) {
+      const bool is_driven = std::ranges::any_of(finger.joints, [&](int joint) {
+        return problem_.hand[static_cast<std::size_t>(joint)] == model.drive(link).variable;
+      });
+      moved[static_cast<std::size_t>(link)] =
+          is_driven || moved[static_cast<std::size_t>(model.parent(link))];
+    }
+    const geometric::CollisionWorld& world = checker_->world();
+    const auto moves = [&](int body) {
+      const int link = world.body(body).link;
+      return world.body(body).moves() && link >= 0 && moved[static_cast<std::size_t>(link)];
+    };
+    std::vector<MovedCheck> checks;
+    for (int check = 0; check < world.check_count(); ++check) {
+      if (const geometric::LinkConstraint* constraint = world.constraint(check)) {
+        if (moved[static_cast<std::size_t>(constraint->link())]) {
+          checks.push_back({check, 0.0});
+        }
+        continue;
+      }
+      const auto& bodies = world.pairs()[static_cast<std::size_t>(check)];
+      if (moves(bodies.a) || moves(bodies.b)) {
+        checks.push_back({check, std::ranges::count(with_object_, check) > 0 ? options_.gap
+                                 : std::ranges::count(of_hand_, check) > 0   ? options_.own_gap
+                                                                             : 0.0});
+      }
+    }
+    return checks;
+  }
+
+  /// Whether a finger keeps its gaps; of a configuration in which all else does.
+  bool keeps_gap(const Configuration& q, const std::vector<MovedCheck>& checks) {
+    checker_->place(q);
+    return std::ranges::all_of(checks, [this](const MovedCheck& moved) {
+      return checker_->pair_closeness(moved.check, moved.gap) == geometric::Closeness::kFarther;
+    });
+  }
 
   /// Does it only depend on where the hand is?
   [[nodiscard]] bool is_of_hand(int pair) const {
@@ -363,11 +542,12 @@ class PregraspSearch {
 
   /// Closes one finger around the object's core. Where something is in the way, its joints
   /// stop one after the other, the one at the palm first, so that the outer links go on.
-  Configuration closed_finger(Configuration q, const HandClosing::Finger& finger) {
+  Configuration closed_finger(Configuration q, std::size_t which) {
+    const HandClosing::Finger& finger = hand_.fingers()[which];
     const Pose X_PO = object_in_palm(q);
     Eigen::VectorXd posture = hand_.hand_of(q);
     Eigen::VectorXd rates;
-    for (int step = 0, first = 0; step < kClosingSteps;) {
+    for (int step = 0, first = 0; step < kClosingSteps && !stop_.stop_requested();) {
       if (step % 4 == 0 || rates.size() == 0) {
         rates = hand_.towards(finger, posture, core_, X_PO);
       }
@@ -377,7 +557,7 @@ class PregraspSearch {
       }
       next = next.cwiseMax(0.0).cwiseMin(1.0);
       const Configuration q_next = hand_.with_hand(q, next);
-      if (next != posture && keeps_gap(q_next)) {
+      if (next != posture && keeps_gap(q_next, checks_[which])) {
         posture = next;
         q = q_next;
         ++step;
@@ -420,16 +600,16 @@ class PregraspSearch {
     return ik_.pose(q).inverse() * X_BO_;
   }
 
-  void take(const Configuration& q) {
+  /// The grasp of a closed hand, if two fingers are at different sides of the object.
+  std::optional<Pregrasp> grasp_of(const Configuration& q) {
     Pregrasp grasp{q};
     checker_->place(q);
     const Pose X_OB = X_BO_.inverse();
     std::vector<Vector3d> sides;  // of the object, on which the fingers are
     for (const HandClosing::Finger& finger : hand_.fingers()) {
       if (const auto nearest = nearest_link(finger)) {
-        const Vector3d p_O = X_OB * checker_->link_poses()[static_cast<std::size_t>(*nearest)] *
-                             middles_[static_cast<std::size_t>(*nearest)];
-        sides.push_back((p_O - nearest_in(core_, p_O)).normalized());
+        const Pose X_OL = X_OB * checker_->link_poses()[static_cast<std::size_t>(*nearest)];
+        sides.push_back(side_of(X_OL, surfaces_[static_cast<std::size_t>(*nearest)]));
       }
     }
     grasp.fingers = static_cast<int>(sides.size());
@@ -439,8 +619,7 @@ class PregraspSearch {
       }
     }
     if (grasp.fingers < 2 || grasp.enclosure < kEnclosure) {
-      ++rejections_.one_sided;
-      return;
+      return std::nullopt;
     }
     grasp.clearance = kClear;
     for (const int pair : with_others_) {
@@ -452,11 +631,33 @@ class PregraspSearch {
     Configuration arm_only = problem_.start;
     arm_only(problem_.arm) = q(problem_.arm);
     grasp.arm_travel = normalised_distance(problem_.model(), problem_.start, arm_only);
-    grasp.score = score(grasp);
-    found_.push_back(std::move(grasp));
+    grasp.score = score(grasp, imbalance(sides));
+    return grasp;
   }
 
-  [[nodiscard]] double score(const Pregrasp& grasp) const {
+  /// From the core of the object to the point of a link's surface that is nearest to it.
+  [[nodiscard]] Vector3d side_of(const Pose& X_OL, const std::vector<Vector3d>& surface) const {
+    Vector3d side = Vector3d::Zero();
+    double least = HUGE_VAL;
+    for (const Vector3d& p_L : surface) {
+      const Vector3d p_O = X_OL * p_L;
+      const Vector3d offset = p_O - nearest_in(core_, p_O);
+      if (offset.squaredNorm() < least) {
+        least = offset.squaredNorm();
+        side = offset;
+      }
+    }
+    return side.normalized();
+  }
+
+  /// @param unopposed imbalance() of the fingers' sides: such a grasp slips off, as jaws do that
+  /// close on a chord of what is round.
+  [[nodiscard]] double score(const Pregrasp& grasp, double unopposed) const {
+    const double hold = std::clamp((kSlips - unopposed) / (kSlips - kHolds), 0.0, 1.0);
+    return (kOfHold * hold + 1.0 - kOfHold) * plain_score(grasp);
+  }
+
+  [[nodiscard]] double plain_score(const Pregrasp& grasp) const {
     const auto full = [](double value, double most) { return std::min(value / most, 1.0); };
     return 0.35 * grasp.fingers / static_cast<double>(hand_.fingers().size()) +
            0.25 * grasp.enclosure + 0.15 * full(grasp.clearance, 0.03) +
@@ -484,6 +685,7 @@ class PregraspSearch {
 
   const PlanningProblem& problem_;
   PregraspOptions options_;
+  std::stop_token stop_;
   std::unique_ptr<geometric::CollisionChecker> checker_;
   PalmIk ik_;
   HandClosing hand_;
@@ -496,35 +698,115 @@ class PregraspSearch {
   Pose X_BO_;
   std::vector<int> with_object_;
   std::vector<int> with_others_;
-  std::vector<int> of_hand_;       ///< Pairs of its links.
-  std::vector<Vector3d> middles_;  ///< Of every link, in its frame.
+  std::vector<int> of_hand_;                     ///< Pairs of its links.
+  std::vector<std::vector<MovedCheck>> checks_;  ///< Of each finger.
+  std::vector<std::vector<Vector3d>> surfaces_;  ///< Of every link of a finger, in its frame.
   std::string object_;
-  std::vector<Pregrasp> found_;
-  PregraspRejections rejections_;
-  double narrowest_ = HUGE_VAL;  ///< Of the object between fingers, as far as it was tried, m.
   int last_pair_ = 0;
+};
+
+/// When a search has found enough: as many as are wanted, and none better for a while.
+class Patience {
+ public:
+  explicit Patience(const PregraspOptions& options) : most_(options.most) {}
+
+  void note(const std::vector<Pregrasp>& found, int samples) {
+    double sum = 0.0;
+    for (const Pregrasp& grasp : found) {
+      sum += grasp.score;
+    }
+    if (sum > sum_ + kBetter * most_ || (!found.empty() && found.front().score > best_ + kBetter)) {
+      sum_ = sum;
+      best_ = found.front().score;
+      since_ = samples;
+    }
+    ended_ = static_cast<int>(found.size()) >= most_ && samples >= kLeastSamples &&
+             samples - since_ >= kPatience;
+  }
+  [[nodiscard]] bool ended() const { return ended_; }
+
+ private:
+  int most_;
+  double sum_ = 0.0;
+  double best_ = 0.0;
+  int since_ = 0;
+  bool ended_ = false;
+};
+
+/// Runs the samples of a search on several threads, in batches that are added in their order: the
+/// number of threads changes nothing.
+class SampleRunner {
+ public:
+  SampleRunner(const PlanningProblem& problem, const geometric::SceneObject& object,
+               const PregraspOptions& options, const std::stop_token& stop)
+      : stop_(stop), random_(options.seed), threads_(std::max(options.threads, 1)) {
+    for (int thread = 0; thread < threads_.size(); ++thread) {
+      searches_.push_back(std::make_unique<PregraspSearch>(problem, object, options, stop));
+    }
+  }
+
+  [[nodiscard]] const PregraspSearch& search() const { return *searches_.front(); }
+  [[nodiscard]] const SampleResults& results() const { return results_; }
+
+  /// Runs samples first, first + 1, …, last - 1.
+  /// @returns false, and adds none of them, if a stop was requested.
+  [[nodiscard]] bool run(int first, int last) {
+    std::vector<SampleResult> batch(static_cast<std::size_t>(last - first));
+    std::atomic<int> next = first;
+    threads_.run(0, threads_.size(), [&, asks_why = results_.asks_why()](int thread) {
+      for (int i = next++; i < last && !stop_.stop_requested(); i = next++) {
+        batch[static_cast<std::size_t>(i - first)] =
+            searches_[static_cast<std::size_t>(thread)]->sample(
+                random_.fork(static_cast<std::uint64_t>(i)), asks_why);
+      }
+    });
+    if (stop_.stop_requested()) {
+      return false;
+    }
+    for (SampleResult& result : batch) {
+      results_.add(std::move(result));
+    }
+    return true;
+  }
+
+ private:
+  std::stop_token stop_;
+  sampling::RandomStream random_;
+  ThreadPool threads_;
+  std::vector<std::unique_ptr<PregraspSearch>> searches_;
+  SampleResults results_;
 };
 
 }  // namespace
 
 Pregrasps find_pregrasps(const PlanningProblem& problem, std::string_view object,
-                         const PregraspOptions& options, const std::stop_token& stop) {
+                         const PregraspOptions& options, const std::stop_token& stop,
+                         const PregraspProgress& progress) {
   const geometric::SceneObject& needed = needed_object(problem, object);
   const PlanningProblem of_hand = with_nearest_hand(problem, needed);
-  PregraspSearch search(of_hand, needed, options);
-  if (std::string objection = search.objection(); !objection.empty()) {
+  SampleRunner runner(of_hand, needed, options, stop);
+  if (std::string objection = runner.search().objection(); !objection.empty()) {
     return {{}, std::move(objection)};
   }
-  const sampling::RandomStream random(options.seed);
-  for (int i = 0; i < options.samples; ++i) {
-    if (stop.stop_requested()) {
-      return {};
+  Pregrasps grasps;
+  Patience patience(options);
+  for (int done = 0; done < options.samples && !stop.stop_requested() && !patience.ended();) {
+    const int last = std::min(done + kBatch, options.samples);
+    const std::size_t known = runner.results().found().size();
+    if (!runner.run(done, last)) {
+      break;
     }
-    search.try_sample(random.fork(static_cast<std::uint64_t>(i)));
+    done = last;
+    if (runner.results().found().size() > known) {
+      grasps.found = runner.search().best(runner.results().found());
+    }
+    patience.note(grasps.found, done);
+    if (progress) {
+      progress(grasps.found, patience.ended() ? 1.0 : static_cast<double>(done) / options.samples);
+    }
   }
-  Pregrasps grasps{search.best(), {}};
-  if (grasps.found.empty()) {
-    grasps.why_none = search.why_none();
+  if (grasps.found.empty() && !stop.stop_requested()) {
+    grasps.why_none = runner.search().why_none(runner.results());
   }
   return grasps;
 }

@@ -211,6 +211,74 @@ TEST_F(PregraspSearch, GivesTheSameForTheSameSeed) {
   }
 }
 
+TEST_F(PregraspSearch, GivesTheSameForAnyNumberOfThreads) {
+  const PlanningProblem problem = shipped("can_on_table");
+  PregraspOptions options;
+  options.samples = 600;
+  options.threads = 1;
+  const auto one = find_pregrasps(problem, "can", options).found;
+  options.threads = 3;
+  const auto three = find_pregrasps(problem, "can", options).found;
+  ASSERT_EQ(one.size(), three.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].q, three[i].q);
+    EXPECT_EQ(one[i].score, three[i].score);
+  }
+}
+
+TEST_F(PregraspSearch, TellsItsFirstGraspsLongBeforeItsEnd) {
+  double last = 0.0;
+  double first = 1.0;
+  std::size_t most = 0;
+  const Pregrasps grasps = find_pregrasps(
+      shipped("can_on_table"), "can", {}, {}, [&](const auto& found, double fraction) {
+        EXPECT_GE(fraction, last) << "it never falls";
+        last = fraction;
+        first = found.empty() ? first : std::min(first, fraction);
+        most = found.size();
+      });
+  EXPECT_EQ(last, 1.0);
+  EXPECT_LT(first, 0.1);
+  EXPECT_EQ(most, grasps.found.size());
+}
+
+TEST_F(PregraspSearch, KeepsWhatItHasFoundWhenItIsStopped) {
+  std::stop_source stop;
+  int reports = 0;
+  const Pregrasps grasps = find_pregrasps(shipped("can_on_table"), "can", {}, stop.get_token(),
+                                          [&](const auto& found, double /*fraction*/) {
+                                            ++reports;
+                                            if (!found.empty()) {
+                                              stop.request_stop();
+                                            }
+                                          });
+  EXPECT_FALSE(grasps.found.empty());
+  EXPECT_EQ(grasps.why_none, "");
+  EXPECT_LT(reports, 30) << "of some 250";
+}
+
+TEST_F(PregraspSearch, RanksJawsOnAChordOfWhatIsRoundLow) {
+  const test::ScratchFolder folder;
+  write_gripper(folder.path() / "gripper.urdf");
+  const std::filesystem::path file = folder.path() / "scene.yaml";
+  std::ofstream(file) << R"(handway: 1
+robots:
+  - {name: arm, model: iiwa14_class}
+  - {name: hand, model: gripper.urdf, mount: {robot: arm}}
+objects:
+  - {name: can, cylinder: {radius: 0.036, length: 0.12}, pose: {xyz: [0.5, 0, 0.3]}}
+start: {}
+goal: {}
+)";
+  const PlanningProblem problem = make_problem(load_scene(file, PluginManager()).scene, nullptr);
+  const std::vector<Pregrasp> grasps = find_pregrasps(problem, "can").found;
+  ASSERT_FALSE(grasps.empty());
+  for (const Pregrasp& grasp : grasps) {
+    EXPECT_TRUE(grasp.enclosure > 0.8 || grasp.score < 0.7)
+        << grasp.enclosure << " scores " << grasp.score;
+  }
+}
+
 TEST_F(PregraspSearch, SaysWhyThereIsNoGrasp) {
   const auto why_none = [](const PlanningProblem& plain, const auto& change) {
     geometric::Scene scene = *plain.scene;

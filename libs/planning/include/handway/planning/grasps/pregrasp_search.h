@@ -4,6 +4,7 @@
 #include "handway/planning/export.h"
 
 #include <cstdint>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -12,11 +13,14 @@
 namespace handway::planning {
 
 struct PregraspOptions {
-  int samples = 8000;       ///< Palm poses to try.
+  /// Palm poses to try at most: fewer once as many pre-grasps as are wanted are found and do not
+  /// get better any more.
+  int samples = 8000;
   double gap = 0.003;       ///< m that every finger keeps to the object.
   double own_gap = 0.0003;  ///< m that the hand's links keep to each other.
   int most = 8;             ///< Pre-grasps to give.
   std::uint64_t seed = 1;
+  int threads = 2;  ///< That search; any number of them gives the same bits.
 };
 
 /// A free configuration with the fingers around an object, just before they touch it.
@@ -39,6 +43,12 @@ struct Pregrasps {
   std::string why_none;
 };
 
+/// Receives how far a search is, on the thread that searches: first when the first grasp is found
+/// (or nothing is found for a while), then again and again, and once at the end with fraction 1.
+/// `found` are the best until then, the best first, valid during the call; `fraction` of the search
+/// is done, in [0, 1], and never falls. It may request a stop.
+using PregraspProgress = std::function<void(const std::vector<Pregrasp>& found, double fraction)>;
+
 /// Looks for pre-grasps. Drawn are a direction across the object, with the fingers side by side
 /// along an edge of its box and turned about it, a preshape from the basis' box (of a hand without
 /// one: between its neutral posture and any other) whose opening between the thumb and the fingers,
@@ -48,15 +58,17 @@ struct Pregrasps {
 /// where that is free every finger closes, its joints by the gradient of the tip's distance to the
 /// core of the object's box, until near contact: joints stop from the palm outwards, so that outer
 /// links go on around the object. Kept are those with two or more
-/// fingers on different sides of the object; similar ones are left out. Of a robot whose arms have
-/// a hand each, the hand that is nearest to the object at the start grasps. Same arguments, same
-/// bits.
+/// fingers on different sides of the object; similar ones are left out, and fingers that would push
+/// it out of the hand, as jaws on a chord of what is round, are ranked low. Of a robot whose arms
+/// have a hand each, the hand that is nearest to the object at the start grasps. Same arguments,
+/// same bits.
 /// @param object of the scene, that stands still.
-/// @returns nothing, without a reason, if `stop` was requested.
+/// @param stop ends the search within 100 ms. @param progress may be empty.
+/// @returns after `stop` was requested what was found until then, without a reason if that is
+/// nothing.
 /// @throws InputError if there is no such object or the robot has no hand.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT Pregrasps find_pregrasps(const PlanningProblem& problem,
-                                                               std::string_view object,
-                                                               const PregraspOptions& options = {},
-                                                               const std::stop_token& stop = {});
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Pregrasps find_pregrasps(
+    const PlanningProblem& problem, std::string_view object, const PregraspOptions& options = {},
+    const std::stop_token& stop = {}, const PregraspProgress& progress = {});
 
 }  // namespace handway::planning
