@@ -55,6 +55,9 @@ int check(const CheckOptions& options) {
   for (const std::string& fault : result.faults) {
     fmt::print("{}\n", fault);
   }
+  for (const std::string& warning : result.warnings) {
+    fmt::print("warning: {}\n", warning);
+  }
   fmt::print("{}: {} waypoints, {} configurations checked at {:g} mm or closer, {} in collision{}",
              result.valid() ? "valid" : "NOT VALID", path.waypoints.size(), result.configurations,
              options.resolution_mm, result.collisions,

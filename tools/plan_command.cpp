@@ -4,6 +4,7 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
+#include "handway/planning/core/carried_objects.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
@@ -104,6 +105,10 @@ void print_advice(const planning::PlanningProblem& problem, bool at_start) {
 void print_summary(const PlanResult& result, const planning::PlanningProblem& problem) {
   if (result.solved()) {
     fmt::print("{}\n", result.reason);
+    for (const std::string& warning :
+         planning::holding_warnings(*problem.scene, result.path.waypoints)) {
+      fmt::print("  warning: {}\n", warning);
+    }
     for (const planning::OutOfMargin& near : result.out_of_margin) {
       fmt::print(
           "  {} and {} are {:.3f} mm apart at the {}: next to it they keep less than the margin\n",
@@ -120,6 +125,10 @@ void print_summary(const PlanResult& result, const planning::PlanningProblem& pr
       result.status == PlanStatus::kStartInvalid || result.status == PlanStatus::kGoalInvalid;
   if (is_end_invalid && problem.goal_fault.empty()) {
     print_advice(problem, result.status == PlanStatus::kStartInvalid);
+  }
+  if (!is_end_invalid && !planning::holding_variables(*problem.scene).empty()) {
+    fmt::print(stderr,
+               "  The hand that carries an object stays as it is: --group lets its joints move\n");
   }
   if (!is_end_invalid && !planning::resting_variables(*problem.scene).empty()) {
     fmt::print(

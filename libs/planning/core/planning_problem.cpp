@@ -6,6 +6,7 @@
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/setup/moving_group.h"
+#include "handway/planning/core/carried_objects.h"
 #include "handway/planning/core/limbs.h"
 
 #include <fmt/format.h>
@@ -127,6 +128,12 @@ void set_joints(const geometric::Scene& scene, std::shared_ptr<const sampling::P
   const auto rests = [&](int v) { return std::ranges::binary_search(resting, v); };
   std::erase_if(problem.hand, rests);
   std::erase_if(problem.arm, rests);
+  const std::vector<int> holding = holding_variables(scene);
+  const auto holds = [&](int v) { return std::ranges::binary_search(holding, v); };
+  if (std::erase_if(problem.hand, holds) > 0) {
+    problem.basis = nullptr;  // its directions are of the whole hand
+  }
+  std::erase_if(problem.arm, holds);
 }
 
 // The joint of a basis: of several parts that have such a joint, of the one that moves.

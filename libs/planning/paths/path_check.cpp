@@ -6,6 +6,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/robot/limit_violation.h"
+#include "handway/planning/core/carried_objects.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/pose_goals.h"
 
@@ -213,6 +214,7 @@ PathCheckResult check_path(const PlanningProblem& problem, const Path& path, dou
   check_limits(problem, path, result);
   check_turns(problem.model(), path, result);
   check_group(problem, path, result);
+  result.warnings = holding_warnings(*problem.scene, path.waypoints);
   Walk(problem, resolution, result, stop).run(path);
   if (result.collisions == 0) {
     certify(problem, path, stop, result);

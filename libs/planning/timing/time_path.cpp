@@ -3,6 +3,7 @@
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/core/carried_objects.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/timing/time_parameterization.h"
@@ -97,6 +98,18 @@ nlohmann::ordered_json to_object(const LimitShare& share) {
   return {{"joint", share.joint}, {"time_s", share.time}, {"share", share.share}};
 }
 
+/// The hand's variables, with those that hold something and so are not planned: devices are to hold
+/// them, too.
+std::vector<int> with_holding(const PlanningProblem& problem) {
+  std::vector<int> hand = problem.hand;
+  for (const int v : holding_variables(*problem.scene)) {
+    if (std::ranges::count(hand, v) + std::ranges::count(problem.arm, v) == 0) {
+      hand.push_back(v);
+    }
+  }
+  return hand;
+}
+
 void check(const char* what, double value, double above, double most) {
   if (!(value > above && value <= most)) {
     throw geometric::InputError({what, "", fmt::format("{}", value),
@@ -127,6 +140,10 @@ PreflightReport preflight(const PlanningProblem& problem, const Trajectory& traj
                 options.start_tolerance, report);
   }
   check_collisions(problem, trajectory, options, report);
+  std::vector<Configuration> positions;
+  std::ranges::transform(trajectory.points, std::back_inserter(positions),
+                         &TrajectoryPoint::position);
+  report.warnings = holding_warnings(*problem.scene, positions);
   return report;
 }
 
@@ -134,6 +151,9 @@ std::string to_text(const PreflightReport& report) {
   std::string text;
   for (const TrajectoryFault& fault : report.faults) {
     text += fault.text + "\n";
+  }
+  for (const std::string& warning : report.warnings) {
+    text += "warning: " + warning + "\n";
   }
   text += fmt::format("{}: {} points, {:.3f} s\n", report.cleared() ? "cleared" : "NOT CLEARED",
                       report.points, report.duration);
@@ -168,6 +188,7 @@ std::string to_json(const PreflightReport& report) {
   }
   const nlohmann::ordered_json object = {{"cleared", report.cleared()},
                                          {"faults", faults},
+                                         {"warnings", report.warnings},
                                          {"points", report.points},
                                          {"duration_s", report.duration},
                                          {"velocity", to_object(report.velocity)},
@@ -193,7 +214,7 @@ TimedPath time_path(const PlanningProblem& problem, const Path& path, const std:
       name,
       problem.scene->robots.front().model,
       problem.arm,
-      problem.hand,
+      with_holding(problem),
       options.limits.velocity.size() > 0 ? options.limits : rate_limits(problem.model()),
       options.speed,
       path,

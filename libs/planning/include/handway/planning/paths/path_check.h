@@ -20,6 +20,8 @@ namespace handway::planning {
 /// What a check of a path found.
 struct PathCheckResult {
   std::vector<std::string> faults;   ///< A sentence each; empty: the path is valid.
+  /// What is worth a look and no fault, a sentence each: holding_warnings().
+  std::vector<std::string> warnings;
   std::uint64_t configurations = 0;  ///< Checked ones.
   std::uint64_t collisions = 0;      ///< Of these, in collision or violating a constraint.
   double min_clearance_mm = 0.0;     ///< At the checked configurations; 0 if one collides.

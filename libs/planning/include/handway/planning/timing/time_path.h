@@ -47,6 +47,8 @@ struct LimitShare {
 /// What is known about a trajectory before it runs.
 struct PreflightReport {
   std::vector<TrajectoryFault> faults;  ///< Empty: cleared to run.
+  /// What is worth a look and no fault, a sentence each: holding_warnings().
+  std::vector<std::string> warnings;
   std::size_t points = 0;
   double duration = 0.0;  ///< s
   LimitShare velocity;
@@ -71,7 +73,7 @@ struct PreflightReport {
 /// For a person, a line each.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_text(const PreflightReport& report);
 
-/// A JSON object: `cleared`, `faults` (`joint`, `time_s`, `value`, `text`), `points`,
+/// A JSON object: `cleared`, `faults` (`joint`, `time_s`, `value`, `text`), `warnings`, `points`,
 /// `duration_s`, `velocity` and `acceleration` (`joint`, `time_s`, `share`),
 /// `min_clearance_mm`, `min_clearance_time_s`, `closest_pair`, `assumed_limits` (`joint`, `limit`:
 /// rate_name(), `value`). What is no finite number is null.
