@@ -22,7 +22,14 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-enum ExitCode { kDone = 0, kNoPath = 1, kNotWritten = 1, kWrongUsage = 2, kInvalidInput = 3, kInvalidQuery = 4 };
+enum ExitCode {
+  kDone = 0,
+  kNoPath = 1,
+  kNotWritten = 1,
+  kWrongUsage = 2,
+  kInvalidInput = 3,
+  kInvalidQuery = 4
+};
 
 class Handway : public testing::Test {
  protected:

@@ -27,9 +27,9 @@ void refuse_slip(const YamlElement& limits, const YamlElement& joint, const std:
     return;
   }
   constexpr std::size_t kFew = 3;
-  joint.refuse(fmt::format("\"{}\"", name), "a joint of the robot",
-               fmt::format("The nearest are {}.",
-                           fmt::join(nearest_names(name, left_out, kFew), ", ")));
+  joint.refuse(
+      fmt::format("\"{}\"", name), "a joint of the robot",
+      fmt::format("The nearest are {}.", fmt::join(nearest_names(name, left_out, kFew), ", ")));
 }
 
 bool is_denied(const YamlElement& joint, const std::string& flag) {

@@ -66,6 +66,10 @@ const geometric::SceneObject& needed_object(const PlanningProblem& problem, std:
     throw geometric::InputError({file, "object", std::string(name), "an object that stands still",
                                  "Choose another one to grasp"});
   }
+  if (geometric::tessellate(object->shape)->empty()) {
+    throw geometric::InputError(
+        {file, "object " + std::string(name), "no triangles", "an object with a surface", ""});
+  }
   if (const std::vector<CarriedObject> carried = carried_objects(*problem.scene);
       problem.hand.empty() && !carried.empty()) {
     throw geometric::InputError({file, "object", std::string(name),

@@ -92,11 +92,12 @@ enum class GoalNeed {
 
 /// Puts a problem together, with hand_variables() and arm_variables(), either of which may be
 /// empty. Where the scene has a group, the arm is all of it that is not of the hand, and a hand of
-/// which only some joints move has no basis. Without a group resting_variables() are of neither, nor
-/// are holding_variables(): a hand that carries something stays as it is, but for joints that the
-/// goal has elsewhere. Start and goal are the scene's, a start that is not given is where the robot
-/// stands, and the goal has continuous joints within half a turn of the start. A joint of either that is beyond a limit by 1e-5 rad or m or less is taken to be at it.
-/// Goal poses are solved by solve_pose_goals().
+/// which only some joints move has no basis. Without a group resting_variables() are of neither,
+/// nor are holding_variables(): a hand that carries something stays as it is, but for joints that
+/// the goal has elsewhere. Start and goal are the scene's, a start that is not given is where the
+/// robot stands, and the goal has continuous joints within half a turn of the start. A joint of
+/// either that is beyond a limit by 1e-5 rad or m or less is taken to be at it. Goal poses are
+/// solved by solve_pose_goals().
 /// @param basis may be null.
 /// @throws InputError if the scene lacks a robot, or a goal that it needs, or the
 /// basis names a joint that the robot has not; PreparationStopped where `preparation` asks for it.

@@ -19,7 +19,7 @@ namespace handway::planning {
 
 /// What a check of a path found.
 struct PathCheckResult {
-  std::vector<std::string> faults;   ///< A sentence each; empty: the path is valid.
+  std::vector<std::string> faults;  ///< A sentence each; empty: the path is valid.
   /// What is worth a look and no fault, a sentence each: holding_warnings().
   std::vector<std::string> warnings;
   std::uint64_t configurations = 0;  ///< Checked ones.
