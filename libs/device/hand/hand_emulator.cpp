@@ -155,11 +155,12 @@ std::string HandController::receive(const std::string& line, double now) {
   }
 }
 
-std::string HandController::feedback() const {
+std::string HandController::feedback() {
   if (!greeted_) {
     return "";
   }
-  std::string lines = to_line({time_, phase_, position()});
+  const bool lies = active_fault() == FaultKind::kPhases && ++reports_ % 2 == 0;
+  std::string lines = to_line({time_ + clock_lie(), lies ? "ready" : phase_, reported()});
   if (phase_ == "error") {
     lines += "fault " + fault_text_ + "\n";
   }
