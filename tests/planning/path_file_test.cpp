@@ -181,14 +181,65 @@ TEST_F(PathCsv, NamesTheLineOfARowOfAnotherLength) {
               HasSubstr("9 values"));
 }
 
-TEST_F(PathCsv, RefusesColumnsThatAreNoJoint) {
-  EXPECT_THAT(refusal("time,shoulder,elbow,thumb,left,right,pinky\n0,0,0,0,0,0,0\n"),
-              AllOf(HasSubstr("path.csv:1"), HasSubstr("\"pinky\""), HasSubstr("planar")));
+TEST_F(PathCsv, PassesOverColumnsThatAreNoJoint) {
+  JointsAtRest rest{planar_configuration(0, 0)};
+  const Path path = read_path(model_,
+                              file("frame_index,wrist,shoulder,elbow,thumb,left,right,battery\n"
+                                   "0,5,0.1,0,0,0,0,99\n1,5,0.2,0,0,0,0,98\n"),
+                              &rest);
+  EXPECT_EQ(path.waypoints.at(1)[0], 0.2);
+  EXPECT_THAT(rest.remark("arm.csv"),
+              HasSubstr("columns passed over, as no joint of the robot: battery, frame_index, "
+                        "wrist"));
 }
 
-TEST_F(PathCsv, RefusesTheColumnOfAFixedJoint) {
-  EXPECT_THAT(refusal("wrist,shoulder,elbow,thumb,left,right\n0,0,0,0,0,0\n1,0,0,0,0,0\n"),
-              AllOf(HasSubstr("path.csv:1"), HasSubstr("\"wrist\"")));
+TEST_F(PathCsv, RefusesColumnsThatAreSlips) {
+  EXPECT_THAT(refusal("time,sholder,elbow,thumb,left,right\n0,0,0,0,0,0\n"),
+              AllOf(HasSubstr("path.csv:1"), HasSubstr("\"sholder\""), HasSubstr("planar"),
+                    HasSubstr("Did you mean \"shoulder\"?")));
+  EXPECT_THAT(refusal("time,j1,j2\n0,0,0\n1,0,0\n"),
+              AllOf(HasSubstr("path.csv:1"), HasSubstr("no joint of robot")));
+}
+
+TEST_F(PathCsv, ReadsWhatRecordingsRead) {
+  const Path expected = read(
+      "shoulder,elbow,thumb,left,right\n0.1,0.2,0.3,0.4,0.6\n"
+      "0.2,0.2,0.3,0.4,0.6\n");
+  for (const char* text :
+       {"timestamp,shoulder.pos,elbow.pos,thumb.pos,left.pos,right.pos\n"
+        "1700000000000,0.1,0.2,0.3,0.4,0.6\n1700000000020,0.2,0.2,0.3,0.4,0.6\n",
+        "__time,/joint_states/shoulder/position,/joint_states/shoulder/velocity,"
+        "/joint_states/elbow/position,/joint_states/thumb/position,/joint_states/left/position,"
+        "/joint_states/right/position\n0,0.1,7,0.2,0.3,0.4,0.6\n1,0.2,7,0.2,0.3,0.4,0.6\n",
+        ",time,shoulder,elbow,thumb,left,right\n0,0,0.1,0.2,0.3,0.4,0.6\n"
+        "1,1,0.2,0.2,0.3,0.4,0.6\n",
+        "2024-03-01 12:00:00,shoulder,elbow,thumb,left,right,0.1,0.2,0.3,0.4,0.6\n"
+        "2024-03-01 12:00:01,shoulder,elbow,thumb,left,right,0.2,0.2,0.3,0.4,0.6\n",
+        "1700000000,5,,shoulder,elbow,thumb,left,right,0.1,0.2,0.3,0.4,0.6\n"
+        "1700000001,5,,shoulder,elbow,thumb,left,right,0.2,0.2,0.3,0.4,0.6\n",
+        "time;shoulder;elbow;thumb;left;right\n0;0,1;0,2;0,3;0,4;0,6\n1;0,2;0,2;0,3;0,4;0,6\n",
+        "stamp,name,position\n0,\"['shoulder', 'elbow', 'thumb', 'left', 'right']\","
+        "\"[0.1, 0.2, 0.3, 0.4, 0.6]\"\n1,\"['shoulder']\",\"[0.2]\"\n",
+        "header: {stamp: {sec: 1, nanosec: 0}}\nname: [shoulder, elbow, thumb, left, right]\n"
+        "position: [0.1, 0.2, 0.3, 0.4, 0.6]\n---\nheader: {stamp: {sec: 2, nanosec: 0}}\n"
+        "name: [shoulder]\nposition: [0.2]\n---\n"}) {
+    const Path path = read(text);
+    ASSERT_THAT(path.waypoints, SizeIs(2)) << text;
+    EXPECT_EQ(path.waypoints[0], expected.waypoints[0]) << text;
+    EXPECT_EQ(path.waypoints[1], expected.waypoints[1]) << text;
+  }
+}
+
+TEST_F(PathCsv, TakesDegreesOnlyWhereTheHeaderNamesThem) {
+  const Path path = read("shoulder [deg],elbow_deg,thumb,left,right\n90,0,0,0,0\n45,0,0,0,0\n");
+  EXPECT_NEAR(path.waypoints.at(0)[0], 0.5 * M_PI, 1e-12);
+  EXPECT_THAT(refusal("shoulder,elbow,thumb,left,right\n0,0,0,0,0\n45,10,0,0,0\n"),
+              AllOf(HasSubstr("joint shoulder"), HasSubstr("45"), HasSubstr("look like degrees")));
+}
+
+TEST_F(PathCsv, IsNotReadToWhereItIsCutOff) {
+  EXPECT_THAT(refusal("shoulder,elbow,thumb,left,right\n0,0,0,0,0\n1,0,0,0,0\n1,0,0"),
+              HasSubstr("the last row"));
 }
 
 TEST_F(PathCsv, LeavesJointsThatItHasNotWhereTheyRest) {

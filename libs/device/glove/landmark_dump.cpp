@@ -2,6 +2,7 @@
 
 #include "glove/recording_readers.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/table_times.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -203,25 +204,21 @@ std::string settle_units(std::vector<SeenHand>& hands) {
                                                                : "coordinates that are no metres");
 }
 
-// Times of frames in s, whatever unit they are written in: cameras see several a second.
-void settle_times(std::vector<SeenHand>& hands) {
-  constexpr double kLongestStep = 10.0;
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < hands.size(); ++i) {
-    steps.push_back(*hands[i].time - *hands[i - 1].time);
+// Fingers bend towards the palm: of the wrong hand they would bend backwards.
+bool is_left(const std::vector<SeenHand>& hands) {
+  double as_right = 0.0;
+  double as_left = 0.0;
+  for (const SeenHand& hand : hands) {
+    as_right += bending(hand.points, false);
+    as_left += bending(hand.points, true);
   }
-  const double begin = *hands[0].time;
-  const double step = steps.empty() ? 0.0 : median(steps);
-  double unit = 1.0;
-  while (step * unit > kLongestStep) {
-    unit *= 1e-3;
-  }
-  for (SeenHand& hand : hands) {
-    hand.time = unit * (*hand.time - begin);
-  }
+  return as_left > as_right;
 }
 
-double bending(const GloveAngles& angles) {
+}  // namespace
+
+double bending(const HandLandmarks& points, bool left) {
+  const GloveAngles angles = glove_angles(in_palm_frame(points, left));
   double sum = 0.0;
   for (std::size_t sensor = 0; sensor < angles.angles.size(); ++sensor) {
     const std::string_view name = cyberglove_sensors()[sensor].name;
@@ -231,19 +228,6 @@ double bending(const GloveAngles& angles) {
   }
   return sum;
 }
-
-// Fingers bend towards the palm: of the wrong hand they would bend backwards.
-bool is_left(const std::vector<SeenHand>& hands) {
-  double as_right = 0.0;
-  double as_left = 0.0;
-  for (const SeenHand& hand : hands) {
-    as_right += bending(glove_angles(in_palm_frame(hand.points, false)));
-    as_left += bending(glove_angles(in_palm_frame(hand.points, true)));
-  }
-  return as_left > as_right;
-}
-
-}  // namespace
 
 Recording recording_of_hands(const std::filesystem::path& file, const std::vector<SeenHand>& all) {
   std::vector<SeenHand> hands;
@@ -259,8 +243,15 @@ Recording recording_of_hands(const std::filesystem::path& file, const std::vecto
   const std::string unit = settle_units(hands);
   const bool left = is_left(hands);
   const bool timed = std::ranges::all_of(hands, [](const SeenHand& hand) { return !!hand.time; });
+  std::vector<double> times;
+  for (std::size_t i = 0; i < hands.size(); ++i) {
+    times.push_back(timed ? *hands[i].time - *hands[0].time
+                          : static_cast<double>(i) / kRateOfCameras);
+  }
   if (timed) {
-    settle_times(hands);
+    for (const std::string& warning : geometric::settle_times(times)) {
+      recording.warnings.push_back(fmt::format("{}: {}", file.string(), warning));
+    }
   }
   recording.header = landmark_header(file);
   recording.times.resize(std::ssize(hands));
@@ -268,13 +259,7 @@ Recording recording_of_hands(const std::filesystem::path& file, const std::vecto
   std::vector<HandBones> bones;
   for (Eigen::Index row = 0; row < recording.times.size(); ++row) {
     const SeenHand& hand = hands[static_cast<std::size_t>(row)];
-    recording.times[row] = timed ? *hand.time : static_cast<double>(row) / kRateOfCameras;
-    if (row > 0 && recording.times[row] < recording.times[row - 1]) {
-      throw InputError(
-          {file.string(), fmt::format("frame {}", row + 1),
-           fmt::format("{} s after {} s", recording.times[row], recording.times[row - 1]),
-           "time that doesn't run backwards", "Split the file there"});
-    }
+    recording.times[row] = times[static_cast<std::size_t>(row)];
     const std::vector<double> values = landmark_row(recording.header, hand.points, left);
     recording.values.row(row) =
         Eigen::Map<const Eigen::RowVectorXd>(values.data(), recording.values.cols());

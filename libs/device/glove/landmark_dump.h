@@ -30,6 +30,10 @@ using LandmarkColumns = std::array<std::size_t, 63>;
 [[nodiscard]] std::optional<LandmarkColumns> landmark_columns(
     const std::vector<std::string>& names);
 
+/// How much the fingers bend towards the palm, rad, summed over their middle and outer joints:
+/// below 0 if these are landmarks of the other hand.
+[[nodiscard]] double bending(const HandLandmarks& points, bool left);
+
 /// A recording of the angles between landmarks. Coordinates within a picture are taken for those of
 /// one of 4:3 or in pixels; other units than metres are scaled to a hand of usual size; and whether
 /// it is a left hand shows from where its fingers bend. Frames without a hand are left out, and

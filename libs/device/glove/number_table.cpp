@@ -8,15 +8,17 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 
 namespace handway::device {
 namespace {
 
-bool is_header(const std::vector<std::string_view>& parts, char separator) {
-  return std::ranges::none_of(parts, [separator](std::string_view part) {
-    return parse_cell(part, separator).has_value();
-  });
+using geometric::CellContent;
+
+bool is_header(const std::vector<std::string_view>& parts) {
+  return std::ranges::none_of(parts,
+                              [](std::string_view part) { return parse_cell(part).has_value(); });
 }
 
 bool is_remark(const TextLine& line) {
@@ -39,20 +41,31 @@ bool is_title(const TextLine& line, const TextLine& below, char separator) {
     return std::ranges::count_if(cells(of.text, separator),
                                  [](std::string_view cell) { return !cell.empty(); });
   };
-  return is_header(cells(line.text, separator), separator) && 2 * filled(line) < filled(below);
+  return is_header(cells(line.text, separator)) && 2 * filled(line) < filled(below);
 }
 
-double number_or_mark(std::string_view cell, char separator) {
+double number_or_mark(std::string_view cell) {
+  if (const std::optional<double> number = parse_cell(cell)) {
+    return *number;
+  }
+  if (const auto time = geometric::parse_time(cell)) {
+    return time->seconds;
+  }
   constexpr std::array<std::string_view, 10> kGaps{"",  "nan", "na",   "n/a",  "null",
                                                    "-", "inf", "+inf", "-inf", "none"};
   std::string small(cell);
   std::ranges::transform(small, small.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return parse_cell(cell, separator)
-      .value_or(std::ranges::find(kGaps, small) == kGaps.end() ? kWord : kGap);
+  return std::ranges::find(kGaps, small) == kGaps.end() ? kWord : kGap;
 }
 
 }  // namespace
+
+bool NumberTable::is_spelled(Eigen::Index column) const {
+  const auto c = static_cast<std::size_t>(column);
+  return c < contents.size() && contents[c] != CellContent::kOther &&
+         contents[c] != CellContent::kNumbers;
+}
 
 NumberTable read_text_table(const std::filesystem::path& file, std::span<const TextLine> all,
                             int skip, std::optional<char> separator) {
@@ -76,7 +89,7 @@ NumberTable read_text_table(const std::filesystem::path& file, std::span<const T
     const std::vector<std::string_view> parts = cells_of(line, *separator, columns);
     if (columns == 0) {
       columns = parts.size();
-      if (is_header(parts, *separator)) {
+      if (is_header(parts)) {
         table.names.assign(parts.begin(), parts.end());
         continue;
       }
@@ -90,8 +103,12 @@ NumberTable read_text_table(const std::filesystem::path& file, std::span<const T
                                    fmt::format("{} as in the first row", columns), ""});
     }
     std::vector<double>& row = rows.emplace_back();
-    for (const std::string_view part : parts) {
-      row.push_back(number_or_mark(part, *separator));
+    table.contents.resize(columns, CellContent::kOther);
+    for (std::size_t c = 0; c < columns; ++c) {
+      row.push_back(number_or_mark(parts[c]));
+      if (table.contents[c] == CellContent::kOther && std::isfinite(row.back())) {
+        table.contents[c] = geometric::content_of(parts[c]);
+      }
     }
     table.lines.push_back(line.number);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "glove/text_files.h"
+#include "handway/geometric/io/table_times.h"
 
 #include <Eigen/Core>
 
@@ -22,9 +23,12 @@ inline constexpr double kWord = std::numeric_limits<double>::infinity();
 /// Numbers in rows, kGap or kWord where there are none.
 struct NumberTable {
   std::vector<std::string> names;  ///< Of columns; empty without a header.
-  Eigen::MatrixXd values;
+  Eigen::MatrixXd values;          ///< Of dates and clock times: s.
   std::vector<std::size_t> lines;  ///< In the file, of each row; empty: the row's own number.
   std::vector<std::string> warnings;
+  std::vector<geometric::CellContent> contents = {};  ///< Of columns; empty: all numbers.
+
+  [[nodiscard]] bool is_spelled(Eigen::Index column) const;
 };
 
 /// The table in the lines of a text, without titles above it and remarks.

@@ -79,6 +79,7 @@ Eigen::VectorXd Butterworth::both_ways(const Eigen::VectorXd& signal) const {
 using geometric::InputError;
 
 constexpr double kEven = 1e-3;                    // of a step
+constexpr double kMostRows = 5e6;                 // of a recording: 14 hours at 100 Hz
 constexpr double kHighestCutoff = 0.4;            // of the rate
 constexpr double kBothRuns = 1.2464504802804612;  // (√2 - 1)^(-1/4)
 
@@ -107,6 +108,13 @@ Recording resampled(const Recording& recording, double rate) {
   const double duration = times.size() < 2 ? 0.0 : times[times.size() - 1] - times[0];
   if (!(duration > 0.0)) {
     throw InputError({"recording", "time", "no duration", "two times or more to resample", ""});
+  }
+  if (!(duration * rate < kMostRows)) {
+    throw InputError({"recording", "time",
+                      fmt::format("{:.4g} s, which are {:.4g} rows at {:.4g} Hz", duration,
+                                  duration * rate, rate),
+                      fmt::format("at most {:.0f} rows", kMostRows),
+                      "Choose a lower rate, or look at the recording's times"});
   }
   const auto rows = static_cast<Eigen::Index>(std::floor(duration * rate * (1.0 + 1e-12))) + 1;
   Recording result;

@@ -52,6 +52,19 @@ SensorQuality assess_sensor(const Recording& recording, Eigen::Index column) {
   return quality;
 }
 
+/// The mean of the steps about the median: of times in whole milliseconds the median alone is off.
+double usual_step(const Eigen::VectorXd& steps, double median) {
+  double sum = 0.0;
+  Eigen::Index count = 0;
+  for (const double step : steps) {
+    if (step > 0.5 * median && step < 1.5 * median) {
+      sum += step;
+      ++count;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : median;
+}
+
 void assess_times(const Eigen::VectorXd& times, RecordingQuality& quality) {
   quality.rows = times.size();
   if (times.size() < 2) {
@@ -60,7 +73,7 @@ void assess_times(const Eigen::VectorXd& times, RecordingQuality& quality) {
   const Eigen::VectorXd steps = times.tail(times.size() - 1) - times.head(times.size() - 1);
   const double median = percentile(steps, 0.5);
   quality.duration = times[times.size() - 1] - times[0];
-  quality.rate = median > 0.0 ? 1.0 / median : 0.0;
+  quality.rate = median > 0.0 ? 1.0 / usual_step(steps, median) : 0.0;
   quality.largest_gap = steps.maxCoeff();
   quality.gaps = median > 0.0 ? (steps.array() > kGapMedians * median).count() : 0;
 }

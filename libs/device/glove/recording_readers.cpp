@@ -1,5 +1,6 @@
 #include "glove/recording_readers.h"
 
+#include "glove/landmark_dump.h"
 #include "glove/sensor_names.h"
 #include "glove/text_files.h"
 #include "handway/device/core/line_protocol.h"
@@ -7,6 +8,7 @@
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/landmark_line.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/table_times.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,18 +46,17 @@ RecordedRows::RecordedRows(const std::filesystem::path& file, std::size_t column
     : file_(file), columns_(columns) {}
 
 void RecordedRows::add(const TextLine& line, double time, const std::vector<double>& values) {
-  if (!times_.empty() && time < times_.back()) {
-    throw geometric::InputError(
-        {at_line(file_, line), "time", fmt::format("{} after {}", time, times_.back()),
-         "time that doesn't run backwards", "Split the file there, or sort its rows"});
-  }
   times_.push_back(time);
+  lines_.push_back(line.number);
   values_.insert(values_.end(), values.begin(), values.end());
 }
 
 void RecordedRows::move_to(Recording& recording) {
   if (times_.empty()) {
     throw geometric::InputError({file_.string(), "", "no rows", "at least one", ""});
+  }
+  for (const std::string& warning : geometric::settle_times(times_, 1.0, false, lines_)) {
+    recording.warnings.push_back(fmt::format("{}: {}", file_.string(), warning));
   }
   const auto rows = static_cast<Eigen::Index>(times_.size());
   const auto columns = static_cast<Eigen::Index>(columns_);
@@ -253,7 +254,7 @@ std::optional<Row> numbers(const TextLine& line) {
   }
   Row row{};
   for (std::size_t i = 0; i < kCells; ++i) {
-    const std::optional<double> number = parse_cell(parts[i], separator);
+    const std::optional<double> number = parse_cell(parts[i]);
     if (!number) {
       return std::nullopt;
     }
@@ -367,10 +368,14 @@ Recording read_landmark_recording(const std::filesystem::path& file,
                                   const std::vector<TextLine>& lines) {
   Recording recording;
   recording.header = landmark_header(file);
-  RecordedRows rows(file, recording.header.sensors.size());
+  struct Seen {
+    TextLine line;
+    double time;
+    HandLandmarks points;
+  };
+  std::vector<Seen> seen;
   std::optional<bool> left;
   int others = 0;
-  std::vector<HandBones> bones;
   const auto take = [&](const TextLine& line) {
     const LandmarkLine row = read_row(file, line);
     if (!row.landmarks) {
@@ -381,8 +386,7 @@ Recording read_landmark_recording(const std::filesystem::path& file,
       ++others;
       return;
     }
-    bones.push_back(bones_of(*row.landmarks));
-    rows.add(line, *row.time, landmark_row(recording.header, *row.landmarks, row.left));
+    seen.push_back({line, *row.time, *row.landmarks});
   };
   const auto is_row = [](const TextLine& line) { return nlohmann::json::accept(line.text); };
   take_rows(file, lines, recording.warnings, is_row, take);
@@ -391,6 +395,25 @@ Recording read_landmark_recording(const std::filesystem::path& file,
         fmt::format("{}: {} rows of the {} hand left out, the first is of "
                     "the {} one",
                     file.string(), others, *left ? "right" : "left", *left ? "left" : "right"));
+  }
+  double as_labelled = 0.0;
+  double as_other = 0.0;
+  for (const Seen& row : seen) {
+    as_labelled += bending(row.points, *left);
+    as_other += bending(row.points, !*left);
+  }
+  constexpr double kClearly = 0.3;  // rad, of all fingers together
+  if (as_other - as_labelled > kClearly * static_cast<double>(seen.size())) {
+    left = !*left;
+    recording.warnings.push_back(fmt::format(
+        "{}: labelled as a {} hand, but taken for a {} one: its fingers would bend backwards",
+        file.string(), *left ? "right" : "left", *left ? "left" : "right"));
+  }
+  RecordedRows rows(file, recording.header.sensors.size());
+  std::vector<HandBones> bones;
+  for (const Seen& row : seen) {
+    bones.push_back(bones_of(row.points));
+    rows.add(row.line, row.time, landmark_row(recording.header, row.points, *left));
   }
   rows.move_to(recording);
   recording.bones = median_bones(bones);

@@ -62,16 +62,18 @@ class RecordedRows {
  public:
   RecordedRows(const std::filesystem::path& file, std::size_t columns);
 
-  /// @param row time and values. @throws InputError if time runs backwards.
+  /// @param time s, in the order of the file.
   void add(const TextLine& line, double time, const std::vector<double>& values);
-  /// Into the times and values of a recording. @throws InputError if there are no rows.
+  /// Into the times and values of a recording. Where time runs back it goes on, with a warning:
+  /// see geometric::settle_times(). @throws InputError if there are no rows.
   void move_to(Recording& recording);
 
  private:
   const std::filesystem::path& file_;
   std::size_t columns_;
   std::vector<double> times_;
-  std::vector<double> values_;  ///< Row by row.
+  std::vector<std::size_t> lines_;  ///< Of the file, of each row.
+  std::vector<double> values_;      ///< Row by row.
 };
 
 }  // namespace handway::device

@@ -4,6 +4,7 @@
 #include "glove/sensor_names.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/table_times.h"
 #include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
@@ -35,9 +36,7 @@ std::vector<Eigen::Index> rows_without_gaps(const std::filesystem::path& file,
                                             const NumberTable& table, const TableLayout& layout,
                                             std::vector<std::string>& warnings) {
   std::vector<ColumnUse> used = layout.columns;
-  if (layout.time) {
-    used.push_back(*layout.time);
-  }
+  used.insert(used.end(), layout.times.begin(), layout.times.end());
   std::vector<Eigen::Index> rows;
   for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
     for (const ColumnUse& use : used) {
@@ -101,28 +100,59 @@ std::vector<ColumnUse> glove_columns(int sensors, Eigen::Index first) {
   return columns;
 }
 
-std::optional<double> time_unit(const std::string& name) {
-  const std::vector<std::string> words = words_of_name(name);
-  if (words.empty() ||
-      !(has_word({words.front()}, {"t", "times", "seconds", "sec", "timems", "ms"}) ||
-        has_word(words, {"time", "timestamp"}))) {
-    return std::nullopt;
+void find_times(const NumberTable& table, TableLayout& layout) {
+  if (table.names.empty()) {
+    return;
   }
-  return has_word(words, {"ms", "msec", "milliseconds", "timems"}) ? 1e-3 : 1.0;
+  const geometric::TimeColumns found = geometric::time_columns(table.names, table.contents);
+  for (const geometric::TimeColumns::Part& part : found.parts) {
+    layout.times.push_back({-1, static_cast<Eigen::Index>(part.column), part.unit});
+  }
+  layout.time_unit = found.unit;
+}
+
+std::vector<double> times_of(const std::filesystem::path& file, const NumberTable& table,
+                             const TableLayout& layout, const std::vector<Eigen::Index>& rows,
+                             std::vector<std::string>& warnings) {
+  std::vector<double> times;
+  std::vector<std::size_t> lines;
+  for (const Eigen::Index row : rows) {
+    double time = layout.times.empty() ? static_cast<double>(row) / layout.rate : 0.0;
+    for (const ColumnUse& use : layout.times) {
+      time += cell_of(table, row, use);
+    }
+    times.push_back(time);
+    if (!table.lines.empty()) {
+      lines.push_back(table.lines[static_cast<std::size_t>(row)]);
+    }
+  }
+  if (!layout.times.empty()) {
+    const bool spelled = table.is_spelled(layout.times.front().column);
+    for (const std::string& warning :
+         geometric::settle_times(times, layout.time_unit, spelled, lines)) {
+      warnings.push_back(fmt::format("{}: {}", file.string(), warning));
+    }
+  }
+  return times;
 }
 
 MeasuredColumns measured_columns(const NumberTable& table) {
   const auto is_label = [&](Eigen::Index column) {
     return table.values.col(column).array().isInf().any();
   };
-  MeasuredColumns columns{0, table.values.cols(), false};
+  MeasuredColumns columns{0, table.values.cols(), {}};
   while (columns.end > 0 && is_label(columns.end - 1)) {
     --columns.end;
   }
   while (columns.first < columns.end && is_label(columns.first)) {
     ++columns.first;
   }
-  columns.timed = columns.first < columns.end && rises(table.values, columns.first);
+  while (columns.first < columns.end && table.is_spelled(columns.first)) {
+    columns.times.push_back({-1, columns.first++});
+  }
+  if (columns.times.empty() && columns.first < columns.end && rises(table.values, columns.first)) {
+    columns.times.push_back({-1, columns.first++});
+  }
   return columns;
 }
 
@@ -136,17 +166,11 @@ Recording recording_of(const std::filesystem::path& file, const NumberTable& tab
   }
   recording.warnings = table.warnings;
   const std::vector<Eigen::Index> rows = rows_without_gaps(file, table, layout, recording.warnings);
-  recording.times.resize(static_cast<Eigen::Index>(rows.size()));
+  const std::vector<double> times = times_of(file, table, layout, rows, recording.warnings);
+  recording.times = Eigen::VectorXd::Map(times.data(), std::ssize(times));
   recording.values.resize(recording.times.size(), static_cast<Eigen::Index>(layout.columns.size()));
   for (Eigen::Index to = 0; to < recording.times.size(); ++to) {
     const Eigen::Index row = rows[static_cast<std::size_t>(to)];
-    recording.times[to] =
-        layout.time ? cell_of(table, row, *layout.time) : static_cast<double>(row) / layout.rate;
-    if (to > 0 && recording.times[to] < recording.times[to - 1]) {
-      throw InputError({row_name(file, table, row), "time",
-                        fmt::format("{} after {}", recording.times[to], recording.times[to - 1]),
-                        "time that doesn't run backwards", "Split the file there."});
-    }
     for (std::size_t c = 0; c < layout.columns.size(); ++c) {
       const ColumnUse& use = layout.columns[c];
       const double value = cell_of(table, row, use);
@@ -171,13 +195,11 @@ namespace {
 TableLayout named_layout(const std::filesystem::path& file, const NumberTable& table) {
   TableLayout layout;
   layout.rate = kUsualRate;
+  find_times(table, layout);
   for (std::size_t c = 0; c < table.names.size(); ++c) {
     ColumnUse use{-1, static_cast<Eigen::Index>(c)};
     const auto column = table.values.col(use.column).array();
-    const std::optional<double> unit = time_unit(table.names[c]);
-    if (unit && !layout.time && column.isFinite().any()) {
-      use.gain = *unit;
-      layout.time = use;
+    if (std::ranges::count(layout.times, use.column, &ColumnUse::column) > 0) {
       continue;
     }
     const std::optional<int> sensor = sensor_by_any_name(table.names[c]);
@@ -212,31 +234,29 @@ TableLayout named_layout(const std::filesystem::path& file, const NumberTable& t
 /// or its 22 and a label; times before them, if the first column rises all along. Labels may stand
 /// on either side.
 TableLayout numbered_layout(const std::filesystem::path& file, const NumberTable& table) {
-  const auto [first, end, timed] = measured_columns(table);
-  const Eigen::Index measured = end - first - (timed ? 1 : 0);
+  const auto [first, end, times] = measured_columns(table);
+  const Eigen::Index measured = end - first;
   const bool labelled = end < table.values.cols();
   TableLayout layout;
   layout.rate = kUsualRate;
   if (measured == kAngles || (measured == kAnglesWithLabel && labelled)) {
-    layout.columns = virtual_hand_columns(first + (timed ? 1 : 0), measured);
+    layout.columns = virtual_hand_columns(first, measured);
     layout.rate = 1.0;  // postures, rather than a motion
     layout.order = "VirtualHand, whose signs were turned";
   } else if (measured == 18 || measured == kGloveSensors) {
-    layout.columns = glove_columns(static_cast<int>(measured), first + (timed ? 1 : 0));
+    layout.columns = glove_columns(static_cast<int>(measured), first);
     layout.order = fmt::format("a glove of {} sensors", measured);
   } else {
     throw InputError(
         {file.string(), "",
-         fmt::format("{} columns {}", end - first,
+         fmt::format("{} columns {}", measured + std::ssize(times),
                      table.names.empty() ? "without names" : "of which none is called as a sensor"),
          "names of sensors above them; or 18 or 22, in the order of a glove's "
          "records, or 23, VirtualHand's; or 63, x, y and z of 21 landmarks",
          "Write a map of the table's columns (YAML); handway pca --joints-of ROBOT reads "
          "tables of a robot hand's joints"});
   }
-  if (timed) {
-    layout.time = ColumnUse{-1, first};
-  }
+  layout.times = times;
   return layout;
 }
 
@@ -255,6 +275,37 @@ namespace {
 bool bends(int sensor) {
   const std::string_view name = cyberglove_sensors()[static_cast<std::size_t>(sensor)].name;
   return name.ends_with("MPJ") || name.ends_with("PIJ") || name.ends_with("DIJ");
+}
+
+/// Names the row and the column of the first value beyond `most`, and how many there are.
+[[noreturn]] void refuse_widest(const std::filesystem::path& file, const NumberTable& table,
+                                const TableLayout& layout, double most) {
+  Eigen::Index first_row = 0;
+  const ColumnUse* first = nullptr;
+  Eigen::Index count = 0;
+  for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
+    for (const ColumnUse& use : layout.columns) {
+      const double value = table.values(row, use.column);
+      if (std::isfinite(value) && std::abs(value) > most) {
+        ++count;
+        if (first == nullptr) {
+          first = &use;
+          first_row = row;
+        }
+      }
+    }
+  }
+  const std::string value =
+      first == nullptr ? "" : fmt::format("{:.6g}", table.values(first_row, first->column));
+  throw InputError(
+      {row_name(file, table, first_row),
+       first == nullptr
+           ? ""
+           : std::string(cyberglove_sensors()[static_cast<std::size_t>(first->sensor)].name),
+       count == 1 ? value : fmt::format("{}, and {} more values like it", value, count - 1),
+       "counts from 0 to 255, or angles in rad or degrees",
+       count == 1 ? "Correct the row or take it out"
+                  : "Write a map of the table's columns (YAML), with gains."});
 }
 
 /// Counts, rad or degrees, and where bending counts negative, by the numbers.
@@ -291,9 +342,7 @@ std::string settle_numbers(const std::filesystem::path& file, const NumberTable&
     return "counts";
   }
   if (widest > kMostDegrees) {
-    throw InputError({file.string(), "", fmt::format("values up to {:.6g}", widest),
-                      "counts from 0 to 255, or angles in rad or degrees",
-                      "Write a map of the table's columns (YAML), with gains."});
+    refuse_widest(file, table, layout, kMostDegrees);
   }
   in_degrees |= widest > kWidestAngle;
   constexpr int kEnough = 4;
@@ -314,7 +363,7 @@ Recording recording_by_numbers(const std::filesystem::path& file, const NumberTa
   if (!layout.order.empty()) {
     taken += ", in the order of " + layout.order;
   }
-  if (!layout.time) {
+  if (layout.times.empty()) {
     taken += fmt::format(", {:g} rows a second", layout.rate);
   }
   if (!layout.left_over.empty()) {

@@ -25,7 +25,8 @@ struct ColumnUse {
 struct TableLayout {
   RecordingKind kind = RecordingKind::kAngles;
   std::vector<ColumnUse> columns;
-  std::optional<ColumnUse> time;       ///< In s.
+  std::vector<ColumnUse> times;        ///< Their sum is the time; empty: there are none.
+  std::optional<double> time_unit;     ///< The named one, s.
   double rate = 1.0;                   ///< Hz, without times.
   std::string order;                   ///< Whose order columns without names are in; may be empty.
   std::vector<std::string> left_over;  ///< Names of columns that are nothing of the glove's.
@@ -34,16 +35,23 @@ struct TableLayout {
 /// Rows a second of a glove's table without times, Hz.
 inline constexpr double kUsualRate = 100.0;
 
-/// The columns between labels on either side, and whether the first of them is times.
+/// The columns between labels on either side; times before them are dates and clock times, or
+/// numbers that rise all along.
 struct MeasuredColumns {
-  Eigen::Index first = 0;
+  Eigen::Index first = 0;  ///< Behind the times.
   Eigen::Index end = 0;
-  bool timed = false;
+  std::vector<ColumnUse> times;
 };
 [[nodiscard]] MeasuredColumns measured_columns(const NumberTable& table);
 
-/// What a column of that name is multiplied with to be in s; nothing if its name is not of times.
-[[nodiscard]] std::optional<double> time_unit(const std::string& name);
+/// Finds the columns of times by their names.
+void find_times(const NumberTable& table, TableLayout& layout);
+
+/// The times of those rows of a table as settle_times() makes them, with its warnings.
+[[nodiscard]] std::vector<double> times_of(const std::filesystem::path& file,
+                                           const NumberTable& table, const TableLayout& layout,
+                                           const std::vector<Eigen::Index>& rows,
+                                           std::vector<std::string>& warnings);
 
 /// The cell of a column that isn't all gaps.
 [[nodiscard]] double cell_of(const NumberTable& table, Eigen::Index row, const ColumnUse& use);

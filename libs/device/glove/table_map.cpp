@@ -138,7 +138,8 @@ Recording read_mapped_table(const std::filesystem::path& map) {
     top.need("columns").refuse("no columns", "those of sensors");
   }
   if (const std::optional<YamlElement> time = top.find("time")) {
-    layout.time = column_use(*time, table);
+    layout.times = {column_use(*time, table)};
+    layout.time_unit = 1.0;
   }
   if (const std::optional<YamlElement> rate = top.find("rate")) {
     layout.rate = rate->number();

@@ -22,34 +22,34 @@ namespace handway::device {
 namespace {
 
 /// The landmarks of a table that has them: by their names, or 63 columns without names.
-std::vector<SeenHand> hands_in(const NumberTable& table) {
+std::vector<SeenHand> hands_in(const std::filesystem::path& file, const NumberTable& table,
+                               std::vector<std::string>& warnings) {
   std::optional<LandmarkColumns> columns = landmark_columns(table.names);
-  std::optional<ColumnUse> time;
   constexpr auto kCoordinates = static_cast<Eigen::Index>(std::tuple_size_v<LandmarkColumns>);
   const MeasuredColumns measured = measured_columns(table);
-  const bool timed = measured.timed && measured.end - measured.first == kCoordinates + 1;
-  const Eigen::Index first = measured.first + (timed ? 1 : 0);
-  if (!columns && table.names.empty() && measured.end - first == kCoordinates) {
+  TableLayout layout;
+  if (!columns && table.names.empty() && measured.end - measured.first == kCoordinates) {
     columns.emplace();
-    std::iota(columns->begin(), columns->end(), static_cast<std::size_t>(first));
-    time = timed ? std::optional(ColumnUse{-1, measured.first}) : std::nullopt;
+    std::iota(columns->begin(), columns->end(), static_cast<std::size_t>(measured.first));
+    layout.times = measured.times;
   }
-  for (std::size_t c = 0; c < table.names.size() && !time; ++c) {
-    const std::optional<double> unit = time_unit(table.names[c]);
-    const auto column = static_cast<Eigen::Index>(c);
-    if (unit && table.values.col(column).allFinite()) {
-      time = ColumnUse{-1, column, *unit};
-    }
+  if (!columns) {
+    return {};
   }
+  find_times(table, layout);
+  std::vector<Eigen::Index> rows(static_cast<std::size_t>(table.values.rows()));
+  std::iota(rows.begin(), rows.end(), Eigen::Index{0});
+  const std::vector<double> times = times_of(file, table, layout, rows, warnings);
   std::vector<SeenHand> hands;
-  for (Eigen::Index row = 0; columns && row < table.values.rows(); ++row) {
+  for (const Eigen::Index row : rows) {
     SeenHand& hand = hands.emplace_back();
     for (std::size_t i = 0; i < columns->size(); ++i) {
       hand.points(static_cast<Eigen::Index>(i % 3), static_cast<Eigen::Index>(i / 3)) =
           table.values(row, static_cast<Eigen::Index>(columns->at(i)));
     }
-    if (time) {
-      hand.time = cell_of(table, row, *time);
+    if (const double time = times[static_cast<std::size_t>(row)];
+        !layout.times.empty() && std::isfinite(time)) {
+      hand.time = time;
     }
   }
   return hands;
@@ -59,8 +59,11 @@ std::vector<SeenHand> hands_in(const NumberTable& table) {
 
 Recording read_other_table(const std::filesystem::path& file, const std::vector<TextLine>& lines) {
   const NumberTable table = read_text_table(file, lines);
-  if (const std::vector<SeenHand> hands = hands_in(table); !hands.empty()) {
-    return recording_of_hands(file, hands);
+  std::vector<std::string> warnings;
+  if (const std::vector<SeenHand> hands = hands_in(file, table, warnings); !hands.empty()) {
+    Recording recording = recording_of_hands(file, hands);
+    recording.warnings.insert(recording.warnings.begin(), warnings.begin(), warnings.end());
+    return recording;
   }
   return recording_by_numbers(file, table, layout_of(file, table));
 }

@@ -47,12 +47,34 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kAround) - first + 1);
 }
 
+namespace {
+
+/// The end of the cell that begins at `begin`: behind its closing quote if it is quoted whole.
+std::size_t end_of_cell(std::string_view line, std::size_t begin, std::string_view separators) {
+  const std::size_t first = line.find_first_not_of(" ", begin);
+  if (first != std::string_view::npos && line[first] == '"') {
+    for (std::size_t quote = line.find('"', first + 1); quote != std::string_view::npos;
+         quote = line.find('"', quote + 1)) {
+      const std::size_t next = line.find_first_not_of(" \r\n", quote + 1);
+      const bool is_blank_separated = separators.find(' ') != std::string_view::npos;
+      const std::size_t after = is_blank_separated ? quote + 1 : next;
+      if (next == std::string_view::npos ||
+          separators.find(line[after]) != std::string_view::npos) {
+        return std::min(after, line.size());
+      }
+    }
+  }
+  return std::min(line.find_first_of(separators, begin), line.size());
+}
+
+}  // namespace
+
 std::vector<std::string_view> cells(std::string_view line, char separator) {
   std::vector<std::string_view> parts;
   const std::string_view separators = separator == ' ' ? kBlanks : std::string_view(&separator, 1);
   std::size_t begin = 0;
   while (begin <= line.size()) {
-    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+    const std::size_t end = end_of_cell(line, begin, separators);
     if (separator != ' ' || end > begin) {
       parts.push_back(trimmed(line.substr(begin, end - begin)));
     }

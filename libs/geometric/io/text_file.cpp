@@ -1,5 +1,6 @@
 #include "handway/geometric/io/text_file.h"
 
+#include "handway/geometric/io/file_contents.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <boost/locale/encoding_utf.hpp>
@@ -143,6 +144,9 @@ std::string read_text_file(const fs::path& file, const std::string& what, std::s
   }
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw InputError({file.string(), "", "an empty file", what, ""});
+  }
+  if (const std::optional<StandIn> other = stand_in(text)) {
+    throw InputError({file.string(), "", other->found, what, other->advice});
   }
   return checked_text(file, std::move(text), what);
 }

@@ -1,9 +1,9 @@
 #include "handway/planning/paths/path_file.h"
 
+#include "handway/geometric/formats/joint_table.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
@@ -14,9 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -28,19 +29,21 @@ using geometric::Configuration;
 using geometric::InputError;
 using geometric::RobotModel;
 
-constexpr std::size_t kLargestFile = std::size_t{256} << 20;
+constexpr const char* kWhat = "a path: a table with the names of joints above it, or messages";
+constexpr double kSlack = 1e-3;              // rad, of limits that degrees fit in
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
 constexpr double kJump = 1.0;                // rad: far above rounding, far below a turn
 constexpr std::size_t kMostNamed = 6;        // of joints at rest; of more
 constexpr std::size_t kFirstNamed = 3;       // these
 
-char separator_of(const std::string& header) {
-  for (const char separator : {',', ';', '\t', ' '}) {
-    if (header.find(separator) != std::string::npos) {
-      return separator;
+/// The link that the moving joint of this name moves; nothing without such a joint.
+std::optional<int> moving_link(const RobotModel& model, std::string_view name) {
+  for (int i = 1; i < model.link_count(); ++i) {
+    if (model.joint(i).name == name && model.drive(i).variable >= 0) {
+      return i;
     }
   }
-  return ',';
+  return std::nullopt;
 }
 
 /// The joints that a file's columns hold values of; what couplings make of them is checked.
@@ -48,14 +51,14 @@ class JointColumns {
  public:
   JointColumns(const RobotModel& model, JointsAtRest* rest) : model_(model), rest_(rest) {}
 
-  /// @returns whether the robot has such a joint, and it moves; a column of something else if not.
+  /// @returns whether the robot has such a joint, and it moves.
   bool append(std::string_view name) {
-    int link = 0;
-    for (int i = 1; i < model_.link_count(); ++i) {
-      link = model_.joint(i).name == name && model_.drive(i).variable >= 0 ? i : link;
-    }
+    const int link = moving_link(model_, name).value_or(0);
     links_.push_back(link);
     return link > 0;
+  }
+  void append_link(int link, int times) {
+    links_.insert(links_.end(), static_cast<std::size_t>(times), link);
   }
 
   /// A joint that moves on its own, and its number of columns where that isn't 1, nor 0 at rest.
@@ -101,21 +104,59 @@ class JointColumns {
   std::vector<int> links_;  ///< 0: of something else.
 };
 
+/// Refuses angles that are far beyond limits in rad, but all within them in degrees.
+void refuse_degrees(const RobotModel& model, const Path& path, const std::filesystem::path& file) {
+  std::optional<std::pair<int, double>> farthest;  // a variable and its value
+  bool fits_in_degrees = true;
+  for (const Configuration& q : path.waypoints) {
+    for (int v = 0; v < model.variable_count(); ++v) {
+      const geometric::Joint& joint = model.variable(v);
+      if (joint.type == geometric::JointType::kPrismatic) {
+        continue;
+      }
+      const double value = geometric::kDegree * q[v];
+      fits_in_degrees &= value > model.lower()[v] - kSlack && value < model.upper()[v] + kSlack;
+      const bool is_beyond = std::abs(q[v]) > 2.0 * std::numbers::pi &&
+                             (q[v] < model.lower()[v] || q[v] > model.upper()[v]);
+      if (is_beyond && (!farthest || std::abs(q[v]) > std::abs(farthest->second))) {
+        farthest = {v, q[v]};
+      }
+    }
+  }
+  if (farthest && fits_in_degrees) {
+    const auto& [v, value] = *farthest;
+    const std::string& name = model.variable(v).name;
+    throw InputError(
+        {file.string(), "joint " + name,
+         fmt::format("values up to {:.6g}, where the joint goes from {:.4g} to {:.4g} rad", value,
+                     model.lower()[v], model.upper()[v]),
+         "angles in rad",
+         fmt::format("These look like degrees: convert them, or name the unit above the columns, "
+                     "as \"{} [deg]\"",
+                     name)});
+  }
+}
+
+/// Paths as tables, and as messages of the joints' states.
 class TableReader {
  public:
   TableReader(const RobotModel& model, const std::filesystem::path& file, JointsAtRest* rest)
-      : model_(model), file_(file), columns_(model, rest) {}
+      : model_(model), file_(file), rest_(rest), columns_(model, rest) {}
 
   Path read() {
-    std::istringstream in(
-        geometric::read_text_file(file_, "a CSV path with a header", kLargestFile));
-    std::string line;
-    std::getline(in, line);
-    read_header(line);
+    const geometric::JointLookup lookup = [this](std::string_view name) {
+      return moving_link(model_, name);
+    };
+    table_ = geometric::read_joint_table(file_, lookup, model_.link_count(), kWhat);
+    take_columns();
     Path path;
-    for (line_ = 2; std::getline(in, line); ++line_) {
-      if (line.find_first_not_of(" \t\r") != std::string::npos) {
-        path.waypoints.push_back(read_row(line));
+    Eigen::VectorXd latest =
+        Eigen::VectorXd::Constant(model_.link_count(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t row = 0; row < table_.values.size(); ++row) {
+      const Eigen::VectorXd& values = table_.values[row];
+      latest = table_.holds ? values.array().isNaN().select(latest, values).eval() : values;
+      if (const Eigen::VectorXd taken = latest(links_); taken.allFinite()) {
+        path.waypoints.push_back(configuration(taken, row));
       }
     }
     if (path.waypoints.size() < 2) {
@@ -126,64 +167,81 @@ class TableReader {
   }
 
  private:
-  void read_header(const std::string& line) {
-    separator_ = separator_of(line);
-    for (const std::string_view name : geometric::cells(line, separator_)) {
-      header_.emplace_back(name);
-      if (!columns_.append(name) && name != "time" && !is_rate(header_.back())) {
-        throw InputError({file_.string() + ":1", "column \"" + header_.back() + "\"",
-                          "no joint of robot " + model_.name() + " that moves",
-                          "\"time\" or a joint's name", ""});
+  void take_columns() {
+    for (int link = 1; link < model_.link_count(); ++link) {
+      const int count = table_.columns[static_cast<std::size_t>(link)];
+      if (count == 0) {
+        continue;
       }
+      // Of a coupled joint the first column is enough.
+      const bool is_own = model_.variable_link(model_.drive(link).variable) == link;
+      columns_.append_link(link, is_own ? count : 1);
+      links_.push_back(link);
     }
+    if (links_.empty() && !table_.others.empty()) {
+      refuse_other(*table_.others.begin(), "");
+    }
+    refuse_slips();
     if (const auto joint = columns_.miscounted()) {
-      throw InputError({file_.string() + ":1", "",
+      throw InputError({top(), "",
                         fmt::format("{} columns for joint {}", joint->second, joint->first), "one",
                         ""});
     }
+    if (table_.bad_cell) {
+      throw InputError({fmt::format("{}:{}", file_.string(), table_.bad_cell->line),
+                        "column " + table_.bad_cell->column,
+                        fmt::format("\"{}\"", table_.bad_cell->text), "a finite number", ""});
+    }
+    if (table_.is_cut_off) {
+      throw InputError({file_.string(), "the last row", "fewer values than in the header",
+                        "a whole path", "Was it cut off? Remove the row, or write the path again"});
+    }
+    if (rest_ != nullptr) {
+      rest_->passed_over.assign(table_.others.begin(), table_.others.end());
+    }
   }
 
-  /// "JOINT.velocity" or "JOINT.acceleration", which timed paths have.
-  [[nodiscard]] bool is_rate(const std::string& column) const {
-    const std::size_t dot = column.rfind('.');
-    const std::string rate = dot == std::string::npos ? "" : column.substr(dot);
-    return (rate == ".velocity" || rate == ".acceleration") &&
-           model_.find_variable(column.substr(0, dot)).has_value();
+  // A column of something else that may be a misspelt joint.
+  void refuse_slips() const {
+    std::vector<std::string> missing;
+    for (int v = 0; v < model_.variable_count(); ++v) {
+      const auto link = static_cast<std::size_t>(model_.variable_link(v));
+      if (table_.columns[link] == 0) {
+        missing.push_back(model_.variable(v).name);
+      }
+    }
+    for (const std::string& other : table_.others) {
+      if (const auto meant = geometric::slip_of(other, missing)) {
+        refuse_other(other, fmt::format("Did you mean \"{}\"?", *meant));
+      }
+    }
   }
 
-  Configuration read_row(const std::string& line) {
-    const std::vector<std::string_view> row = geometric::cells(line, separator_);
-    if (row.size() != header_.size()) {
-      throw InputError({at_line(), "", fmt::format("{} values", row.size()),
-                        fmt::format("{} as in the header", header_.size()), ""});
-    }
-    Eigen::VectorXd values(static_cast<Eigen::Index>(row.size()));
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      values[static_cast<Eigen::Index>(c)] = number(row[c], header_[c]);
-    }
+  [[noreturn]] void refuse_other(const std::string& other, const std::string& advice) const {
+    throw InputError({top(), "column \"" + other + "\"",
+                      "no joint of robot " + model_.name() + " that moves",
+                      "\"time\" or a joint's name", advice});
+  }
+
+  [[nodiscard]] Configuration configuration(const Eigen::VectorXd& values, std::size_t row) const {
+    // A joint that is there twice has been refused: columns are the links in their order.
     return columns_.configuration(values, [&](std::size_t column, const std::string& expected) {
       throw InputError(
-          {at_line(), "column " + header_[column], std::string(row[column]), expected, ""});
+          {table_.lines.empty() ? fmt::format("{}, message {}", file_.string(), row + 1)
+                                : fmt::format("{}:{}", file_.string(), table_.lines[row]),
+           "column " + model_.joint(links_[column]).name,
+           fmt::format("{}", values[static_cast<Eigen::Index>(column)]), expected, ""});
     });
   }
 
-  [[nodiscard]] double number(std::string_view cell, const std::string& column) const {
-    const std::optional<double> value = geometric::parse_number(cell);
-    if (!value) {
-      throw InputError(
-          {at_line(), "column " + column, fmt::format("\"{}\"", cell), "a finite number", ""});
-    }
-    return *value;
-  }
-
-  [[nodiscard]] std::string at_line() const { return fmt::format("{}:{}", file_.string(), line_); }
+  [[nodiscard]] std::string top() const { return file_.string() + ":1"; }
 
   const RobotModel& model_;
   const std::filesystem::path& file_;
+  JointsAtRest* rest_;
   JointColumns columns_;
-  std::vector<std::string> header_;
-  char separator_ = ',';
-  int line_ = 1;
+  std::vector<int> links_;  ///< With a column.
+  geometric::JointTable table_;
 };
 
 using geometric::YamlElement;
@@ -201,9 +259,10 @@ YamlElement trajectory_in(const YamlElement& top) {
   return top;
 }
 
-bool is_joint_trajectory(const std::filesystem::path& file) {
-  const std::string head = geometric::head_of(file);
-  return head.find("joint_names") != std::string::npos;
+bool is_joint_trajectory(std::string_view head) {
+  const std::size_t names = head.find("joint_names");
+  return names != std::string_view::npos &&
+         (geometric::has_joint_messages(head) || head.find("points") != std::string_view::npos);
 }
 
 Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path& file,
@@ -293,29 +352,46 @@ void write_path_csv(const Path& path, const RobotModel& model, const std::filesy
   geometric::replace_file(file, to_csv(path, model));
 }
 
-std::string JointsAtRest::remark(const std::filesystem::path& file) const {
-  const std::string turns =
-      jumps.empty()
-          ? ""
-          : fmt::format("{}{}; joints without ends go the short way round",
-                        names.empty() ? file.string() + ": " : "; ", fmt::join(jumps, ", "));
-  if (names.empty()) {
-    return turns;
-  }
+namespace {
+
+/// "a, b, c and 4 more".
+std::string some_of(const std::vector<std::string>& names) {
   const std::span named(names.begin(), names.size() > kMostNamed ? kFirstNamed : names.size());
   const std::size_t others = names.size() - named.size();
-  return fmt::format("{} does not have all joints: {}{} stay{} at the start{}", file.string(),
-                     fmt::join(named, ", "), others > 0 ? fmt::format(" and {} more", others) : "",
-                     names.size() == 1 ? "s" : "", turns);
+  return fmt::format("{}{}", fmt::join(named, ", "),
+                     others > 0 ? fmt::format(" and {} more", others) : "");
+}
+
+}  // namespace
+
+std::string JointsAtRest::remark(const std::filesystem::path& file) const {
+  std::vector<std::string> parts;
+  if (!names.empty()) {
+    parts.push_back(fmt::format("{} does not have all joints: {} stay{} at the start",
+                                file.string(), some_of(names), names.size() == 1 ? "s" : ""));
+  }
+  if (!jumps.empty()) {
+    parts.push_back(
+        fmt::format("{}; joints without ends go the short way round", fmt::join(jumps, ", ")));
+  }
+  if (!passed_over.empty()) {
+    parts.push_back("columns passed over, as no joint of the robot: " + some_of(passed_over));
+  }
+  const std::string source = names.empty() && !parts.empty() ? file.string() + ": " : "";
+  return fmt::format("{}{}", source, fmt::join(parts, "; "));
 }
 
 bool is_path_file(const std::filesystem::path& file) {
-  return geometric::has_extension(file, ".csv") || is_joint_trajectory(file);
+  const std::string head = geometric::head_of(file);
+  return geometric::has_extension(file, ".csv") || is_joint_trajectory(head) ||
+         geometric::has_joint_messages(head);
 }
 
 Path read_path(const RobotModel& model, const std::filesystem::path& file, JointsAtRest* rest) {
-  Path path = is_joint_trajectory(file) ? read_joint_trajectory(model, file, rest)
-                                        : TableReader(model, file, rest).read();
+  Path path = is_joint_trajectory(geometric::head_of(file))
+                  ? read_joint_trajectory(model, file, rest)
+                  : TableReader(model, file, rest).read();
+  refuse_degrees(model, path, file);
   std::vector<std::string> jumps = unwrap(model, path);
   if (rest) {
     rest->jumps = std::move(jumps);

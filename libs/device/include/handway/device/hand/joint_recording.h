@@ -13,19 +13,14 @@
 
 namespace handway::device {
 
-/// Reads what the joints of a hand went through. What kind of file it is, its content tells:
-///   - a table of text, with the joints' names above the columns, alone or in a longer name:
-///     `index_joint_1`, `index_joint_1_pos`, `/joint_states/index_joint_1/position`. A column
-///     `time` (`t`, `timestamp`, `%time`, …) holds s, or, if its numbers are that large, the ms, µs
-///     or ns since 1970; without times there are 100 rows a second. Angles beyond a whole turn tell
-///     that all are degrees. `rostopic echo -p` writes such tables, too, with names in the rows;
-///   - `sensor_msgs/JointState` messages, one after the other as `ros2 topic echo` prints them, as
-///     lines of JSON or in a list. Joints that a message does not have stay where they were;
-///   - one `trajectory_msgs/JointTrajectory`, as YAML or JSON.
+/// Reads what the joints of a hand went through: what geometric::read_joint_table() reads. Times
+/// are settled by geometric::settle_times(); without times there are 100 rows a second. Angles
+/// beyond a whole turn tell that all are degrees, unless columns name their unit.
+///
 /// Columns of other joints, velocities and efforts are passed over, and so is a last line or
-/// message that is not whole, as a recording that is stopped leaves it. Rows that lack a value, and
-/// those whose time runs backwards, are left out; joints of the hand that the file does not have
-/// stay at RobotModel::neutral(). Warnings tell of both.
+/// message that is not whole, as a recording that is stopped leaves it. Rows that lack a value are
+/// left out; joints of the hand that the file does not have stay at RobotModel::neutral(). Warnings
+/// tell of all that.
 /// @returns angles, without sensors: a column is a variable of the hand, in its order, rad (m for
 /// joints that slide).
 /// @throws geometric::InputError for a file that is none of these, has no joint of the hand, or no

@@ -20,7 +20,8 @@ namespace handway::geometric {
 /// Without blanks, quotes and the end of line around it.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string_view trimmed(std::string_view text);
 
-/// Trimmed parts between separators; ' ' separates by any run of blanks.
+/// Trimmed parts between separators; ' ' separates by any run of blanks. Separators within a cell
+/// that is quoted whole do not count.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string_view> cells(std::string_view line,
                                                                            char separator);
 

@@ -34,9 +34,10 @@ struct JointsAtRest {
   /// Jumps of continuous joints by about a whole turn, which were taken the short way round: one
   /// for each joint, as "joint J jumps by -356° after waypoint 2".
   std::vector<std::string> jumps = {};
+  std::vector<std::string> passed_over = {};  ///< Columns of the file that are no joint's.
 
-  /// A sentence that names file, joints (of many the first) and jumps, without a full stop; empty
-  /// if the file has all joints and no jump.
+  /// A sentence that names file, joints (of many the first), jumps and columns that were passed
+  /// over, without a full stop; empty if the file has all joints and nothing else, and no jump.
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string remark(const std::filesystem::path& file) const;
 };
 
@@ -44,11 +45,11 @@ struct JointsAtRest {
 /// begins. False if it can't be read.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_path_file(const std::filesystem::path& file);
 
-/// Reads such a table. Columns may come in any order; "time" and the columns of
-/// coupled joints may be missing, but where they are there they must agree with
-/// the coupling within 1e-4. Columns "JOINT.velocity" and "JOINT.acceleration" of
-/// joints that move on their own, as timed paths have them, must hold finite numbers, and are
-/// otherwise left alone. Cells may be separated by semicolons, tabs or blanks, too.
+/// Reads what geometric::read_joint_table() reads: such a table, and what robots, plotters and data
+/// sets write. Columns may come in any order. Those of times, velocities and of anything that is no
+/// joint are passed over, unless their name is a slip of a joint's that is missing. The columns of
+/// coupled joints may be missing, but where they are there they must agree with the coupling within
+/// 1e-4. Angles are in rad; columns may name degrees ("pan [deg]").
 ///
 /// A trajectory_msgs/JointTrajectory as YAML or JSON, also in the messages around one, is a path
 /// through its positions.
@@ -56,7 +57,8 @@ struct JointsAtRest {
 /// Continuous joints go from each waypoint to the next by at most half a turn: recordings that keep
 /// angles within ±π jump there. A turn of more than that takes waypoints between.
 /// @param rest without it every joint must be there; its names are found.
-/// @throws InputError naming line and column or element for anything else.
+/// @throws InputError naming line and column or element for anything else, and for angles that are
+/// beyond limits but look like degrees.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Path read_path(const geometric::RobotModel& model,
                                                      const std::filesystem::path& file,
                                                      JointsAtRest* rest = nullptr);

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Values of a robot's joints over time, as its driver, a simulation, a plotter or a data set
+/// writes them: what recordings of a hand's joints and files of paths have in common.
+namespace handway::geometric {
+
+/// The number of the joint of exactly this name; nothing if it is none of those asked for.
+using JointLookup = std::function<std::optional<int>(std::string_view)>;
+
+/// Rows as they come, with gaps.
+struct JointTable {
+  /// A cell of a joint that is no number.
+  struct BadCell {
+    std::size_t line = 0;
+    std::string column;
+    std::string text;
+  };
+
+  std::vector<double> times;        ///< As the file has them; NaN: not there. For settle_times().
+  std::optional<double> time_unit;  ///< The named unit of times, s.
+  bool times_are_spelled = false;   ///< They are dates or clock times.
+  std::vector<Eigen::VectorXd> values;  ///< rad, m, or what the file has; NaN: not there.
+  std::vector<std::size_t> lines;       ///< Of each row; empty for messages.
+  std::set<std::string> others;         ///< Columns and joints that are none of those asked for.
+  std::vector<int> columns;             ///< How many each joint has.
+  std::optional<BadCell> bad_cell;      ///< The first one.
+  bool units_are_named = false;         ///< Columns say degrees or radians; degrees were turned.
+  bool holds = false;                   ///< What a row lacks stays where it was.
+  bool is_cut_off = false;              ///< The last row or message was no whole one.
+};
+
+/// Reads such a file. What kind it is, its content tells:
+///   - a table of text with the joints' names above the columns, alone or in a longer name: "pan",
+///     "pan_pos", "pan [deg]", "/joint_states/pan/position". Velocities and efforts are passed
+///     over. Times are found by time_columns();
+///   - tables whose rows hold the names themselves, as `rostopic echo -p` and `ros2 topic echo
+///     --csv` write them, or lists of names and positions in two cells;
+///   - sensor_msgs/JointState messages, one after the other as `ros2 topic echo` prints them, as
+///     lines of JSON or in a list; or a trajectory_msgs/JointTrajectory.
+/// @param count of the joints that `lookup` knows.
+/// @param what what the file should be, for messages.
+/// @throws InputError for a row or message whose numbers are not as many as its names.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT JointTable
+read_joint_table(const std::filesystem::path& file, const JointLookup& lookup, int count,
+                 const std::string& what);
+
+/// The joint whose positions a column of this name holds.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<int> joint_of_column(const JointLookup& lookup,
+                                                                          std::string_view column);
+
+/// Whether a file that begins so has ROS messages of a robot's joints, as YAML or JSON.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool has_joint_messages(std::string_view head);
+
+}  // namespace handway::geometric

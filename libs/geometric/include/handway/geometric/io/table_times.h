@@ -1,0 +1,81 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Times of the rows of a table as other programs write them: numbers in some unit, since 1970 or
+/// since the start; dates and clock times.
+namespace handway::geometric {
+
+/// A cell that spells a time.
+struct SpelledTime {
+  enum class Kind { kDate, kClock, kDateAndClock };
+  Kind kind = Kind::kDate;
+  double seconds = 0.0;  ///< Since 1970 (UTC), or since midnight.
+};
+
+/// The time that the whole of a cell spells: ISO 8601 ("2024-03-01T12:00:00.5Z", with a blank for
+/// the T, with another zone), a date (also "01.03.2024" and "03/01/2024") or a clock time
+/// ("12:00:00.5", "12:00:00,5", "1:00:00 PM").
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<SpelledTime> parse_time(std::string_view cell);
+
+/// What the name of a column says of times.
+struct TimeName {
+  enum class Kind { kTime, kDate, kSeconds, kNanoseconds };
+  Kind kind = Kind::kTime;     ///< The last two are the halves of a stamp of ROS.
+  std::optional<double> unit;  ///< s, if it is named: 1e-3 of "t_ms" or "time [ms]".
+  bool plain = true;           ///< It says nothing else.
+};
+
+/// Nothing if the column is not one of times by its name. Names may be German, French, Spanish or
+/// Italian, too.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<TimeName> time_name(std::string_view column);
+
+/// The columns whose sum is the time of a row: one, a date and a clock time, or the two halves of
+/// a stamp.
+struct TimeColumns {
+  struct Part {
+    std::size_t column = 0;
+    double unit = 1.0;  ///< What numbers are multiplied by; dates and clock times are in s.
+  };
+  std::vector<Part> parts;     ///< Empty: there are no times.
+  std::optional<double> unit;  ///< The named one of a single column, s.
+
+  [[nodiscard]] bool has(std::size_t column) const;
+};
+
+/// What the cells of a column are.
+enum class CellContent { kOther, kNumbers, kDates, kClocks, kDatesAndClocks };
+
+/// The content of a column with such a cell.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT CellContent content_of(std::string_view cell);
+
+/// Takes columns that say nothing else by their names before others, and of several the first.
+/// @param names of all columns.
+/// @param contents of each.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TimeColumns
+time_columns(const std::vector<std::string>& names, const std::vector<CellContent>& contents);
+
+/// Makes seconds that never fall of the times in a table.
+///   - The unit is the named one. Where none is named, or the values contradict it, their size
+///     (of times since 1970) and their steps tell: rows are less than 5 s apart.
+///   - Times since 1970 begin at 0.
+///   - A clock without a date that passes midnight runs on.
+///   - Where time runs back, the clock was set: times run on from there by a usual step. A few rows
+///     that come too late get the time of the one before.
+/// @param times in the order of rows; those that are not finite stay.
+/// @param unit the named one, s.
+/// @param spelled whether they are dates or clock times, in s.
+/// @param lines of the file, of each row; without them rows are counted from 1.
+/// @returns warnings, in words: what the unit was taken for, how often and where time ran back.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> settle_times(
+    std::vector<double>& times, std::optional<double> unit = {}, bool spelled = false,
+    std::span<const std::size_t> lines = {});
+
+}  // namespace handway::geometric
