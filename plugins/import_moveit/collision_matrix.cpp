@@ -6,18 +6,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
 
 namespace handway::import_moveit {
-namespace {
 
-using geometric::AllowedCollisions;
 using geometric::YamlElement;
 
-// As rostopic and ros2 write them, and as numbers.
 bool flag(const YamlElement& element) {
   const std::string text = element.text();
   for (const auto& [word, value] : {std::pair("True", true), std::pair("False", false),
@@ -29,16 +27,25 @@ bool flag(const YamlElement& element) {
   return element.flag();
 }
 
+namespace {
+
+using geometric::AllowedCollisions;
+
 /// The matrix by names: of pairs, and of single bodies where a pair is not named.
 struct Matrix {
   std::map<AllowedCollisions::Pair, bool> pairs;
   std::map<std::string, bool> defaults;
 
   [[nodiscard]] bool allows(const std::string& a, const std::string& b) const {
+    return decision(a, b).value_or(false);
+  }
+
+  // Nothing if it says nothing of the pair.
+  [[nodiscard]] std::optional<bool> decision(const std::string& a, const std::string& b) const {
     if (const auto pair = pairs.find(std::minmax(a, b)); pair != pairs.end()) {
       return pair->second;
     }
-    bool allowed = false;
+    std::optional<bool> allowed;
     for (const std::string& name : {a, b}) {
       if (const auto usual = defaults.find(name); usual != defaults.end()) {
         if (!usual->second) {
@@ -86,20 +93,51 @@ Matrix matrix_of(const YamlElement& element) {
 
 }  // namespace
 
+namespace {
+
+/// Pairs of links that a matrix allows or forbids otherwise than the SRDF.
+void take_pairs_of_links(const Matrix& matrix, geometric::Scene& scene) {
+  const geometric::RobotDescription& robot = scene.robots.front().model->description();
+  const auto is_named = [&](const std::string& link) {
+    return matrix.pairs.contains({link, link});
+  };
+  std::set<std::string> unnamed;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const AllowedCollisions::Pair pair = std::minmax(robot.links[i].name, robot.links[j].name);
+      const bool by_srdf = robot.allowed_collisions.reason(pair.first, pair.second).has_value();
+      const std::optional<bool> decision = matrix.decision(pair.first, pair.second);
+      if (decision && *decision != by_srdf) {
+        scene.may_touch[pair] = *decision;
+      }
+      for (const std::string& link : {pair.first, pair.second}) {
+        if (!decision && by_srdf && !is_named(link)) {
+          unnamed.insert(link);
+        }
+      }
+    }
+  }
+  if (!unnamed.empty()) {
+    constexpr std::ptrdiff_t kNamed = 5;
+    const std::ptrdiff_t more = std::ssize(unnamed) - kNamed;
+    scene.warnings.push_back(fmt::format(
+        "the allowed-collision matrix does not name {} link{} of {}, whose pairs stay as in the "
+        "SRDF: {}{}",
+        unnamed.size(), unnamed.size() == 1 ? "" : "s", robot.name,
+        fmt::join(unnamed.begin(), more > 0 ? std::next(unnamed.begin(), kNamed) : unnamed.end(),
+                  ", "),
+        more > 0 ? fmt::format(" and {} more", more) : ""));
+  }
+}
+
+}  // namespace
+
 void read_collision_matrix(const YamlElement& element, const ObjectNames& objects,
                            geometric::Scene& scene) {
   const Matrix matrix = matrix_of(element);
   const geometric::RobotDescription& robot = scene.robots.front().model->description();
   if (!matrix.pairs.empty()) {
-    for (std::size_t i = 0; i < robot.links.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const AllowedCollisions::Pair pair = std::minmax(robot.links[i].name, robot.links[j].name);
-        const bool allowed = matrix.allows(pair.first, pair.second);
-        if (allowed != robot.allowed_collisions.reason(pair.first, pair.second).has_value()) {
-          scene.may_touch[pair] = allowed;
-        }
-      }
-    }
+    take_pairs_of_links(matrix, scene);
   }
   for (const auto& [id, names] : objects) {
     std::vector<std::pair<std::string, std::string>> others;  // id and name in the scene

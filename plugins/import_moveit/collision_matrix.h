@@ -9,13 +9,18 @@
 
 namespace handway::import_moveit {
 
+/// A flag as rostopic and ros2 write it, or as a number.
+[[nodiscard]] bool flag(const geometric::YamlElement& element);
+
 /// Names in `scene` of a collision object's shapes, by its id.
 using ObjectNames = std::map<std::string, std::vector<std::string>>;
 
-/// Takes moveit_msgs/AllowedCollisionMatrix to Scene::may_touch. As in MoveIt, a matrix with names
-/// stands for that of the robot's SRDF: a pair that it does not name is checked, unless a default
-/// of one of its bodies lets it touch and that of the other does not forbid it. What is carried may
-/// touch its touch links whatever the matrix says.
+/// Takes moveit_msgs/AllowedCollisionMatrix to Scene::may_touch. A matrix with names stands for
+/// that of the robot's SRDF: two links that it names may touch if it says so. For a pair that it
+/// does not name the defaults of its bodies decide: one lets it touch if that of the other does not
+/// forbid it. Without either, links that it does not name keep the SRDF's pairs, with a warning
+/// where that makes a difference, and pairs with objects are checked. What is carried may touch its
+/// touch links whatever the matrix says.
 /// @throws InputError if its rows are not as long as its names are many.
 void read_collision_matrix(const geometric::YamlElement& matrix, const ObjectNames& objects,
                            geometric::Scene& scene);

@@ -173,11 +173,10 @@ class ProblemReader {
     if (const auto state = top_.find("robot_state")) {
       state->refuse_slips(
           {"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
-      if (const auto attached = state->find("attached_collision_objects")) {
-        for (const YamlElement& object : attached->items()) {
-          add_attached(object, world);
-        }
-      }
+      attach(*state, world);
+    }
+    if (const auto state = request_ ? request_->find("start_state") : std::nullopt) {
+      take_start_state(*state, world);
     }
     if (const auto matrix = top_.find("allowed_collision_matrix"); matrix && matrix->is_map()) {
       read_collision_matrix(*matrix, world.names, *scene_);
@@ -185,10 +184,35 @@ class ProblemReader {
     read_paddings(top_, *scene_);
     add_path_constraints(frames);
     note_unknown_joints();
+    std::ranges::move(remarks_.warnings(), std::back_inserter(scene_->warnings));
     return {scene_, nullptr};
   }
 
  private:
+  static void attach(const YamlElement& state, World& world) {
+    for (const YamlElement& object : state.items_of("attached_collision_objects")) {
+      add_attached(object, world);
+    }
+  }
+
+  // A start that is no difference to the scene's state stands for what that carries, too.
+  void take_start_state(const YamlElement& state, World& world) {
+    state.refuse_slips(
+        {"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
+    const auto joints = state.find("joint_state");
+    const auto is_diff = state.find("is_diff");
+    const bool is_whole = is_diff && !flag(*is_diff) && joints &&
+                          !joints->items_of("name").empty() &&
+                          state.find("attached_collision_objects");
+    if (is_whole && remove_attached(world)) {
+      scene_->warnings.push_back(
+          fmt::format("{}: the start state is no difference (is_diff): what the scene's robot "
+                      "carries is left out, as in MoveIt",
+                      state.where()));
+    }
+    attach(state, world);
+  }
+
   void add_robot() {
     const fs::path file = robot_file(top_.need("robot_model_name"), folder_);
     std::shared_ptr<const RobotModel> model = geometric::load_robot(file);
@@ -374,6 +398,7 @@ class ProblemReader {
   }
 
   const ProblemFiles& files_;
+  Remarks remarks_;
   std::set<std::string> unknown_joints_;
   Pose X_WB_ = Pose::Identity();
   fs::path folder_;

@@ -16,6 +16,7 @@
 #include <sstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace handway::import_moveit {
@@ -25,8 +26,34 @@ using geometric::Pose;
 using geometric::YamlElement;
 
 constexpr double kUnitTolerance = 0.01;
+constexpr double kSmallest = 1e-6;  // of a quaternion
+
+Remarks*& innermost() {
+  thread_local Remarks* remarks = nullptr;
+  return remarks;
+}
 
 }  // namespace
+
+Remarks::Remarks() : outer_(std::exchange(innermost(), this)) {}
+
+Remarks::~Remarks() { innermost() = outer_; }
+
+std::vector<std::string> Remarks::warnings() const {
+  std::vector<std::string> warnings;
+  for (const auto& [kind, place] : kinds_) {
+    const auto& [where, count] = place;
+    warnings.push_back(count == 1 ? fmt::format("{}: {}", where, kind)
+                                  : fmt::format("{} and {} more: {}", where, count - 1, kind));
+  }
+  return warnings;
+}
+
+void remark(const std::string& kind, const std::string& where) {
+  if (innermost() != nullptr) {
+    ++innermost()->kinds_.try_emplace(kind, where, 0).first->second.second;
+  }
+}
 
 Eigen::Quaterniond read_rotation(const YamlElement& element) {
   Eigen::Vector4d q;  // x, y, z, w
@@ -37,9 +64,13 @@ Eigen::Quaterniond read_rotation(const YamlElement& element) {
     q = {element.number_or("x", 0.0), element.number_or("y", 0.0), element.number_or("z", 0.0),
          element.number_or("w", 0.0)};
   }
+  if (q.norm() < kSmallest) {
+    remark("orientations of zeros, which were never filled in, are taken for the identity",
+           element.where());
+    return Eigen::Quaterniond::Identity();
+  }
   if (std::abs(q.norm() - 1.0) > kUnitTolerance) {
-    element.refuse(fmt::format("a quaternion of length {:.3g}", q.norm()),
-                   "x, y, z, w of length 1");
+    remark("quaternions of another length than 1 are normalised", element.where());
   }
   q.normalize();
   return {q[3], q[0], q[1], q[2]};

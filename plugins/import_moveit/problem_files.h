@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::import_moveit {
@@ -14,11 +15,32 @@ namespace handway::import_moveit {
 /// Messages of ROS as YAML, the way `rostopic echo` writes them (maps: `{x: 1, y: 2, z: 3}`)
 /// and the way MotionBenchMaker does (lists: `[1, 2, 3]`).
 
+/// Gathers what the readers of messages below have to remark on, on this thread while it lives.
+class Remarks {
+ public:
+  Remarks();
+  ~Remarks();
+  Remarks(const Remarks&) = delete;
+  Remarks& operator=(const Remarks&) = delete;
+
+  /// A warning for each kind, with a count and the first place.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+
+ private:
+  friend void remark(const std::string& kind, const std::string& where);
+
+  std::map<std::string, std::pair<std::string, int>> kinds_;  ///< The first place and the count.
+  Remarks* outer_;
+};
+
+/// Adds to the innermost Remarks of this thread, if there is one.
+void remark(const std::string& kind, const std::string& where);
+
 /// geometry_msgs/Point and Vector3, m. Coordinates that are missing from a map are 0.
 [[nodiscard]] Eigen::Vector3d read_point(const geometric::YamlElement& element);
 
-/// geometry_msgs/Quaternion: x, y, z, w.
-/// @throws InputError if its length is not 1 within 1 %.
+/// geometry_msgs/Quaternion: x, y, z, w. As in MoveIt, one that was never filled in, of zeros, is
+/// the identity, and others are normalised; remarks tell of both.
 [[nodiscard]] Eigen::Quaterniond read_rotation(const geometric::YamlElement& element);
 
 /// geometry_msgs/Pose: `position` and `orientation`, each of which may be missing.

@@ -3,6 +3,7 @@
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/number_text.h"
 #include "problem_files.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -405,20 +407,172 @@ std::string unique_name(const geometric::Scene& scene, const std::string& wanted
   return name;
 }
 
+enum class Operation { kAdd, kRemove, kAppend, kMove };
+
+// moveit_msgs/CollisionObject's byte: as a number, a character ("\x01"), base64 (!!binary AQ==), a
+// list of one, bytes of Python, or its name.
+std::optional<Operation> operation_called(const YamlElement& element) {
+  if (element.is_list()) {
+    const std::vector<YamlElement> items = element.items();
+    return items.size() == 1 ? operation_called(items.front()) : std::nullopt;
+  }
+  std::string text = element.text();
+  if (text.size() == 1 && static_cast<unsigned char>(text[0]) < 4) {
+    return static_cast<Operation>(text[0]);
+  }
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  text =
+      text.substr(text.find_last_of(".:") == std::string::npos ? 0 : text.find_last_of(".:") + 1);
+  constexpr std::array<std::array<const char*, 8>, 4> kSpellings = {
+      {{"0", "0x0", "0x00", "aa==", "add", "\\0", "\\x00", "b'\\x00'"},
+       {"1", "0x1", "0x01", "aq==", "remove", "\\1", "\\x01", "b'\\x01'"},
+       {"2", "0x2", "0x02", "ag==", "append", "\\2", "\\x02", "b'\\x02'"},
+       {"3", "0x3", "0x03", "aw==", "move", "\\3", "\\x03", "b'\\x03'"}}};
+  for (std::size_t i = 0; i < kSpellings.size(); ++i) {
+    if (std::ranges::find(kSpellings.at(i), text) != kSpellings.at(i).end()) {
+      return static_cast<Operation>(i);
+    }
+  }
+  const std::optional<double> number = geometric::parse_number(text);
+  return number && (*number == 0.0 || *number == 1.0 || *number == 2.0 || *number == 3.0)
+             ? std::optional(static_cast<Operation>(static_cast<int>(*number)))
+             : std::nullopt;
+}
+
+Operation operation_of(const YamlElement& object) {
+  const std::optional<YamlElement> element = object.find("operation");
+  if (!element || (element->is_scalar() && element->text().empty())) {
+    return Operation::kAdd;
+  }
+  const std::optional<Operation> operation = operation_called(*element);
+  if (!operation) {
+    element->refuse(element->found(), "ADD (0), REMOVE (1), APPEND (2) or MOVE (3)");
+  }
+  return *operation;
+}
+
+void remove_objects(const std::string& id, World& world) {
+  for (const std::string& name : world.names[id]) {
+    std::erase_if(world.scene.objects,
+                  [&](const geometric::SceneObject& object) { return object.name == name; });
+  }
+  world.names.erase(id);
+  world.objects.erase(id);
+}
+
+geometric::SceneObject& object_called(const std::string& name, World& world) {
+  return *std::ranges::find(world.scene.objects, name, &geometric::SceneObject::name);
+}
+
+bool is_attached(const std::string& id, World& world) {
+  const auto names = world.names.find(id);
+  return names != world.names.end() && !names->second.empty() &&
+         object_called(names->second.front(), world).attachment.has_value();
+}
+
+// The pose of a message in what its object is fixed to.
+Pose pose_of(const YamlElement& object, const Pose& X_PF) {
+  const std::optional<YamlElement> pose = object.find("pose");
+  return pose ? X_PF * read_pose(*pose) : X_PF;
+}
+
 // @param X_PF of the object's frame in what it is fixed to. @param X_WP of that in the world.
 void add_object(const YamlElement& object, const Pose& X_PF, const Pose& X_WP,
                 const std::optional<geometric::Attachment>& attachment, World& world) {
-  object.refuse_slips({"header", "id", "type", "pose", "primitives", "primitive_poses", "meshes",
-                       "mesh_poses", "planes", "plane_poses", "subframe_names", "subframe_poses",
-                       "operation"});
-  const std::optional<YamlElement> pose = object.find("pose");
-  const Pose X_PO = pose ? X_PF * read_pose(*pose) : X_PF;
+  const Pose X_PO = pose_of(object, X_PF);
   const std::string id = object.need("id").text();
+  WorldObject& whole = world.objects.try_emplace(id, WorldObject{X_PO, {}}).first->second;
   for (auto& [shape, X_OS] : shapes_of(object, X_WP * X_PO, world)) {
     const std::string name = unique_name(world.scene, id);
     world.names[id].push_back(name);
+    whole.X_OS.push_back(whole.X_PO.inverse() * X_PO * X_OS);
     world.scene.objects.push_back({name, std::move(shape), X_PO * X_OS, kColor, attachment});
   }
+}
+
+// Poses of shapes in a message that moves them, too; as many as the object has.
+std::vector<Pose> shape_poses(const YamlElement& object) {
+  std::vector<Pose> poses;
+  for (const char* key : {"primitive_poses", "mesh_poses", "plane_poses"}) {
+    for (const YamlElement& pose : object.items_of(key)) {
+      poses.push_back(read_pose(pose));
+    }
+  }
+  return poses;
+}
+
+// Moves an object to the message's pose, with its shapes as they are or where the message has them.
+void move_object(const YamlElement& object, const Pose& X_PF, World& world) {
+  const std::string id = object.need("id").text();
+  const auto whole = world.objects.find(id);
+  if (whole == world.objects.end()) {
+    world.scene.warnings.push_back(
+        fmt::format("{}: there is no object \"{}\" to move", object.where(), id));
+    return;
+  }
+  whole->second.X_PO = pose_of(object, X_PF);
+  if (const std::vector<Pose> poses = shape_poses(object);
+      poses.size() == whole->second.X_OS.size()) {
+    whole->second.X_OS = poses;
+  }
+  std::size_t shape = 0;
+  for (const std::string& name : world.names[id]) {
+    object_called(name, world).X_PO = whole->second.X_PO * whole->second.X_OS[shape++];
+  }
+}
+
+void check_keys(const YamlElement& object) {
+  object.refuse_slips({"header", "id", "type", "pose", "primitives", "primitive_poses", "meshes",
+                       "mesh_poses", "planes", "plane_poses", "subframe_names", "subframe_poses",
+                       "operation"});
+}
+
+std::string id_of(const YamlElement& object) {
+  const std::optional<YamlElement> id = object.find("id");
+  return id ? id->text() : "";
+}
+
+void remove_from_world(const YamlElement& object, World& world) {
+  const std::string id = id_of(object);
+  if (!id.empty() && (!world.objects.contains(id) || is_attached(id, world))) {
+    world.scene.warnings.push_back(
+        fmt::format("{}: there is no object \"{}\" to remove", object.where(), id));
+    return;
+  }
+  std::vector<std::string> ids{id};
+  if (id.empty()) {  // all
+    ids.clear();
+    for (const auto& [one, whole] : world.objects) {
+      if (!is_attached(one, world)) {
+        ids.push_back(one);
+      }
+    }
+  }
+  for (const std::string& one : ids) {
+    remove_objects(one, world);
+  }
+}
+
+void take_world_object(const YamlElement& object, World& world) {
+  check_keys(object);
+  const Operation operation = operation_of(object);
+  if (operation == Operation::kRemove) {
+    remove_from_world(object, world);
+    return;
+  }
+  const Pose X_WF = frame_of(object, world.frames);
+  if (operation == Operation::kMove) {
+    move_object(object, X_WF, world);
+    return;
+  }
+  const std::string id = object.need("id").text();
+  if (operation == Operation::kAdd && world.objects.contains(id)) {
+    world.scene.warnings.push_back(
+        fmt::format("{}: object \"{}\" is added again and replaces the first", object.where(), id));
+    remove_objects(id, world);
+  }
+  add_object(object, X_WF, Pose::Identity(), std::nullopt, world);
 }
 
 // octomap_msgs/OctomapWithPose, or the bare map.
@@ -501,7 +655,7 @@ void add_world(const YamlElement& message, World& world) {
   message.refuse_slips({"collision_objects", "octomap"});
   if (const auto objects = message.find("collision_objects")) {
     for (const YamlElement& object : objects->items()) {
-      add_object(object, frame_of(object, world.frames), Pose::Identity(), std::nullopt, world);
+      take_world_object(object, world);
     }
   }
   if (const auto octomap = message.find("octomap")) {
@@ -509,8 +663,9 @@ void add_world(const YamlElement& message, World& world) {
   }
 }
 
-void add_attached(const YamlElement& attached, World& world) {
-  geometric::Scene& scene = world.scene;
+namespace {
+
+geometric::Attachment attachment_of(const YamlElement& attached, geometric::Scene& scene) {
   const YamlElement link = attached.need("link_name");
   if (!scene.robots.front().model->find_link(link.text())) {
     link.refuse(fmt::format("the link \"{}\"", link.text()), "a link of the robot");
@@ -528,9 +683,92 @@ void add_attached(const YamlElement& attached, World& world) {
       }
     }
   }
+  return attachment;
+}
+
+bool has_shapes(const YamlElement& object) {
+  return !object.items_of("primitives").empty() || !object.items_of("meshes").empty() ||
+         !object.items_of("planes").empty();
+}
+
+// Fixes an object of the world to the link, or what a link carries to the world.
+void fix_to(const std::string& id, const Pose& X_NewOld,
+            const std::optional<geometric::Attachment>& attachment, World& world) {
+  world.objects[id].X_PO = X_NewOld * world.objects[id].X_PO;
+  for (const std::string& name : world.names[id]) {
+    geometric::SceneObject& object = object_called(name, world);
+    object.X_PO = X_NewOld * object.X_PO;
+    object.attachment = attachment;
+  }
+}
+
+// Puts what is carried back into the world; without an id all, or all of one link.
+void detach(const YamlElement& attached, const YamlElement& object, World& world) {
+  const std::string id = id_of(object);
+  const std::optional<YamlElement> link = attached.find("link_name");
+  const std::string of_link = link ? link->text() : "";
+  std::vector<std::string> ids;
+  for (const auto& [one, whole] : world.objects) {
+    if ((id.empty() || one == id) && is_attached(one, world)) {
+      const std::string& carrier = object_called(world.names[one].front(), world).attachment->link;
+      if (of_link.empty() || carrier == of_link) {
+        ids.push_back(one);
+      }
+    }
+  }
+  if (ids.empty()) {
+    world.scene.warnings.push_back(fmt::format("{}: nothing{} is attached that could be removed",
+                                               attached.where(),
+                                               id.empty() ? "" : " called \"" + id + '"'));
+  }
+  for (const std::string& one : ids) {
+    const std::string& carrier = object_called(world.names[one].front(), world).attachment->link;
+    fix_to(one, world.frames.at(carrier), std::nullopt, world);
+  }
+}
+
+}  // namespace
+
+void add_attached(const YamlElement& attached, World& world) {
   const YamlElement object = attached.need("object");
+  check_keys(object);
+  const Operation operation = operation_of(object);
+  if (operation == Operation::kRemove) {
+    detach(attached, object, world);
+    return;
+  }
+  const geometric::Attachment attachment = attachment_of(attached, world.scene);
   const Pose& X_WL = world.frames.at(attachment.link);
-  add_object(object, X_WL.inverse() * frame_of(object, world.frames), X_WL, attachment, world);
+  const Pose X_LF = X_WL.inverse() * frame_of(object, world.frames);
+  const std::string id = object.need("id").text();
+  const bool is_known = world.objects.contains(id);
+  if (operation == Operation::kMove) {
+    move_object(object, X_LF, world);
+    return;
+  }
+  if (is_known && !has_shapes(object) && !is_attached(id, world)) {
+    fix_to(id, X_WL.inverse(), attachment, world);
+    return;
+  }
+  if (is_known && (operation == Operation::kAdd || !is_attached(id, world))) {
+    world.scene.warnings.push_back(fmt::format(
+        "{}: object \"{}\" is attached and replaces that of the same name", object.where(), id));
+    remove_objects(id, world);
+  }
+  add_object(object, X_LF, X_WL, attachment, world);
+}
+
+bool remove_attached(World& world) {
+  std::vector<std::string> ids;
+  for (const auto& [id, whole] : world.objects) {
+    if (is_attached(id, world)) {
+      ids.push_back(id);
+    }
+  }
+  for (const std::string& id : ids) {
+    remove_objects(id, world);
+  }
+  return !ids.empty();
 }
 
 }  // namespace handway::import_moveit

@@ -49,24 +49,37 @@ struct Reach {
 [[nodiscard]] std::vector<std::pair<geometric::Shape, geometric::Pose>> read_primitives(
     const geometric::YamlElement& message);
 
+/// A collision object by its id: what later messages may move, add to or remove.
+struct WorldObject {
+  geometric::Pose X_PO = geometric::Pose::Identity();  ///< In the world, or in the link.
+  std::vector<geometric::Pose> X_OS;                   ///< Of its shapes, as World::names has them.
+};
+
 /// What objects are read into.
 struct World {
   const Frames& frames;
   std::filesystem::path folder;  ///< Of the problem, for meshes.
   Reach reach;                   ///< How far planes go.
   geometric::Scene& scene;
-  ObjectNames names = {};  ///< Of what has been added.
+  ObjectNames names = {};                           ///< Of what has been added.
+  std::map<std::string, WorldObject> objects = {};  ///< By their ids.
 };
 
 /// Adds the collision objects of `message` (moveit_msgs/PlanningSceneWorld): an object of the scene
-/// for each primitive, mesh and plane. A plane is the half space that the robot's base is not in,
-/// up to the ends of the reach; if the base is on it, that below. An octomap is one mesh
+/// for each primitive, mesh and plane. Each message is taken by its `operation`, in their order:
+/// ADD replaces an object of the same id, APPEND gives it more shapes, MOVE moves it, and REMOVE
+/// takes it away, or all if it names none. A plane is the half space that the robot's base is not
+/// in, up to the ends of the reach; if the base is on it, that below. An octomap is one mesh
 /// (octomap_mesh()), "<octomap>" for the collision matrix.
 /// @throws InputError for what can't be read.
 void add_world(const geometric::YamlElement& message, World& world);
 
-/// Adds what the first robot carries (moveit_msgs/AttachedCollisionObject).
+/// Adds what the first robot carries (moveit_msgs/AttachedCollisionObject), by its operation: ADD
+/// without shapes takes an object of the world, REMOVE puts it back there.
 /// @throws InputError as add_world().
 void add_attached(const geometric::YamlElement& attached, World& world);
+
+/// Takes away all that the robot carries. @returns whether there was something.
+bool remove_attached(World& world);
 
 }  // namespace handway::import_moveit

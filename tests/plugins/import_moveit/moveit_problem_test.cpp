@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -203,6 +204,107 @@ TEST(MoveitProblem, HasTheObjectsOfItsWorld) {
   EXPECT_EQ(std::get<geometric::Mesh>(wedge->shape).triangles->triangles.size(), 4U);
 }
 
+TEST(MoveitProblem, TakesOrientationsAsMoveitDoes) {
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "orientation: {x: 0, y: 0, z: 0, w: 1}",
+                  "orientation: {x: 0, y: 0, z: 0, w: 0}");
+  problem.replace(problem.scene(), "position: [-0.6, 0, 0.2], orientation: [0, 0, 0, 1]",
+                  "position: [-0.6, 0, 0.2], orientation: [0, 0, 2, 2]");
+  const auto scene = problem.read().scene;
+  const auto* table = geometric::find_object(*scene, "table");
+  const auto* wedge = geometric::find_object(*scene, "wedge");
+  ASSERT_TRUE(table && wedge);
+  EXPECT_TRUE(table->X_PO.linear().isIdentity(1e-12));
+  EXPECT_TRUE(wedge->X_PO.linear().col(0).isApprox(Eigen::Vector3d::UnitY(), 1e-12));
+  EXPECT_THAT(scene->warnings, testing::Contains(HasSubstr("taken for the identity")));
+  EXPECT_THAT(scene->warnings, testing::Contains(HasSubstr("are normalised")));
+}
+
+// The objects of a scene after a further message about one, at the end of its world.
+std::shared_ptr<const Scene> after_message(const std::string& message) {
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "    - id: wedge\n", message + "    - id: wedge\n");
+  return problem.read().scene;
+}
+
+TEST(MoveitProblem, RemovesObjectsHoweverTheOperationIsSpelled) {
+  for (const char* spelling : {"1", "REMOVE", "remove", R"("\x01")", R"("\u0001")", "!!binary AQ==",
+                               "CollisionObject.REMOVE", "0x01", "[1]", R"("b'\\x01'")"}) {
+    const auto scene =
+        after_message(fmt::format("    - {{id: pillar, operation: {}}}\n", spelling));
+    EXPECT_FALSE(geometric::find_object(*scene, "pillar")) << spelling;
+    EXPECT_FALSE(geometric::find_object(*scene, "pillar_2")) << spelling;
+    EXPECT_TRUE(geometric::find_object(*scene, "table")) << spelling;
+  }
+  for (const char* spelling : {"0", R"("\0")", "!!binary AA==", "ADD", "\"\""}) {
+    const auto scene =
+        after_message(fmt::format("    - {{id: ball, primitives: [{{type: 2, dimensions: [0.1]}}], "
+                                  "operation: {}}}\n",
+                                  spelling));
+    EXPECT_TRUE(geometric::find_object(*scene, "ball")) << spelling;
+  }
+}
+
+TEST(MoveitProblem, RemovesAllObjectsWhereNoneIsNamed) {
+  const auto scene = after_message("    - {id: '', operation: 1}\n");
+  EXPECT_FALSE(geometric::find_object(*scene, "table"));
+  EXPECT_TRUE(geometric::find_object(*scene, "wedge")) << "added later";
+  EXPECT_TRUE(geometric::find_object(*scene, "parcel")) << "carried";
+}
+
+TEST(MoveitProblem, AppendsMovesAndReplaces) {
+  const auto more = after_message(
+      "    - {id: table, operation: 2, primitives: [{type: 2, dimensions: [0.1]}], "
+      "primitive_poses: [{position: [0, 0, 1]}]}\n");
+  const auto* ball = geometric::find_object(*more, "table_2");
+  ASSERT_TRUE(ball && geometric::find_object(*more, "table"));
+  EXPECT_TRUE(ball->X_PO.translation().isApprox(Eigen::Vector3d(0, 0, 1)));
+
+  const auto moved =
+      after_message("    - {id: pillar, operation: 3, pose: {position: [0, 1, 0]}}\n");
+  const auto* pillar = geometric::find_object(*moved, "pillar");
+  const auto* cone = geometric::find_object(*moved, "pillar_2");
+  ASSERT_TRUE(pillar && cone);
+  EXPECT_TRUE(pillar->X_PO.translation().isApprox(Eigen::Vector3d(0, 1, 0.25)));
+  EXPECT_TRUE(cone->X_PO.translation().isApprox(Eigen::Vector3d(0, 1, 0.5)));
+
+  const auto again = after_message(
+      "    - {id: pillar, operation: 0, primitives: [{type: 2, dimensions: [0.1]}]}\n");
+  EXPECT_TRUE(geometric::find_object(*again, "pillar"));
+  EXPECT_FALSE(geometric::find_object(*again, "pillar_2"));
+  EXPECT_THAT(again->warnings, testing::Contains(HasSubstr("replaces the first")));
+
+  for (const int operation : {1, 3}) {
+    const auto none =
+        after_message(fmt::format("    - {{id: nobody, operation: {}}}\n", operation));
+    EXPECT_THAT(none->warnings, testing::Contains(HasSubstr("no object \"nobody\"")));
+  }
+}
+
+TEST(MoveitProblem, AttachesAndDetachesObjectsOfTheWorld) {
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "  attached_collision_objects:\n",
+                  "  attached_collision_objects:\n    - {link_name: tower, object: {id: wedge}}\n");
+  const auto taken = problem.read().scene;
+  const auto* wedge = geometric::find_object(*taken, "wedge");
+  ASSERT_TRUE(wedge && wedge->attachment);
+  EXPECT_EQ(wedge->attachment->link, "tower");
+  EXPECT_TRUE((Eigen::AngleAxisd(-0.8, Eigen::Vector3d::UnitZ()) * wedge->X_PO.translation())
+                  .isApprox(Eigen::Vector3d(-0.6, 0, 0.2), 1e-9))
+      << "where it was in the world, on the tower that is turned by -0.8";
+
+  problem.replace(
+      problem.request(), "start_state:\n",
+      "start_state:\n  is_diff: true\n  attached_collision_objects: [{link_name: slide, "
+      "object: {id: parcel, operation: 1}}]\n");
+  const auto dropped = problem.read().scene;
+  const auto* parcel = geometric::find_object(*dropped, "parcel");
+  ASSERT_TRUE(parcel);
+  EXPECT_FALSE(parcel->attachment);
+  EXPECT_NEAR(parcel->X_PO.translation().z(), 0.45 - 0.54 * std::sin(0.05), 1e-9)
+      << "where it was, in the world";
+}
+
 TEST(MoveitProblem, CarriesWhatIsAttached) {
   const SmallProblem problem;
   const auto scene = problem.read().scene;
@@ -284,6 +386,23 @@ allowed_collision_matrix:
   const auto saved = problem.folder() / "saved.yaml";
   geometric::write_scene(*scene, saved);
   EXPECT_EQ(geometric::read_scene(saved).may_touch, scene->may_touch);
+}
+
+TEST(MoveitProblem, KeepsThePairsOfTheSrdfForLinksThatTheMatrixDoesNotName) {
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "name: pillar\n", R"(name: pillar
+allowed_collision_matrix:
+  entry_names: [tower, boom]
+  entry_values: [[false, true], [true, false]]
+)");
+  const auto scene = problem.read().scene;
+  const auto pairs = checked_pairs(*scene);
+  EXPECT_FALSE(pairs.contains({"finger", "slide"}));
+  EXPECT_FALSE(pairs.contains({"slide", "tower"})) << "allowed by the SRDF, slide is not named";
+  EXPECT_TRUE(pairs.contains({"boom", "finger"}));
+  EXPECT_THAT(scene->warnings,
+              testing::Contains(testing::AllOf(HasSubstr("does not name 3 links of crane"),
+                                               HasSubstr("finger, finger_2, slide"))));
 }
 
 TEST(MoveitProblem, PadsLinksTowardsObjectsAlone) {
