@@ -12,7 +12,10 @@
 #include <map>
 #include <memory>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace handway::import_kautham {
 namespace {
@@ -42,6 +45,32 @@ geometric::Shape scaled_about_frame(const geometric::Shape& shape, double scale)
   return geometric::Mesh{mesh->file, scale * mesh->scale,
                          std::make_shared<const geometric::TriangleMesh>(
                              transformed(*mesh->triangles, geometric::Pose::Identity(), each_way))};
+}
+
+/// A robot with all lengths multiplied.
+std::shared_ptr<const geometric::RobotModel> scaled_robot(
+    const std::shared_ptr<const geometric::RobotModel>& model, double scale) {
+  if (scale == 1.0) {
+    return model;
+  }
+  geometric::RobotDescription robot = model->description();
+  for (geometric::Link& link : robot.links) {
+    for (std::vector<geometric::LinkGeometry>* parts : {&link.visual, &link.collision}) {
+      for (geometric::LinkGeometry& part : *parts) {
+        part.X_LG.translation() *= scale;
+        part.shape = scaled_about_frame(part.shape, scale);
+      }
+    }
+  }
+  for (geometric::Joint& joint : robot.joints) {
+    joint.X_PJ.translation() *= scale;
+    if (joint.type == geometric::JointType::kPrismatic) {
+      joint.limits.lower *= scale;
+      joint.limits.upper *= scale;
+      joint.limits.velocity *= scale;
+    }
+  }
+  return std::make_shared<const geometric::RobotModel>(std::move(robot));
 }
 
 class SceneBuilder {
@@ -97,13 +126,11 @@ class SceneBuilder {
     if (!geometric::has_extension(file, ".urdf")) {
       return read_kautham_robot(file);
     }
-    if (placed.scale * problem_.units.length != 1.0) {
-      throw InputError({problem_.file.string(), "Robot " + placed.file.string(),
-                        "a URDF robot with scale " + std::to_string(placed.scale),
-                        "its own size: scale 1 in metres, 1000 in millimetres", ""});
-    }
-    models_[placed.file] = geometric::load_robot(file);
-    return controlled_robot(*models_.at(placed.file));
+    // The same file may be there in several sizes.
+    const double scale = placed.scale * problem_.units.length;
+    const auto model = scaled_robot(geometric::load_robot(file), scale);
+    models_[{placed.file, placed.scale}] = model;
+    return controlled_robot(*model);
   }
 
   // True if all robots have the same list of controls; else each has its own, one after the other.
@@ -130,13 +157,13 @@ class SceneBuilder {
   // @param first its first control in the problem's lists.
   void add_robot(const KauthamProblem::PlacedRobot& placed, const KauthamRobot& robot,
                  std::size_t first) {
-    const bool is_urdf = models_.contains(placed.file);
+    const bool is_urdf = models_.contains({placed.file, placed.scale});
     if (is_urdf && std::ranges::count(moving_base(robot), true) > 0) {
       scene_->warnings.push_back("robot " + robot.name +
                                  ": controls of the base of a URDF robot are passed over");
     }
     const auto model =
-        is_urdf ? models_.at(placed.file)
+        is_urdf ? models_.at({placed.file, placed.scale})
                 : make_robot_model(robot, placed.scale, placed.limits, placed.X_WH, meshes_);
     const auto at = [&](const std::vector<double>& values) {
       const auto count = static_cast<Eigen::Index>(robot.controls.size());
@@ -170,9 +197,18 @@ class SceneBuilder {
     }
   }
 
-  // The file of this name, as the problem writes it or, with a warning, in other letters.
+  // The file of this name in the problem's folder or where Kautham's programs look for models, in
+  // ../../models and its like; with a warning, in other letters.
   [[nodiscard]] std::filesystem::path found(const std::filesystem::path& written) {
     std::filesystem::path file = geometric::existing_file(folder_ / written);
+    std::error_code ignored;
+    for (const char* models : {"../../models", "../models", "../../../models", "models"}) {
+      if (!std::filesystem::exists(file, ignored)) {
+        const auto elsewhere = geometric::existing_file(
+            (std::filesystem::absolute(folder_) / models / written).lexically_normal());
+        file = std::filesystem::exists(elsewhere, ignored) ? elsewhere : file;
+      }
+    }
     if (geometric::differs_in_case(written, file)) {
       scene_->warnings.push_back("file " + written.string() + ": its name has other letters, \"" +
                                  file.filename().string() + "\"");
@@ -242,7 +278,9 @@ class SceneBuilder {
   std::filesystem::path folder_;
   std::shared_ptr<Scene> scene_ = std::make_shared<Scene>();
   std::shared_ptr<const sampling::PmdBasis> basis_;
-  std::map<std::filesystem::path, std::shared_ptr<const geometric::RobotModel>> models_;  ///< URDF.
+  /// URDF robots by file and scale.
+  std::map<std::pair<std::filesystem::path, double>, std::shared_ptr<const geometric::RobotModel>>
+      models_;
   InventorMeshes meshes_;
 };
 

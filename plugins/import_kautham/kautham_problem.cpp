@@ -171,6 +171,7 @@ KauthamProblem read_kautham_problem(const std::filesystem::path& file) {
   const pugi::xml_node planner = xml.root().child("Planner");
   read_planner(xml, planner, problem);
   read_query(xml, planner, problem);
+  problem.warnings.insert(problem.warnings.end(), xml.notes().begin(), xml.notes().end());
   return problem;
 }
 

@@ -109,6 +109,7 @@ class RobotReader {
     if (const pugi::xml_node set = xml_.root().child("ControlSet")) {
       read_controls(set);
     }
+    robot_.warnings.insert(robot_.warnings.end(), xml_.notes().begin(), xml_.notes().end());
     return std::move(robot_);
   }
 

@@ -141,6 +141,10 @@ void XmlFile::refuse(pugi::xml_node node, std::string_view attribute, const std:
 
 std::string XmlFile::place(pugi::xml_node node) const { return line_at(node.offset_debug()); }
 
+void XmlFile::note(pugi::xml_node node, const std::string& what) const {
+  notes_.push_back(place(node) + ": " + what);
+}
+
 std::string XmlFile::line_at(std::ptrdiff_t offset) const {
   const auto end = content_.begin() + std::clamp<std::ptrdiff_t>(
                                           offset, 0, static_cast<std::ptrdiff_t>(content_.size()));
@@ -160,7 +164,7 @@ geometric::Pose read_location(const XmlFile& xml, pugi::xml_node node, const Uni
   if (axis.norm() > 0.0) {
     X.linear() = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
   } else if (angle != 0.0) {
-    xml.refuse(node, "TH", "an angle about the axis (0, 0, 0)", "WX, WY, WZ that are not all 0");
+    xml.note(node, fmt::format("<{}>: an angle about the axis (0, 0, 0) is no turn", node.name()));
   }
   return X;
 }

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace handway::import_kautham {
 
@@ -48,6 +49,10 @@ class XmlFile {
   /// "file:line" of the node.
   [[nodiscard]] std::string place(pugi::xml_node node) const;
 
+  /// Remembers a warning about `node`, for notes().
+  void note(pugi::xml_node node, const std::string& what) const;
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
  private:
   [[nodiscard]] std::string line_at(std::ptrdiff_t offset) const;
 
@@ -55,6 +60,7 @@ class XmlFile {
   std::string content_;
   pugi::xml_document document_;
   pugi::xml_node root_;
+  mutable std::vector<std::string> notes_;
 };
 
 /// The text in quotation marks.
@@ -67,8 +73,9 @@ struct Units {
 };
 
 /// The pose that a Location, Home or PreTrans element gives: X, Y, Z, then a turn by TH about the
-/// axis (WX, WY, WZ), which needs no unit length.
-/// @throws InputError if a number is missing, or an angle has no axis.
+/// axis (WX, WY, WZ), which needs no unit length. As in Kautham, an angle about the axis (0, 0, 0)
+/// is no turn; a note tells of it.
+/// @throws InputError if a number is missing.
 [[nodiscard]] geometric::Pose read_location(const XmlFile& xml, pugi::xml_node node,
                                             const Units& units = {});
 

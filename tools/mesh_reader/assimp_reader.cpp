@@ -7,10 +7,16 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <new>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace handway::mesh_reader {
 namespace {
@@ -103,6 +109,30 @@ Assimp::Importer& importer() {
   return importer;
 }
 
+std::string in_small_letters(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// The text of an STL file whose words are in capital letters, in small ones: assimp reads no
+// others. Nothing for other files.
+std::optional<std::string> stl_in_small_letters(const std::filesystem::path& file) {
+  constexpr std::size_t kHead = 5;
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(kHead, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(kHead));
+  if (in_small_letters(file.extension().string()) != ".stl" || in_small_letters(head) != "solid" ||
+      !stream) {
+    return std::nullopt;
+  }
+  std::string text = head;
+  text.append(std::istreambuf_iterator<char>(stream), {});
+  const bool is_text = text.find('\0') == std::string::npos;
+  const bool is_small = text.find("facet") != std::string::npos && head == "solid";
+  return is_text && !is_small ? std::optional(in_small_letters(std::move(text))) : std::nullopt;
+}
+
 }  // namespace
 
 void prepare_assimp() {
@@ -111,7 +141,10 @@ void prepare_assimp() {
 }
 
 void read_by_assimp(const std::filesystem::path& file, Mesh& mesh) {
-  const aiScene* scene = importer().ReadFile(file.string(), aiProcess_Triangulate);
+  const std::optional<std::string> text = stl_in_small_letters(file);
+  const aiScene* scene =
+      text ? importer().ReadFileFromMemory(text->data(), text->size(), aiProcess_Triangulate, "stl")
+           : importer().ReadFile(file.string(), aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     const std::string why = importer().GetErrorString();
     if (why.find("bad_alloc") != std::string::npos) {

@@ -1,7 +1,10 @@
 #include "handway/geometric/formats/mesh_import.h"
 
 #include "formats/mesh_reader_process.h"
+#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/file_contents.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/text_file.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -87,11 +91,60 @@ std::uint64_t checked_size(const fs::path& file) {
   return size;
 }
 
+constexpr std::size_t kStlHeader = 80;
+constexpr std::size_t kStlTriangle = 50;
+
+// Of a binary STL the count of triangles that contradicts the size of the file.
+void refuse_wrong_count(const fs::path& file, std::uint64_t size, std::string_view head) {
+  std::string begin(head.substr(0, 5));
+  std::ranges::transform(begin, begin.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool is_text = begin == "solid" && head.find('\0') == std::string_view::npos;
+  if (!has_extension(file, ".stl") || is_text) {
+    return;
+  }
+  if (size < kStlHeader + sizeof(std::uint32_t)) {
+    throw InputError({file.string(), "", fmt::format("{} bytes", size),
+                      "an STL mesh, of 84 bytes or more", "Copy or export it again"});
+  }
+  std::uint32_t count = 0;
+  std::memcpy(&count, head.data() + kStlHeader, sizeof count);
+  const std::uint64_t body = size - kStlHeader - sizeof count;
+  if (body != std::uint64_t{count} * kStlTriangle) {
+    throw InputError({file.string(), "",
+                      fmt::format("an STL mesh that says {} triangle{}, in a file with room for {}",
+                                  count, count == 1 ? "" : "s", body / kStlTriangle),
+                      "as many", "It may be cut off: copy or export it again"});
+  }
+}
+
+// What can be said of a file without reading it by a library of others.
+void refuse_other_contents(const fs::path& file, std::uint64_t size) {
+  constexpr std::size_t kHead = 1024;
+  const std::string head = head_of(file, kHead);
+  if (size == 0) {
+    throw InputError({file.string(), "", "an empty file", "a mesh", "Copy or export it again"});
+  }
+  const bool is_archive = has_extension(file, ".3mf") || has_extension(file, ".zae") ||
+                          has_extension(file, ".pk3") || has_extension(file, ".ifczip") ||
+                          has_extension(file, ".wrl") || has_extension(file, ".vrml");
+  if (const std::optional<StandIn> other = stand_in(head); other && !is_archive) {
+    throw InputError({file.string(), "", other->found, "a mesh", other->advice});
+  }
+  refuse_wrong_count(file, size, head);
+}
+
+std::uint64_t checked_contents(const fs::path& file) {
+  const std::uint64_t size = checked_size(file);
+  refuse_other_contents(file, size);
+  return size;
+}
+
 /// One file that is read by a process, from the request to the mesh.
 class Reading {
  public:
   Reading(const fs::path& file, MeshFormat format, double scale)
-      : file_(file), limits_(checked_size(file)) {
+      : file_(file), limits_(checked_contents(file)) {
     limits_.request.format = format;
     limits_.request.scale = scale;
   }

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/formats/mesh_import.h"
 #include "handway/geometric/io/disk_cache.h"
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
@@ -26,6 +27,10 @@
 
 namespace handway::geometric {
 namespace {
+
+bool is_inventor_file(const std::filesystem::path& file) {
+  return has_extension(file, ".iv") || has_extension(file, ".wrl") || has_extension(file, ".vrml");
+}
 
 bool has_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Eigen::Vector3d ab = b - a;
@@ -192,7 +197,10 @@ class MeshSource {
  private:
   [[nodiscard]] ReadMesh import() const {
     try {
-      ImportedMesh imported = import_mesh(file_, MeshFormat::kAssimp);
+      constexpr double kMetres = 1000.0;  // of an Inventor file, in millimetres
+      ImportedMesh imported = is_inventor_file(file_)
+                                  ? import_mesh(file_, MeshFormat::kInventor, kMetres)
+                                  : import_mesh(file_, MeshFormat::kAssimp);
       return {std::move(imported.triangles), imported.largest};
     } catch (const InputError& error) {
       refuse(error.problem().found, error.problem().expected, error.problem().advice);
@@ -250,6 +258,6 @@ std::shared_ptr<const TriangleMesh> read_mesh(const fs::path& file, const Eigen:
   return cache.store(key, source.read(scale));
 }
 
-bool is_mesh_file(const fs::path& file) { return is_assimp_file(file); }
+bool is_mesh_file(const fs::path& file) { return is_assimp_file(file) || is_inventor_file(file); }
 
 }  // namespace handway::geometric

@@ -24,7 +24,9 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace handway::geometric {
@@ -276,6 +278,21 @@ void keep_soft_limits(const XmlDocument& document, RobotDescription& robot) {
 
 }  // namespace
 
+namespace {
+
+std::optional<MujocoCompiler> mujoco_compiler(const pugi::xml_node& robot) {
+  const pugi::xml_node compiler = robot.child("mujoco").child("compiler");
+  if (!compiler) {
+    return std::nullopt;
+  }
+  const pugi::xml_attribute assets = compiler.attribute("assetdir");
+  const pugi::xml_attribute meshes = compiler.attribute("meshdir");
+  return MujocoCompiler{with_slashes(meshes ? meshes.value() : assets.value()),
+                        std::string_view(compiler.attribute("strippath").value()) != "false"};
+}
+
+}  // namespace
+
 RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
   const XmlDocument document(file, kWhat);
   check_size(document);
@@ -295,6 +312,7 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
       fs::absolute(place.empty() ? file.parent_path() : place).lexically_normal();
   LinkFiles files;
   files.drawing = std::move(elements.drawing);
+  files.compiler = mujoco_compiler(document.root("robot"));
   for (const pugi::xml_node& node : document.root("robot").children("link")) {
     if (const auto read = elements.links.find(node.attribute("name").value());
         read != elements.links.end()) {
@@ -311,6 +329,11 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
   if (!files.renamed.empty()) {
     robot.warnings.push_back(fmt::format("files whose names have other letters on the disk: {}",
                                          fmt::join(files.renamed, ", ")));
+  }
+  if (!files.by_compiler.empty()) {
+    robot.warnings.push_back(fmt::format(
+        "{} mesh{} where <mujoco><compiler meshdir=\"{}\"> says", files.by_compiler.size(),
+        files.by_compiler.size() == 1 ? " is" : "es are", files.compiler->mesh_folder.string()));
   }
   if (const std::string found = files.found_elsewhere(); !found.empty()) {
     robot.warnings.push_back(found);

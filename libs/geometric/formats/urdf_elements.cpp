@@ -52,7 +52,8 @@ const std::vector<std::string> kJointTypes = {"revolute", "continuous", "prismat
 // http://wiki.ros.org/urdf/XML
 const XmlVocabulary& vocabulary() {
   static const XmlVocabulary kVocabulary = {
-      {"robot", {.children = {"link", "joint", "material"}}},
+      {"robot", {.children = {"link", "joint", "material", "mujoco"}}},
+      {"mujoco", {.children = {"compiler"}}},
       {"link", {.children = {"inertial", "visual", "collision"}}},
       {"inertial", {.children = {"origin", "mass", "inertia"}}},
       {"visual", {.children = {"origin", "geometry", "material"}}},
@@ -104,6 +105,7 @@ class ElementReader {
     }
     note_undefined_materials();
     note({alone.begin(), alone.end()}, "links that no joint connects are left out");
+    note(second_origins_, "elements with a second <origin>, of which the first is taken");
     note(sizeless_, "collision shapes without size, which collide with nothing");
     note(endless_, "joints whose limits are beyond ±1000000 turn without end");
     note(endless_slides_,
@@ -259,11 +261,13 @@ class ElementReader {
 
   // Links.
 
-  void copy_origin(const pugi::xml_node& from, const std::string& element,
-                   pugi::xml_node to) const {
-    const pugi::xml_node origin = only(from, element, "origin");
+  void copy_origin(const pugi::xml_node& from, const std::string& element, pugi::xml_node to) {
+    const pugi::xml_node origin = from.child("origin");
     if (!origin) {
       return;
+    }
+    if (const pugi::xml_node second = origin.next_sibling("origin")) {
+      second_origins_.push_back(fmt::format("{} ({})", element, document_.where(second)));
     }
     pugi::xml_node copy = to.append_child("origin");
     copy_numbers(origin, element, "xyz", 3, copy);
@@ -607,8 +611,9 @@ class ElementReader {
   int unnamed_materials_ = 0;
   std::vector<std::string> joint_names_;
   std::vector<std::string> link_names_;
-  std::vector<std::string> sizeless_;  ///< Links, once for each shape.
-  std::vector<std::string> endless_;   ///< Joints.
+  std::vector<std::string> second_origins_;  ///< The elements that have one, and where.
+  std::vector<std::string> sizeless_;        ///< Links, once for each shape.
+  std::vector<std::string> endless_;         ///< Joints.
   std::vector<std::string> endless_slides_;
 };
 

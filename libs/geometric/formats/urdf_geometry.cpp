@@ -142,8 +142,27 @@ class GeometryReader {
     return Mesh{file, scale, read_mesh(file, scale, where_)};
   }
 
+  // Where MuJoCo would look, if the file says so.
+  [[nodiscard]] std::optional<fs::path> mesh_of_compiler(const std::string& filename) const {
+    if (!files_.compiler) {
+      return std::nullopt;
+    }
+    const std::size_t scheme = filename.find("://");
+    const fs::path written =
+        with_slashes(scheme == std::string::npos ? filename : filename.substr(scheme + 3));
+    const fs::path name = files_.compiler->strips_path ? written.filename() : written;
+    fs::path file =
+        existing_file((folder_ / files_.compiler->mesh_folder / name).lexically_normal());
+    std::error_code ignored;
+    return fs::is_regular_file(file, ignored) ? std::optional(std::move(file)) : std::nullopt;
+  }
+
   // Where it is said to be, or else what the package path has of that name.
   [[nodiscard]] fs::path mesh_file(const std::string& filename) const {
+    if (std::optional<fs::path> file = mesh_of_compiler(filename)) {
+      files_.by_compiler.insert(filename);
+      return *std::move(file);
+    }
     try {
       fs::path file = resolve_mesh_filename(filename, folder_, where_);
       if (!fs::exists(file)) {

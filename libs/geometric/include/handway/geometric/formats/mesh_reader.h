@@ -12,7 +12,7 @@
 namespace handway::geometric {
 
 /// Reads the triangles of a mesh file: STL, OBJ, DAE, PLY, glTF and whatever
-/// else assimp knows.
+/// else assimp knows; Open Inventor and VRML (.iv, .wrl).
 ///
 /// All parts of the file are put together in its root frame. Polygons are
 /// triangulated, equal vertices joined, triangles without area dropped; points
