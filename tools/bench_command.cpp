@@ -12,6 +12,7 @@
 #include "machine.h"
 #include "numbers.h"
 #include "plan_bench.h"
+#include "printing.h"
 #include "scene_options.h"
 #include "scene_variants.h"
 
@@ -323,12 +324,12 @@ int write_variants(const BenchOptions& options) {
       const fs::path target = options.write / fmt::format("{}_seed{}_variant{:02}.yaml", stem,
                                                           runs.variant.seed, runs.variant.number);
       geometric::write_scene(scene, target);
-      fmt::print("{}\n", target.string());
+      print_out("{}\n", target.string());
     });
     for (const VariantRuns& runs : bench.variants) {
       if (!runs.variant.scene) {
-        fmt::print("{}, variant {}: no free start and goal in {} draws\n", stem,
-                   runs.variant.number, runs.variant.draws);
+        print_out("{}, variant {}: no free start and goal in {} draws\n", stem, runs.variant.number,
+                  runs.variant.draws);
       }
     }
   }

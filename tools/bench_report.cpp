@@ -2,6 +2,7 @@
 
 #include "handway/geometric/math/units.h"
 #include "plan_report.h"
+#include "printing.h"
 #include "report_document.h"
 #include "version.h"
 
@@ -248,7 +249,7 @@ BenchTable::BenchTable(const BenchSettings& settings,
 }
 
 void BenchTable::begin_collisions() const {
-  fmt::print(
+  print_out(
       "Collision, \u00b5s: a configuration near the motion from start to goal; an edge of a tenth "
       "of "
       "it.\n"
@@ -260,7 +261,7 @@ void BenchTable::begin_collisions() const {
 
 void BenchTable::add_collision(const SceneBench& scene) const {
   const CollisionBench& bench = scene.collision;
-  fmt::print(
+  print_out(
       "{:<{}} {:>7} {:>9} | {:>9.0f} {:>6} {:>6} {:>5} {:>9} {:>5} | {:>6} {:>6} {:>6} {:>5}\n",
       scene.name(), width_, milliseconds(scene.load_s),
       shown(static_cast<double>(scene.memory) / kMega), 100.0 * bench.in_collision,
@@ -272,14 +273,14 @@ void BenchTable::add_collision(const SceneBench& scene) const {
       shown(bench.fast.edge_us), shown(bench.fcl.edge_us),
       shown(bench.fcl.edge_us / bench.fast.edge_us));
   if (bench.disagreements > 0) {
-    fmt::print("  FAULT: the checkers disagree on {} of {} configurations\n", bench.disagreements,
-               bench.configurations);
+    print_out("  FAULT: the checkers disagree on {} of {} configurations\n", bench.disagreements,
+              bench.configurations);
   }
   std::fflush(stdout);
 }
 
 void BenchTable::begin_plans() const {
-  fmt::print(
+  print_out(
       "\nPlans: {} seed{}, {} thread{}, limit {:g} s; planning and smoothing in ms (a run without "
       "a path counts as endless).\n"
       "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>7} {:>7} {:>9}\n",
@@ -292,7 +293,7 @@ void BenchTable::begin_plans() const {
 
 void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
   const PlanBench& bench = scene.plans[i];
-  fmt::print(
+  print_out(
       "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>7} {:>7} {:>9}\n",
       scene.name(), width_, bench.planner, bench.checker,
       fmt::format("{}/{}", solved_count(bench), bench.results.size()),
@@ -304,9 +305,9 @@ void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
   const auto failed = std::ranges::find_if(
       bench.results, [](const planning::PlanResult& result) { return !result.solved(); });
   if (!bench.problem.empty()) {
-    fmt::print("  not run: {}\n", bench.problem);
+    print_out("  not run: {}\n", bench.problem);
   } else if (failed != bench.results.end()) {
-    fmt::print("  {}\n", failed->reason);
+    print_out("  {}\n", failed->reason);
   }
   if (settings_.check_paths) {
     add_faults(bench);
@@ -315,7 +316,7 @@ void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
 }
 
 void BenchTable::begin_variants(const VariantSettings& variants) const {
-  fmt::print(
+  print_out(
       "{} variants of each problem, drawn from seed {}; {} seed{} each, {} thread{}, limit {:g} s"
       "{}; planning and smoothing in ms (a run without a path counts as endless).\n"
       "{:<{}} {:<18} {:>8} {:>8} {:>8} {:>9} {:>9} {:>6}\n",
@@ -333,13 +334,13 @@ void BenchTable::add_variants(const VariantBench& bench) const {
     if (plan.results.empty() && plan.problem.empty()) {
       continue;  // nothing was left for it
     }
-    fmt::print("{:<{}} {:<18} {:>8} {:>8} {:>8} {:>9} {:>9} {:>6}\n", bench.name(), width_,
-               plan.planner, fmt::format("{}/{}", solved_count(plan), plan.results.size()),
-               milliseconds(time_quantile(plan, 0.5)), milliseconds(time_quantile(plan, 0.95)),
-               shown(median_checks(plan)), shown(median_samples(plan)),
-               shown(median_path_nodes(plan)));
+    print_out("{:<{}} {:<18} {:>8} {:>8} {:>8} {:>9} {:>9} {:>6}\n", bench.name(), width_,
+              plan.planner, fmt::format("{}/{}", solved_count(plan), plan.results.size()),
+              milliseconds(time_quantile(plan, 0.5)), milliseconds(time_quantile(plan, 0.95)),
+              shown(median_checks(plan)), shown(median_samples(plan)),
+              shown(median_path_nodes(plan)));
     if (!plan.problem.empty()) {
-      fmt::print("  not run: {}\n", plan.problem);
+      print_out("  not run: {}\n", plan.problem);
     }
     if (settings_.check_paths) {
       add_faults(plan);
@@ -347,8 +348,8 @@ void BenchTable::add_variants(const VariantBench& bench) const {
   }
   for (const VariantRuns& runs : bench.variants) {
     if (!runs.variant.scene) {
-      fmt::print("  variant {}: no free start and goal in {} draws\n", runs.variant.number,
-                 runs.variant.draws);
+      print_out("  variant {}: no free start and goal in {} draws\n", runs.variant.number,
+                runs.variant.draws);
     }
   }
   for (const MissedPair& pair : summary_of(bench).missed) {
@@ -357,14 +358,14 @@ void BenchTable::add_variants(const VariantBench& bench) const {
       others +=
           fmt::format("{}{} in {:.3g} s", others.empty() ? "solved by " : ", ", planner, time_s);
     }
-    fmt::print("  missed: variant {}, seed {}; {}\n", pair.variant, pair.seed,
-               others.empty() ? "solved by none" : others);
+    print_out("  missed: variant {}, seed {}; {}\n", pair.variant, pair.seed,
+              others.empty() ? "solved by none" : others);
   }
   std::fflush(stdout);
 }
 
 void BenchTable::add_summary(const VariantSummary& summary) const {
-  fmt::print(
+  print_out(
       "\n{} pairs of variant and seed, {} solved by any planner; of these the default solves "
       "{} ({:.1f} %)\n",
       summary.pairs, summary.solved_by_any, summary.solved_by_default,
@@ -373,10 +374,10 @@ void BenchTable::add_summary(const VariantSummary& summary) const {
 
 void BenchTable::add_faults(const PlanBench& bench) const {
   const int faulty = faulty_count(bench);
-  fmt::print("  {} of {} paths valid at 1 mm\n", solved_count(bench) - faulty, solved_count(bench));
+  print_out("  {} of {} paths valid at 1 mm\n", solved_count(bench) - faulty, solved_count(bench));
   for (std::size_t i = 0; i < bench.path_faults.size(); ++i) {
     if (!bench.path_faults[i].empty()) {
-      fmt::print("  FAULT: seed {}: {}\n", bench.seeds[i], bench.path_faults[i].front());
+      print_out("  FAULT: seed {}: {}\n", bench.seeds[i], bench.path_faults[i].front());
     }
   }
 }

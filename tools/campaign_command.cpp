@@ -3,9 +3,11 @@
 #include "campaign_report.h"
 #include "commands.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/printable.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/campaigns/run_workers.h"
+#include "printing.h"
 #include "terminal.h"
 #include "version.h"
 
@@ -40,7 +42,7 @@ CampaignProgress::CampaignProgress(std::string name, std::size_t kept, std::size
       begin_(Clock::now()),
       next_(begin_ + (terminal_ ? Clock::duration::zero() : Clock::duration(kLinePause))) {
   const std::string kept_text = kept == 0 ? "" : fmt::format(", {} of them done before", kept);
-  fmt::print(stderr, "{}: {} runs{}, {} at a time\n", name_, total, kept_text, workers);
+  print_error("{}: {} runs{}, {} at a time\n", name_, total, kept_text, workers);
 }
 
 CampaignProgress::~CampaignProgress() {
@@ -79,11 +81,11 @@ std::string CampaignProgress::line() const {
 
 void CampaignProgress::show(bool last) {
   if (terminal_) {
-    fmt::print(stderr, "\r{}\x1b[K{}", line(), last ? "\n" : "");
+    fmt::print(stderr, "\r{}\x1b[K{}", geometric::printable(line()), last ? "\n" : "");
     std::fflush(stderr);
     next_ = Clock::now() + kTerminalPause;
   } else {
-    fmt::print(stderr, "{}\n", line());
+    print_error("{}\n", line());
     next_ = Clock::now() + kLinePause;
   }
 }
@@ -182,11 +184,11 @@ int run_campaign(const CampaignOptions& options, planning::ProcessTeam* team) {
   }
   write_campaign_report(campaign, *outcome, session.folder);
   const auto solved = std::ranges::count_if(outcome->records, &planning::RunRecord::solved);
-  fmt::print("{}: {} of {} runs done, {} solved; report in {}\n", campaign.name,
-             outcome->records.size(), campaign.run_count(), solved,
-             (session.folder / "report.html").string());
+  print_out("{}: {} of {} runs done, {} solved; report in {}\n", campaign.name,
+            outcome->records.size(), campaign.run_count(), solved,
+            (session.folder / "report.html").string());
   if (!outcome->complete) {
-    fmt::print(stderr, "handway: interrupted; go on with --resume\n");
+    print_error("handway: interrupted; go on with --resume\n");
     return kNoPath;
   }
   return kDone;

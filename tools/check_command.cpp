@@ -4,6 +4,7 @@
 #include "handway/planning/paths/path_check.h"
 #include "numbers.h"
 #include "plan_report.h"
+#include "printing.h"
 #include "scene_options.h"
 
 #include <CLI/CLI.hpp>
@@ -28,15 +29,15 @@ struct CheckOptions {
 };
 
 void print_likeness(const planning::PathLikeness& likeness) {
-  fmt::print(
+  print_out(
       "hand, in normalised joints: mean {:.3f} and at most {:.3f} from its principal motion "
       "directions",
       likeness.to_subspace.mean, likeness.to_subspace.largest);
   if (likeness.to_recorded) {
-    fmt::print(", mean {:.3f} and at most {:.3f} from the nearest recorded posture",
-               likeness.to_recorded->mean, likeness.to_recorded->largest);
+    print_out(", mean {:.3f} and at most {:.3f} from the nearest recorded posture",
+              likeness.to_recorded->mean, likeness.to_recorded->largest);
   }
-  fmt::print("\n");
+  print_out("\n");
 }
 
 int check(const CheckOptions& options) {
@@ -53,19 +54,19 @@ int check(const CheckOptions& options) {
   const planning::PathCheckResult result =
       planning::check_path(problem, path, geometric::metres(options.resolution_mm));
   for (const std::string& fault : result.faults) {
-    fmt::print("{}\n", fault);
+    print_out("{}\n", fault);
   }
   for (const std::string& warning : result.warnings) {
-    fmt::print("warning: {}\n", warning);
+    print_out("warning: {}\n", warning);
   }
-  fmt::print("{}: {} waypoints, {} configurations checked at {:g} mm or closer, {} in collision{}",
+  print_out("{}: {} waypoints, {} configurations checked at {:g} mm or closer, {} in collision{}",
              result.valid() ? "valid" : "NOT VALID", path.waypoints.size(), result.configurations,
              options.resolution_mm, result.collisions,
              loaded.scene->constraints.empty() ? "" : " or violating a constraint");
   if (result.collisions == 0 && !result.closest_pair.empty()) {
-    fmt::print(", smallest clearance {:.3f} mm ({})", result.min_clearance_mm, result.closest_pair);
+    print_out(", smallest clearance {:.3f} mm ({})", result.min_clearance_mm, result.closest_pair);
   }
-  fmt::print("\n");
+  print_out("\n");
   const bool has_configurations = result.configurations > 0;
   if (const auto likeness =
           has_configurations ? hand_likeness(problem, path, options.postures) : std::nullopt) {

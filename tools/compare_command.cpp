@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "figures_program.h"
 #include "handway/execution/motion/motion_log.h"
+#include "printing.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,11 +19,11 @@ struct CompareChoice {
 
 int compare(const CompareChoice& choice) {
   for (const execution::RecordedDevice& device : execution::read_motion_log(choice.log)) {
-    fmt::print("{}: {} samples, {:.2f} s\n", device.kind, device.times.size(), device.times.back());
-    fmt::print("{:<24}{:>12}{:>10}{:>12}\n", "", "max [rad]", "at [s]", "RMS [rad]");
+    print_out("{}: {} samples, {:.2f} s\n", device.kind, device.times.size(), device.times.back());
+    print_out("{:<24}{:>12}{:>10}{:>12}\n", "", "max [rad]", "at [s]", "RMS [rad]");
     for (const execution::JointDifference& joint : execution::differences(device)) {
-      fmt::print("{:<24}{:>12.5f}{:>10.2f}{:>12.5f}\n", joint.joint, joint.max, joint.time,
-                 joint.rms);
+      print_out("{:<24}{:>12.5f}{:>10.2f}{:>12.5f}\n", joint.joint, joint.max, joint.time,
+                joint.rms);
     }
   }
   if (choice.plots) {

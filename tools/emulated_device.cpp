@@ -5,6 +5,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/extensions/plugin.h"
 #include "numbers.h"
+#include "printing.h"
 #include "terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -147,7 +148,7 @@ void wait_until_ended(const std::string& address, const std::optional<double>& d
   using Clock = std::chrono::steady_clock;
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
-  fmt::print("{}\n", address);
+  print_out("{}\n", address);
   std::fflush(stdout);
   const auto begin = Clock::now();
   while (!stop.stop_requested() &&
@@ -161,8 +162,8 @@ int serve_device(device::DeviceEmulatorSettings settings, std::unique_ptr<device
   settings.tcp_port = options.tcp_port;
   const device::DeviceEmulator emulator(settings, std::move(unit));
   wait_until_ended(options.scheme + emulator.address(), options.duration_s);
-  fmt::print(stderr, "{} records sent, {} of them lost or damaged\n", emulator.records(),
-             emulator.faults());
+  print_error("{} records sent, {} of them lost or damaged\n", emulator.records(),
+              emulator.faults());
   return kDone;
 }
 

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "printing.h"
 #include "scene_options.h"
 #include "timing_options.h"
 
@@ -29,7 +30,7 @@ int export_scene(const ExportChoice& choice, const planning::SceneExporter& expo
   set_group(choice.timing.group, loaded);
   print_warnings(*loaded.scene);
   for (const std::filesystem::path& file : exporter.write(*loaded.scene, choice.out)) {
-    fmt::print("{}\n", file.string());
+    print_out("{}\n", file.string());
   }
   return kDone;
 }
@@ -52,7 +53,7 @@ int run_export(ExportChoice choice) {
   }
   print_timing(timed);
   for (const std::filesystem::path& file : written) {
-    fmt::print("{}\n", file.string());
+    print_out("{}\n", file.string());
   }
   return timed.cleared() ? kDone : kNoPath;
 }

@@ -6,6 +6,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "numbers.h"
+#include "printing.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -164,34 +165,34 @@ void print(const CalibrationFit& found) {
       continue;  // of angles: nothing to calibrate
     }
     if (!line) {
-      fmt::print("{:<18} not calibrated\n", name);
+      print_out("{:<18} not calibrated\n", name);
       continue;
     }
-    fmt::print("{:<18} {:+.5f} rad per count, zero at {:.1f}{}\n", name, line->gain, line->zero,
-               line->residual ? fmt::format(", off by {:.3f} rad", *line->residual) : "");
+    print_out("{:<18} {:+.5f} rad per count, zero at {:.1f}{}\n", name, line->gain, line->zero,
+              line->residual ? fmt::format(", off by {:.3f} rad", *line->residual) : "");
   }
   for (std::size_t i = 0; i < device::kGloveSensors; ++i) {
     if (const auto& range = found.calibration.ranges.at(i)) {
-      fmt::print("{:<18} goes from {:.0f} to {:.0f} deg\n", device::cyberglove_sensors()[i].name,
-                 range->first / geometric::kDegree, range->second / geometric::kDegree);
+      print_out("{:<18} goes from {:.0f} to {:.0f} deg\n", device::cyberglove_sensors()[i].name,
+                range->first / geometric::kDegree, range->second / geometric::kDegree);
     }
   }
   for (std::size_t f = 0; found.calibration.bones && f < found.calibration.bones->size(); ++f) {
     const auto& bones = found.calibration.bones->at(f);
-    fmt::print("{:<18} bones {:.1f}, {:.1f}, {:.1f}, {:.1f} mm\n",
-               device::name_of(static_cast<device::Finger>(f)), bones[0] / geometric::kMillimetre,
-               bones[1] / geometric::kMillimetre, bones[2] / geometric::kMillimetre,
-               bones[3] / geometric::kMillimetre);
+    print_out("{:<18} bones {:.1f}, {:.1f}, {:.1f}, {:.1f} mm\n",
+              device::name_of(static_cast<device::Finger>(f)), bones[0] / geometric::kMillimetre,
+              bones[1] / geometric::kMillimetre, bones[2] / geometric::kMillimetre,
+              bones[3] / geometric::kMillimetre);
   }
   for (const std::string& warning : found.warnings) {
-    fmt::print("warning: {}\n", warning);
+    print_out("warning: {}\n", warning);
   }
 }
 
 int calibrate(const CalibrateOptions& options) {
   if (options.list) {
     for (const PoseInstruction& pose : instructions(options)) {
-      fmt::print("{:<14}{}\n", pose.name, pose.instruction);
+      print_out("{:<14}{}\n", pose.name, pose.instruction);
     }
     return kDone;
   }

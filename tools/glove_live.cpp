@@ -6,6 +6,7 @@
 #include "handway/device/glove/recording.h"
 #include "handway/device/glove/replay_glove.h"
 #include "numbers.h"
+#include "printing.h"
 #include "terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -68,10 +69,10 @@ class Latest {
 };
 
 void announce(const GloveInfo& info) {
-  fmt::print(stderr, "{}: {}, {} sensors, {} hand\n", info.device, info.model,
-             info.angle_sensors.empty() ? static_cast<std::size_t>(info.sensors)
-                                        : info.angle_sensors.size(),
-             info.right_hand ? "right" : "left");
+  print_error("{}: {}, {} sensors, {} hand\n", info.device, info.model,
+              info.angle_sensors.empty() ? static_cast<std::size_t>(info.sensors)
+                                         : info.angle_sensors.size(),
+              info.right_hand ? "right" : "left");
 }
 
 void add_glove_show_options(CLI::App& command, GloveShowOptions& options) {
@@ -99,7 +100,7 @@ int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& opt
   };
   handlers.on_state = [&](StreamState state) {
     if (!table && (state == StreamState::kLost || state == StreamState::kUnplugged)) {
-      fmt::print(stderr, "{}\n", state_name(state));
+      print_error("{}\n", state_name(state));
     }
   };
   std::stop_source stop;
@@ -123,7 +124,7 @@ int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& opt
   if (options.json) {
     print_line(statistics_json(statistics));
   } else {
-    fmt::print(stderr, "{}\n", statistics_line(statistics));
+    print_error("{}\n", statistics_line(statistics));
   }
   return kDone;
 }
@@ -156,7 +157,7 @@ struct ReplayOptions {
 device::Recording read(const std::filesystem::path& file) {
   device::Recording recording = device::read_recording(file);
   for (const std::string& warning : recording.warnings) {
-    fmt::print(stderr, "warning: {}\n", warning);
+    print_error("warning: {}\n", warning);
   }
   return recording;
 }

@@ -8,6 +8,7 @@
 #include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"
+#include "printing.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -31,11 +32,11 @@ struct MapOptions {
 void print(const device::HandMapping& mapping) {
   for (const device::JointWire& wire : mapping.wires) {
     if (wire.sensor < 0) {
-      fmt::print("{:<23} fixed at {:.3f}\n", wire.joint, wire.fixed.value_or(0.0));
+      print_out("{:<23} fixed at {:.3f}\n", wire.joint, wire.fixed.value_or(0.0));
     } else {
-      fmt::print("{:<23} {:<18}gain {:+.3f}, offset {:+.3f}\n", wire.joint,
-                 device::cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name,
-                 wire.gain, wire.offset);
+      print_out("{:<23} {:<18}gain {:+.3f}, offset {:+.3f}\n", wire.joint,
+                device::cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name, wire.gain,
+                wire.offset);
     }
   }
 }
@@ -53,7 +54,7 @@ int map(const MapOptions& options) {
         mapping, *model, device::to_angles(device::read_recording(options.fit), calibration),
         calibration);
     for (const std::string& warning : fit.warnings) {
-      fmt::print(stderr, "warning: {}\n", warning);
+      print_error("warning: {}\n", warning);
     }
     mapping = std::move(fit.mapping);
     mapping.source += ", fitted to " + options.fit.filename().string();

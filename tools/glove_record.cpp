@@ -3,6 +3,7 @@
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/recording.h"
 #include "numbers.h"
+#include "printing.h"
 #include "terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -116,11 +117,11 @@ class Recorder {
 
 void tell_state(StreamState state) {
   if (state == StreamState::kLost) {
-    fmt::print(stderr, "connection lost; trying to connect again\n");
+    print_error("connection lost; trying to connect again\n");
   } else if (state == StreamState::kUnplugged) {
-    fmt::print(stderr, "the glove is unplugged; waiting for it\n");
+    print_error("the glove is unplugged; waiting for it\n");
   } else if (state == StreamState::kStreaming) {
-    fmt::print(stderr, "recording\n");
+    print_error("recording\n");
   }
 }
 
@@ -154,8 +155,8 @@ int record(const RecordOptions& options) {
   while (!stream.wait(milliseconds(100))) {
   }
   recorder.rethrow();
-  fmt::print("{} frames in {}\n{}\n", recorder.rows(), options.out.string(),
-             statistics_line(statistics));
+  print_out("{} frames in {}\n{}\n", recorder.rows(), options.out.string(),
+            statistics_line(statistics));
   return kDone;
 }
 

@@ -11,6 +11,7 @@
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/timing/kinematic_limits.h"
 #include "numbers.h"
+#include "printing.h"
 #include "scene_file_watch.h"
 #include "terminal.h"
 #include "timing_options.h"
@@ -168,24 +169,24 @@ void check_path_is_free(const TimingInput& input) {
 
 int report(const execution::GuidanceOutcome& outcome, const device::ForceGuide& guide,
            const HapticLog& log) {
-  fmt::print(
+  print_out(
       "{} samples in {:.1f} s, {} grips, up to {:.1f} mm of the hand from the path, up to "
       "{:.2f} N\n",
       outcome.samples, outcome.time, guide.grips(), outcome.largest_deviation / kMillimetre,
       outcome.strongest);
   if (!log.good()) {
-    fmt::print(stderr, "The log could not be written to its end.\n");
+    print_error("The log could not be written to its end.\n");
   }
   if (outcome.arrived) {
-    fmt::print("done: at the path's end\n");
+    print_out("done: at the path's end\n");
     return log.good() ? kDone : kInvalidInput;
   }
   std::fflush(stdout);
   if (!outcome.fault.empty()) {
-    fmt::print(stderr, "{}\n", outcome.fault);
+    print_error("{}\n", outcome.fault);
   }
-  fmt::print("STOPPED {}: no force, the robot stands\n",
-             outcome.fault.empty() ? "on request" : "after a fault");
+  print_out("STOPPED {}: no force, the robot stands\n",
+            outcome.fault.empty() ? "on request" : "after a fault");
   return kMotionStopped;
 }
 
@@ -205,7 +206,7 @@ int guide(const GuideChoice& choice) {
   std::vector<planning::AssumedLimit> assumed = limits.assumed;
   std::erase_if(assumed, [](const auto& one) { return one.rate != planning::Rate::kVelocity; });
   for (const std::string& line : assumption_lines(assumed)) {
-    fmt::print("{}\n", line);
+    print_out("{}\n", line);
   }
   check_path_is_free(input);
   device::ForceGuideSettings settings = choice.guide;
@@ -219,12 +220,12 @@ int guide(const GuideChoice& choice) {
   const StopsOnInterrupt guard(stop);
   robots.connect(input.path.waypoints.front(), choice.start_tolerance, stop.get_token());
   handle->connect(stop.get_token());
-  fmt::print("{}: {:.2f} m of the tool, {:.2f} m of the hand; forces up to {:.2f} N\n",
-             handle->name(), tool_path.curve()->length(),
-             tool_path.curve()->length() / settings.scale,
-             std::min(settings.strongest, handle->abilities().force));
+  print_out("{}: {:.2f} m of the tool, {:.2f} m of the hand; forces up to {:.2f} N\n",
+            handle->name(), tool_path.curve()->length(),
+            tool_path.curve()->length() / settings.scale,
+            std::min(settings.strongest, handle->abilities().force));
   if (!robots.empty() && !choice.yes) {
-    fmt::print(stderr, "Nothing moved: --yes lets the robot move.\n");
+    print_error("Nothing moved: --yes lets the robot move.\n");
     return kWrongUsage;
   }
   std::fflush(stdout);
@@ -238,7 +239,7 @@ int guide(const GuideChoice& choice) {
                            execution::with_measured(route.waypoints.front(), robots.targets()));
     const std::string fault = fault_of(read_problem_again(choice.timing, plugins, model), route);
     if (!fault.empty()) {
-      fmt::print(stderr, "Nothing moved: {}\n", fault);
+      print_error("Nothing moved: {}\n", fault);
       return kNoPath;
     }
   }
@@ -252,9 +253,9 @@ int guide(const GuideChoice& choice) {
              log.add(sample);
              if (sample.time >= next) {
                next += kProgressPeriod;
-               fmt::print("{:.1f} s: {:.3f} of {:.3f} m, {:.1f} mm off, {:.2f} N\n", sample.time,
-                          sample.step.progress, tool_path.curve()->length(),
-                          sample.step.deviation / kMillimetre, sample.step.force.norm());
+               print_out("{:.1f} s: {:.3f} of {:.3f} m, {:.1f} mm off, {:.2f} N\n", sample.time,
+                         sample.step.progress, tool_path.curve()->length(),
+                         sample.step.deviation / kMillimetre, sample.step.force.norm());
                std::fflush(stdout);
              }
            },

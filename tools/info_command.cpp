@@ -7,6 +7,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/pose_goals.h"
 #include "handway/planning/extensions/plugin.h"
+#include "printing.h"
 #include "robot_report.h"
 
 #include <CLI/CLI.hpp>
@@ -62,14 +63,14 @@ void print_robot(const geometric::RobotInstance& robot) {
     visual += triangle_count(model.link(i).visual);
     collision += triangle_count(model.link(i).collision);
   }
-  fmt::print("robot {}: {} links, {} independent joints, {} visual and {} collision triangles\n",
-             robot.name, model.link_count(), model.variable_count(), visual, collision);
+  print_out("robot {}: {} links, {} independent joints, {} visual and {} collision triangles\n",
+            robot.name, model.link_count(), model.variable_count(), visual, collision);
   std::size_t widest = 18;
   for (int i = 1; i < model.link_count(); ++i) {
     widest = std::max(widest, model.joint(i).name.size());
   }
-  fmt::print("  {:<{}} {:>10} {:>10} {:>10}  {}\n", "joint", widest, "lower", "upper", "max speed",
-             "coupled to");
+  print_out("  {:<{}} {:>10} {:>10} {:>10}  {}\n", "joint", widest, "lower", "upper", "max speed",
+            "coupled to");
   for (int i = 1; i < model.link_count(); ++i) {
     const geometric::Joint& joint = model.joint(i);
     if (joint.type == geometric::JointType::kFixed) {
@@ -82,12 +83,12 @@ void print_robot(const geometric::RobotInstance& robot) {
     const auto limit = [&](double value) {
       return joint.is_continuous() ? "none" : fmt::format("{:.2f}", shown(value));
     };
-    fmt::print("  {:<{}} {:>10} {:>10} {:>10.1f}  {} {}\n", joint.name, widest,
-               limit(joint.limits.lower), limit(joint.limits.upper), shown(joint.limits.velocity),
-               joint.mimic ? joint.mimic->joint : "", turns ? "(deg)" : "(mm)");
+    print_out("  {:<{}} {:>10} {:>10} {:>10.1f}  {} {}\n", joint.name, widest,
+              limit(joint.limits.lower), limit(joint.limits.upper), shown(joint.limits.velocity),
+              joint.mimic ? joint.mimic->joint : "", turns ? "(deg)" : "(mm)");
   }
   if (const std::vector<std::string> open = links_with_open_meshes(model); !open.empty()) {
-    fmt::print("  surfaces, not solids (open collision meshes): {}\n", fmt::join(open, ", "));
+    print_out("  surfaces, not solids (open collision meshes): {}\n", fmt::join(open, ", "));
   }
   for (const geometric::JointGroup& group : model.description().groups) {
     const auto count = std::ranges::count_if(group.joints, [&](const std::string& joint) {
@@ -95,20 +96,20 @@ void print_robot(const geometric::RobotInstance& robot) {
         return other.name == joint && other.type != geometric::JointType::kFixed;
       });
     });
-    fmt::print("  group {}: {} joint{}\n", group.name, count, count == 1 ? "" : "s");
+    print_out("  group {}: {} joint{}\n", group.name, count, count == 1 ? "" : "s");
   }
   for (const geometric::RobotPart& part : robot.parts) {
-    fmt::print("  part {}: {}{}\n", part.name, part.model->name(),
-               part.carrier < 0
-                   ? ""
-                   : fmt::format(", on {} of {}", part.link,
-                                 robot.parts[static_cast<std::size_t>(part.carrier)].name));
+    print_out("  part {}: {}{}\n", part.name, part.model->name(),
+              part.carrier < 0
+                  ? ""
+                  : fmt::format(", on {} of {}", part.link,
+                                robot.parts[static_cast<std::size_t>(part.carrier)].name));
   }
 }
 
 void print_basis(const sampling::PmdBasis& basis) {
-  fmt::print("basis for {}: {} joints, {} free, {} principal directions ({})\n", basis.hand,
-             basis.joints.size(), basis.free_joints.size(), basis.directions.size(), basis.source);
+  print_out("basis for {}: {} joints, {} free, {} principal directions ({})\n", basis.hand,
+            basis.joints.size(), basis.free_joints.size(), basis.directions.size(), basis.source);
 }
 
 // Start or goal: free of collision or not, and what touches or is closest.
@@ -147,22 +148,22 @@ std::vector<End> examine_ends(const geometric::Scene& scene, geometric::Collisio
 void print_ends(const std::vector<End>& ends, const geometric::CollisionChecker& checker) {
   for (const End& end : ends) {
     for (const geometric::LimitViolation& violation : end.violations) {
-      fmt::print("{}: OUT OF LIMITS, {}\n", end.which, to_string(violation));
+      print_out("{}: OUT OF LIMITS, {}\n", end.which, to_string(violation));
     }
     for (const std::string& violated : end.violated) {
-      fmt::print("{}: VIOLATES {}\n", end.which, violated);
+      print_out("{}: VIOLATES {}\n", end.which, violated);
     }
     if (end.closest) {
-      fmt::print("{}: free, closest {} with {} at {:.3f} mm\n", end.which, end.closest->a,
-                 end.closest->b, geometric::millimetres(end.closest->distance));
+      print_out("{}: free, closest {} with {} at {:.3f} mm\n", end.which, end.closest->a,
+                end.closest->b, geometric::millimetres(end.closest->distance));
     } else if (end.touching.empty()) {
-      fmt::print("{}: free\n", end.which);
+      print_out("{}: free\n", end.which);
     }
     for (const geometric::NamedPair& pair : end.touching) {
-      fmt::print("{}: IN COLLISION, {} with {}\n", end.which, pair.a, pair.b);
+      print_out("{}: IN COLLISION, {} with {}\n", end.which, pair.a, pair.b);
     }
   }
-  fmt::print("pairs of bodies that are checked: {}\n", checker.world().pairs().size());
+  print_out("pairs of bodies that are checked: {}\n", checker.world().pairs().size());
 }
 
 // In how many free configurations the robot was found to keep each goal pose.
@@ -179,11 +180,11 @@ std::vector<std::ptrdiff_t> counts_of(const geometric::Scene& scene,
 void print_goal_poses(const geometric::Scene& scene, const planning::PoseGoalSolutions& solutions) {
   const std::vector<std::ptrdiff_t> counts = counts_of(scene, solutions);
   for (std::size_t pose = 0; pose < counts.size(); ++pose) {
-    fmt::print("{}: {} free configuration{} found\n", planning::name_of_pose_goal(scene, pose),
-               counts[pose], counts[pose] == 1 ? "" : "s");
+    print_out("{}: {} free configuration{} found\n", planning::name_of_pose_goal(scene, pose),
+              counts[pose], counts[pose] == 1 ? "" : "s");
   }
   if (!solutions.fault.empty()) {
-    fmt::print("{}\n", solutions.fault);
+    print_out("{}\n", solutions.fault);
   }
 }
 
@@ -262,7 +263,7 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
   if (examined) {
     report["findings"] = findings_json(*examined);
   }
-  fmt::print("{}\n", report.dump(2));
+  print_out("{}\n", report.dump(2));
 }
 
 // Whether a polyhedron around the shape stands for it.
@@ -278,36 +279,36 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
                 const std::optional<RobotReport>& examined,
                 const std::vector<std::string>& warnings) {
   const geometric::Scene& scene = *loaded.scene;
-  fmt::print("{}\n", scene.name.empty() ? file.string() : scene.name);
+  print_out("{}\n", scene.name.empty() ? file.string() : scene.name);
   if (!scene.description.empty()) {
-    fmt::print("{}\n", scene.description);
+    print_out("{}\n", scene.description);
   }
   for (const geometric::RobotInstance& robot : scene.robots) {
     print_robot(robot);
   }
   for (const geometric::SceneObject& object : scene.objects) {
-    fmt::print("object {}: {}, {} triangles{}, {}{}\n", object.name, shape_name(object.shape),
-               tessellate(object.shape)->triangles.size(),
-               is_round(object.shape)
-                   ? fmt::format(" up to {:g} mm outside",
-                                 geometric::millimetres(geometric::kRoundTolerance))
-                   : "",
-               form_of(object), object.attachment ? ", carried by " + object.attachment->link : "");
+    print_out("object {}: {}, {} triangles{}, {}{}\n", object.name, shape_name(object.shape),
+              tessellate(object.shape)->triangles.size(),
+              is_round(object.shape)
+                  ? fmt::format(" up to {:g} mm outside",
+                                geometric::millimetres(geometric::kRoundTolerance))
+                  : "",
+              form_of(object), object.attachment ? ", carried by " + object.attachment->link : "");
   }
   for (const geometric::PathConstraint& constraint : scene.constraints) {
-    fmt::print("constraint {}: {} of {} along the path\n", constraint.name, kind_of(constraint),
-               constraint.body);
+    print_out("constraint {}: {} of {} along the path\n", constraint.name, kind_of(constraint),
+              constraint.body);
   }
   if (loaded.basis) {
     print_basis(*loaded.basis);
   }
   if (!scene.group.empty()) {
-    fmt::print("moves: {} ({} of {} joints)\n", fmt::join(scene.group, ", "),
-               geometric::moving_variables(scene).size(),
-               scene.robots.front().model->variable_count());
+    print_out("moves: {} ({} of {} joints)\n", fmt::join(scene.group, ", "),
+              geometric::moving_variables(scene).size(),
+              scene.robots.front().model->variable_count());
   }
   if (const std::vector<int> resting = planning::resting_variables(scene); !resting.empty()) {
-    fmt::print("stays: {} joints of arms that the goal leaves at the start\n", resting.size());
+    print_out("stays: {} joints of arms that the goal leaves at the start\n", resting.size());
   }
   if (checker) {
     print_ends(ends, *checker);
@@ -319,7 +320,7 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
     print_findings(*examined);
   }
   for (const std::string& warning : warnings) {
-    fmt::print("warning: {}\n", warning);
+    print_out("warning: {}\n", warning);
   }
 }
 

@@ -1,9 +1,11 @@
 #include "commands.h"
 #include "handway/geometric/io/input_error.h"
+#include "printing.h"
 #include "version.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cerrno>
 #include <csignal>
@@ -15,6 +17,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -30,6 +33,16 @@ void add_file_options(CLI::App& app) {
          "URDF of the robot that an imported problem only names (MoveIt)")
       ->type_name("FILE");
   app.add_option_function<std::vector<std::string>>(
+         "--hollow",
+         [](const std::vector<std::string>& names) {
+           ::setenv("HANDWAY_HOLLOW", fmt::format("{}", fmt::join(names, "\n")).c_str(), 1);
+         },
+         "Object whose surface alone counts, as of a cell around the robot; may be given several "
+         "times")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option_function<std::vector<std::string>>(
          "--package-path",
          [](const std::vector<std::string>& folders) {
            const char* known = std::getenv("HANDWAY_PACKAGE_PATH");
@@ -42,6 +55,16 @@ void add_file_options(CLI::App& app) {
       ->type_name("DIR")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+// Prints what CLI11 has to say, which quotes the arguments.
+int exit_of(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out;
+  std::ostringstream errors;
+  const int code = app.exit(error, out, errors);
+  print_out("{}", out.str());
+  print_error("{}", errors.str());
+  return code == 0 ? kDone : kWrongUsage;
 }
 
 int run(int argc, char** argv) {
@@ -71,13 +94,12 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
     if (const std::vector<std::string> words = app.remaining(); !words.empty()) {
-      fmt::print(stderr, "handway: unknown command \"{}\". `handway --help` lists all.\n",
-                 words.front());
+      print_error("handway: unknown command \"{}\". `handway --help` lists all.\n", words.front());
       return kWrongUsage;
     }
-    return app.exit(error) == 0 ? kDone : kWrongUsage;
+    return exit_of(app, error);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kWrongUsage;
+    return exit_of(app, error);
   }
   return exit_code;
 }
@@ -93,8 +115,8 @@ int flushed(int exit_code) {
   if (std::cout.good() && std::ferror(stdout) == 0 && std::fflush(stdout) == 0) {
     return exit_code;
   }
-  fmt::print(stderr, "handway: standard output can't be written: {}\n",
-             errno != 0 ? std::strerror(errno) : "an error");
+  handway::tools::print_error("handway: standard output can't be written: {}\n",
+                              errno != 0 ? std::strerror(errno) : "an error");
   return exit_code == handway::tools::kDone ? handway::tools::kNotWritten : exit_code;
 }
 
@@ -122,19 +144,19 @@ int main(int argc, char** argv) {
   try {
     return flushed(handway::tools::run(argc, argv));
   } catch (const handway::geometric::OutputError& error) {
-    fmt::print(stderr, "handway: {}\n", error.what());
+    handway::tools::print_error("handway: {}\n", error.what());
     return handway::tools::kNotWritten;
   } catch (const std::system_error& error) {  // fmt could not print
-    fmt::print(stderr, "handway: standard output can't be written: {}\n", error.what());
+    handway::tools::print_error("handway: standard output can't be written: {}\n", error.what());
     return handway::tools::kNotWritten;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr,
-               "handway: there is not enough memory{}. Use a smaller input, or raise the limit "
-               "(ulimit -v)\n",
-               largest_input(argc, argv));
+    handway::tools::print_error(
+        "handway: there is not enough memory{}. Use a smaller input, or raise the limit "
+        "(ulimit -v)\n",
+        largest_input(argc, argv));
     return handway::tools::kInvalidInput;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "handway: {}\n", error.what());
+    handway::tools::print_error("handway: {}\n", error.what());
     return handway::tools::kInvalidInput;
   }
 }

@@ -8,6 +8,7 @@
 #include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/device/retargeting/mapping_check.h"
 #include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/io/alike_lines.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
@@ -16,6 +17,7 @@
 #include "handway/sampling/postures/posture_table.h"
 #include "numbers.h"
 #include "posture_study.h"
+#include "printing.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -63,10 +65,10 @@ std::string quality_text(const MappedRecording& recording) {
                    device::cyberglove_sensors()[static_cast<std::size_t>(sensor.sensor)].name,
                    scale * sensor.least, scale * sensor.most, scale * sensor.noise, states(sensor));
   }
-  for (const std::string& warning : recording.recording.warnings) {
+  for (const std::string& warning : geometric::merged_alike(recording.recording.warnings)) {
     text += "  warning: " + warning + '\n';
   }
-  for (const std::string& warning : quality.warnings) {
+  for (const std::string& warning : geometric::merged_alike(quality.warnings)) {
     text += "  warning: " + warning + '\n';
   }
   return text;
@@ -250,7 +252,7 @@ HandSource hand_source(const PcaOptions& options, const device::GloveCalibration
 }
 
 void print_fingertips(const std::vector<MappedRecording>& recordings, const HandSource& chosen) {
-  fmt::print(
+  print_out(
       "Fingertips from where the person's are, scaled to the fingers, mm:\n  {:<22}{:>8}{:>8}"
       "{:>8}\n",
       "", "mean", "median", "95 %");
@@ -268,8 +270,8 @@ void print_fingertips(const std::vector<MappedRecording>& recordings, const Hand
   const auto print = [&](const char* name, const std::vector<std::string>& joints,
                          const Eigen::MatrixXd& all, const device::FingertipRetargeter& hand) {
     const device::FingertipErrors errors = device::fingertip_errors(rows, joints, all, hand);
-    fmt::print("  {:<22}{:>8.1f}{:>8.1f}{:>8.1f}\n", name, 1e3 * errors.mean, 1e3 * errors.median,
-               1e3 * errors.most);
+    print_out("  {:<22}{:>8.1f}{:>8.1f}{:>8.1f}\n", name, 1e3 * errors.mean, 1e3 * errors.median,
+              1e3 * errors.most);
   };
   const auto* retargeter = dynamic_cast<const device::FingertipRetargeter*>(chosen.source.get());
   if (retargeter != nullptr) {
@@ -330,9 +332,9 @@ void print_comparison(const std::vector<MappedRecording>& recordings, const PcaO
                       analyse(samples, free, options.robust).components);
   }
   each.emplace_back("all together", joined.components);
-  fmt::print("Each recording by itself, cumulative variance in %:\n{}", share_text(each));
-  fmt::print("Angles in degrees between the spaces of the first {} components:\n{}",
-             options.components, angle_text(each, options.components));
+  print_out("Each recording by itself, cumulative variance in %:\n{}", share_text(each));
+  print_out("Angles in degrees between the spaces of the first {} components:\n{}",
+            options.components, angle_text(each, options.components));
 }
 
 // What the same recordings give under another mapping to the same hand.
@@ -356,9 +358,9 @@ void print_other_mapping(const std::vector<MappedRecording>& recordings, const P
   const NamedComponents both{
       {"this mapping", chosen.components},
       {options.against.filename().string(), analyse(samples, free, options.robust).components}};
-  fmt::print("Under another mapping, cumulative variance in %:\n{}", share_text(both));
-  fmt::print("Largest angle in degrees between the spaces of the first components:\n{}",
-             largest_angle_text(both[0].second, both[1].second));
+  print_out("Under another mapping, cumulative variance in %:\n{}", share_text(both));
+  print_out("Largest angle in degrees between the spaces of the first components:\n{}",
+            largest_angle_text(both[0].second, both[1].second));
 }
 
 void report(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
@@ -369,8 +371,48 @@ void report(const std::vector<MappedRecording>& recordings, const PcaOptions& op
   settings.seed = options.seed;
   const sampling::BasisStudy study =
       study_recordings(recordings, hand.model, *hand.source, options.normalisation, settings);
-  fmt::print("{}", study_text(study, settings.confidence));
+  print_out("{}", study_text(study, settings.confidence));
   write_study(study, settings, recordings, hand.model->name(), *hand.source, options.report);
+}
+
+/// How many rows differ from all others, at most `enough`.
+Eigen::Index distinct_rows(const Eigen::MatrixXd& samples, Eigen::Index enough) {
+  constexpr double kSame = 1e-9;
+  std::vector<Eigen::Index> distinct;
+  for (Eigen::Index row = 0; row < samples.rows() && std::ssize(distinct) < enough; ++row) {
+    if (std::ranges::none_of(distinct, [&](Eigen::Index other) {
+          return (samples.row(row) - samples.row(other)).cwiseAbs().maxCoeff() < kSame;
+        })) {
+      distinct.push_back(row);
+    }
+  }
+  return std::ssize(distinct);
+}
+
+/// Says so where a basis would only repeat the few rows that it rests on.
+/// @throws InputError if all rows are the same posture, from which no direction follows.
+void look_at_rows(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
+                  const Eigen::MatrixXd& samples, const std::vector<int>& free) {
+  const auto differs = [](const MappedRecording& recording, const MappedRecording& first) {
+    const Eigen::MatrixXd& rows = recording.mapped.unclamped;
+    return (rows.rowwise() - first.mapped.unclamped.row(0)).cwiseAbs().maxCoeff() > 1e-9;
+  };
+  if (std::ranges::none_of(recordings, [&](const MappedRecording& recording) {
+        return differs(recording, recordings.front());
+      })) {
+    throw geometric::InputError(
+        {options.recordings.front().string(), "",
+         samples.rows() == 1 ? "one row" : fmt::format("{} equal rows", samples.rows()),
+         "postures that differ", "No direction follows from a single posture"});
+  }
+  const Eigen::Index joints = samples.cols() - std::ssize(free);
+  const Eigen::Index distinct = distinct_rows(samples, joints + 1);
+  if (distinct <= joints) {
+    print_out(
+        "  warning: {} different row{} for {} joints: the basis can do no more than repeat them; "
+        "record more postures\n",
+        distinct, distinct == 1 ? "" : "s", joints);
+  }
 }
 
 int pca(const PcaOptions& options) {
@@ -386,15 +428,15 @@ int pca(const PcaOptions& options) {
                                        ? device::read_recording(file)
                                        : device::read_joint_recording(file, *hand.model);
     recordings.push_back(mapped_recording(file, read, calibration, options.steps, mapper));
-    fmt::print("{}", quality_text(recordings.back()));
+    print_out("{}", quality_text(recordings.back()));
     if (recordings.back().calibrated && options.calibration.empty()) {
-      fmt::print("  warning: counts are taken for those of a typical hand: give --calibration\n");
+      print_out("  warning: counts are taken for those of a typical hand: give --calibration\n");
     }
   }
-  fmt::print("{}", clamp_text(recordings, mapper));
+  print_out("{}", clamp_text(recordings, mapper));
   for (const MappedRecording& recording : recordings) {
     if (const std::string warning = device::clamping_warning(recording.mapped); !warning.empty()) {
-      fmt::print("  warning: {}\n", warning);
+      print_out("  warning: {}\n", warning);
     }
   }
 
@@ -412,10 +454,11 @@ int pca(const PcaOptions& options) {
       chosen_samples = std::move(samples);
     }
   }
-  fmt::print("Cumulative variance in %, without {}:\n{}", names_of(free, mapper.joints()),
-             share_text(both));
+  look_at_rows(recordings, options, chosen_samples, free);
+  print_out("Cumulative variance in %, without {}:\n{}", names_of(free, mapper.joints()),
+            share_text(both));
   if (options.robust) {
-    fmt::print("{} of {} samples set aside as outliers\n", chosen.outliers, chosen.samples);
+    print_out("{} of {} samples set aside as outliers\n", chosen.outliers, chosen.samples);
   }
   if (options.compare) {
     print_comparison(recordings, options, mapper, free, chosen);
@@ -437,7 +480,7 @@ int pca(const PcaOptions& options) {
   sampling::PmdBasis basis = sampling::make_pmd_basis(
       hand_seen_from(out_folder), source_of(options, chosen), mapper.joints(), chosen.components,
       {free, options.components, options.sigmas});
-  fmt::print("Basis for {}:\n{}", basis.hand, basis_text(basis));
+  print_out("Basis for {}:\n{}", basis.hand, basis_text(basis));
   if (!options.postures.empty()) {
     sampling::write_postures({basis.hand, basis.source, basis.joints, chosen_samples},
                              options.postures);

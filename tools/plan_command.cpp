@@ -8,9 +8,11 @@
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
+#include "handway/planning/queries/contact_hints.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "numbers.h"
 #include "plan_report.h"
+#include "printing.h"
 #include "scene_options.h"
 #include "terminal.h"
 
@@ -82,44 +84,47 @@ void print_advice(const planning::PlanningProblem& problem, bool at_start) {
   const std::vector<geometric::Contact> contacts = find_contacts(*problem.checker->clone(), q);
   for (std::size_t i = 0; i < std::min(kMostContacts, contacts.size()); ++i) {
     const geometric::Contact& contact = contacts[i];
-    fmt::print(stderr, "  {} and {}: {:.1f} mm into each other at ({:.3f}, {:.3f}, {:.3f}) m\n",
-               contact.a, contact.b, geometric::millimetres(contact.depth), contact.p_W.x(),
-               contact.p_W.y(), contact.p_W.z());
+    print_error("  {} and {}: {:.1f} mm into each other at ({:.3f}, {:.3f}, {:.3f}) m\n", contact.a,
+                contact.b, geometric::millimetres(contact.depth), contact.p_W.x(), contact.p_W.y(),
+                contact.p_W.z());
   }
   if (contacts.size() > kMostContacts) {
-    fmt::print(stderr, "  and {} more\n", contacts.size() - kMostContacts);
+    print_error("  and {} more\n", contacts.size() - kMostContacts);
+  }
+  for (const std::string& hint : planning::contact_hints(problem, q, contacts)) {
+    print_error("  {}\n", hint);
   }
   const planning::NearestFreeOptions options;
   const planning::NearestFree nearest = find_nearest_free(problem, q, options);
   const char* which = at_start ? "start" : "goal";
   if (nearest.q) {
-    fmt::print(stderr, "  The nearest free {} that was found: {}\n", which,
-               planning::describe_change(problem.model(), q, *nearest.q, 3));
+    print_error("  The nearest free {} that was found: {}\n", which,
+                planning::describe_change(problem.model(), q, *nearest.q, 3));
   } else {
-    fmt::print(stderr, "  No free {} was found within {:.0f}° (slides: {:.0f} mm)\n", which,
-               geometric::degrees(options.most_distance),
-               geometric::millimetres(options.most_distance));
+    print_error("  No free {} was found within {:.0f}° (slides: {:.0f} mm)\n", which,
+                geometric::degrees(options.most_distance),
+                geometric::millimetres(options.most_distance));
   }
 }
 
 void print_summary(const PlanResult& result, const planning::PlanningProblem& problem) {
   if (result.solved()) {
-    fmt::print("{}\n", result.reason);
+    print_out("{}\n", result.reason);
     for (const std::string& warning :
          planning::holding_warnings(*problem.scene, result.path.waypoints)) {
-      fmt::print("  warning: {}\n", warning);
+      print_out("  warning: {}\n", warning);
     }
     for (const planning::OutOfMargin& near : result.out_of_margin) {
-      fmt::print(
+      print_out(
           "  {} and {} are {:.3f} mm apart at the {}: next to it they keep less than the margin\n",
           near.pair.a, near.pair.b, geometric::millimetres(near.pair.distance),
           near.at_goal ? "goal" : "start");
     }
     return;
   }
-  fmt::print(stderr, "handway: {}\n", result.reason);
+  print_error("handway: {}\n", result.reason);
   for (const std::string& sentence : planning::explain_failure(result)) {
-    fmt::print(stderr, "  {}\n", sentence);
+    print_error("  {}\n", sentence);
   }
   const bool is_end_invalid =
       result.status == PlanStatus::kStartInvalid || result.status == PlanStatus::kGoalInvalid;
@@ -127,12 +132,10 @@ void print_summary(const PlanResult& result, const planning::PlanningProblem& pr
     print_advice(problem, result.status == PlanStatus::kStartInvalid);
   }
   if (!is_end_invalid && !planning::holding_variables(*problem.scene).empty()) {
-    fmt::print(stderr,
-               "  The hand that carries an object stays as it is: --group lets its joints move\n");
+    print_error("  The hand that carries an object stays as it is: --group lets its joints move\n");
   }
   if (!is_end_invalid && !planning::resting_variables(*problem.scene).empty()) {
-    fmt::print(
-        stderr,
+    print_error(
         "  The arms that the goal leaves at the start stay there: where they are in the way, "
         "--group lets them move\n");
   }

@@ -1,6 +1,12 @@
 #include "report_document.h"
 
+#include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/printable.h"
+
 #include <fmt/format.h>
+
+#include <cctype>
+#include <string_view>
 
 namespace handway::tools {
 namespace {
@@ -14,13 +20,31 @@ constexpr const char* kStyle =
     "svg,img{max-width:100%;height:auto}";
 constexpr const char* kDrawingStyle = "svg text{font:12px sans-serif;fill:#222}";
 
-std::string escaped(const std::string& text, const char* special) {
+// Text from files as text: neither HTML nor marks of Markdown.
+std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
-    if (std::string(special).find(c) != std::string::npos) {
-      result.push_back('\\');
+  for (const char c : geometric::printable(text)) {
+    if (c == '<') {
+      result += "&lt;";
+    } else if (c == '&') {
+      result += "&amp;";
+    } else {
+      result += std::string_view("|*`[\\").find(c) == std::string_view::npos ? "" : "\\";
+      result += c == '\n' ? ' ' : c;
     }
-    result.push_back(c == '\n' ? ' ' : c);
+  }
+  return result;
+}
+
+// A file beside the report as the target of a link.
+std::string link_target(const std::string& file) {
+  std::string result;
+  for (const char c : file) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                          std::string_view("-_./").find(c) != std::string_view::npos;
+    result += is_plain
+                  ? std::string(1, c)
+                  : fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
   }
   return result;
 }
@@ -28,7 +52,7 @@ std::string escaped(const std::string& text, const char* special) {
 std::string table_row(const std::vector<std::string>& cells) {
   std::string line = "|";
   for (const std::string& cell : cells) {
-    line += fmt::format(" {} |", escaped(cell, "|"));
+    line += fmt::format(" {} |", escaped(cell));
   }
   return line + "\n";
 }
@@ -36,11 +60,9 @@ std::string table_row(const std::vector<std::string>& cells) {
 struct MarkdownWriter {
   std::string operator()(const ReportHeading& heading) const {
     return fmt::format("{} {}\n\n", std::string(static_cast<std::size_t>(heading.level), '#'),
-                       heading.text);
+                       escaped(heading.text));
   }
-  std::string operator()(const ReportText& text) const {
-    return escaped(text.text, "*`<") + "\n\n";
-  }
+  std::string operator()(const ReportText& text) const { return escaped(text.text) + "\n\n"; }
   std::string operator()(const ReportTable& table) const {
     std::string lines = table_row(table.columns) + "|";
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -53,11 +75,12 @@ struct MarkdownWriter {
     return lines + "\n";
   }
   std::string operator()(const ReportFigure& figure) const {
-    return fmt::format("![{}]({})\n\n{}: [{}]({})\n\n", figure.caption, figure.file, figure.caption,
-                       figure.data_file, figure.data_file);
+    const std::string caption = escaped(figure.caption);
+    return fmt::format("![{}]({})\n\n{}: [{}]({})\n\n", caption, link_target(figure.file), caption,
+                       escaped(figure.data_file), link_target(figure.data_file));
   }
   std::string operator()(const ReportPicture& picture) const {
-    return fmt::format("![{}]({})\n\n", picture.caption, picture.file);
+    return fmt::format("![{}]({})\n\n", escaped(picture.caption), link_target(picture.file));
   }
 };
 
@@ -140,7 +163,7 @@ std::string to_svg(const ReportFigure& figure) {
 
 std::string html_escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : geometric::printable(text)) {
     switch (c) {
       case '<':
         result += "&lt;";
@@ -161,7 +184,18 @@ std::string html_escaped(const std::string& text) {
   return result;
 }
 
-std::string csv_field(const std::string& text) {
+namespace {
+
+/// Whether a spreadsheet would take the text for a formula.
+bool is_formula(const std::string& text) {
+  return !text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos &&
+         !geometric::parse_number(text);
+}
+
+}  // namespace
+
+std::string csv_field(const std::string& written) {
+  const std::string text = (is_formula(written) ? "'" : "") + geometric::printable(written);
   if (text.find_first_of(",\"\n\r") == std::string::npos) {
     return text;
   }

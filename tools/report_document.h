@@ -45,9 +45,12 @@ using ReportDocument = std::vector<ReportPart>;
 /// One file with its styles and drawings.
 [[nodiscard]] std::string to_html(const ReportDocument& document);
 
-/// `text` with <, >, & and " as HTML and SVG want them.
+/// Reports hold text from files: it appears as text, see geometric::printable().
+
+/// `text` with <, >, & and " as HTML and SVG want them, and without control characters.
 [[nodiscard]] std::string html_escaped(const std::string& text);
-/// `text` as a field of a CSV file, quoted where it has to be.
+/// `text` as a field of a CSV file for spreadsheets: quoted where it has to be, and with a ' before
+/// what a spreadsheet would take for a formula.
 [[nodiscard]] std::string csv_field(const std::string& text);
 /// Columns and rows of a table.
 [[nodiscard]] std::string to_csv(const ReportTable& table);

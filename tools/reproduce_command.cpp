@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/campaigns/campaign.h"
+#include "printing.h"
 #include "reproduce_report.h"
 
 #include <CLI/CLI.hpp>
@@ -130,9 +131,9 @@ int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
       reproduce_figures(interrupted ? std::set<int>{} : asked_figures(options), plugins,
                         options.quick ? kQuickFigureLimit : kFigureLimit, options.out);
   write_reproduce_report(tables, done, figures, options.quick, options.out);
-  fmt::print("report in {}\n", (options.out / "report.html").string());
+  print_out("report in {}\n", (options.out / "report.html").string());
   if (interrupted) {
-    fmt::print(stderr, "handway: interrupted; go on with --resume\n");
+    print_error("handway: interrupted; go on with --resume\n");
   }
   return interrupted ? kNoPath : kDone;
 }

@@ -1,5 +1,7 @@
 #include "robot_report.h"
 
+#include "printing.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -16,10 +18,10 @@ RobotReport robot_report(std::shared_ptr<const geometric::RobotModel> model,
 }
 
 void print_findings(const RobotReport& report) {
-  fmt::print("random postures that collide: {:.3g} % of {}\n",
-             100.0 * report.sampled.colliding / report.sampled.samples, report.sampled.samples);
+  print_out("random postures that collide: {:.3g} % of {}\n",
+            100.0 * report.sampled.colliding / report.sampled.samples, report.sampled.samples);
   for (const geometric::RobotFinding& finding : report.findings) {
-    fmt::print("suspicious: {}\n  {}\n", finding.found, finding.mend);
+    print_out("suspicious: {}\n  {}\n", finding.found, finding.mend);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "numbers.h"
+#include "printing.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -88,7 +89,7 @@ void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
     summary += fmt::format("  warning: {}\n", warning);
   }
-  fmt::print(stderr, "handway: {}", summary);
+  print_error("handway: {}", summary);
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ planning::Path read_path(const planning::PlanningProblem& problem,
   planning::JointsAtRest rest{problem.start};
   planning::Path path = planning::read_path(problem.model(), file, &rest);
   if (const std::string remark = rest.remark(file); !remark.empty()) {
-    fmt::print(stderr, "handway: {}\n", remark);
+    print_error("handway: {}\n", remark);
   }
   return path;
 }

@@ -6,6 +6,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
 #include "numbers.h"
+#include "printing.h"
 #include "scene_file_watch.h"
 #include "terminal.h"
 #include "timing_options.h"
@@ -55,7 +56,7 @@ class SendObserver final : public execution::MotionObserver {
     log_.add(sample.time, sample.target, sample.planned, sample.measured);
   }
   void on_held(const std::string& reason) override {
-    fmt::print("held: {}\n", reason);
+    print_out("held: {}\n", reason);
     std::fflush(stdout);
   }
   void on_progress(double time, const std::vector<execution::FollowingError>& errors) override {
@@ -72,7 +73,7 @@ class SendObserver final : public execution::MotionObserver {
       line +=
           fmt::format(", {} up to {:.4f} rad off", targets_[i].kind, errors[i].max().maxCoeff());
     }
-    fmt::print("{}\n", line);
+    print_out("{}\n", line);
     std::fflush(stdout);
   }
 
@@ -99,13 +100,13 @@ class SendObserver final : public execution::MotionObserver {
 
 void print_errors(const std::vector<MotionTarget>& targets,
                   const execution::MotionOutcome& outcome) {
-  fmt::print("following error, rad:\n{:<24}{:>10}{:>10}\n", "", "max", "RMS");
+  print_out("following error, rad:\n{:<24}{:>10}{:>10}\n", "", "max", "RMS");
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const Eigen::VectorXd rms = outcome.errors[i].rms();
     for (Eigen::Index j = 0; j < rms.size(); ++j) {
-      fmt::print("{:<24}{:>10.5f}{:>10.5f}\n",
-                 targets[i].link->joints().names[static_cast<std::size_t>(j)],
-                 outcome.errors[i].max()[j], rms[j]);
+      print_out("{:<24}{:>10.5f}{:>10.5f}\n",
+                targets[i].link->joints().names[static_cast<std::size_t>(j)],
+                outcome.errors[i].max()[j], rms[j]);
     }
   }
 }
@@ -121,25 +122,25 @@ int report(const std::vector<MotionTarget>& targets, const execution::MotionOutc
            const execution::MotionLog& log, double duration) {
   print_errors(targets, outcome);
   if (!log.good()) {
-    fmt::print(stderr, "The log could not be written to its end.\n");
+    print_error("The log could not be written to its end.\n");
   }
   if (outcome.done) {
-    fmt::print("done: {:.2f} s\n", duration);
+    print_out("done: {:.2f} s\n", duration);
     return log.good() ? kDone : kInvalidInput;
   }
   std::fflush(stdout);
   if (!outcome.collision.empty()) {
-    fmt::print(stderr, "{}\n", outcome.collision);
+    print_error("{}\n", outcome.collision);
   }
   if (!outcome.fault.empty()) {
-    fmt::print(stderr, "{}\n", outcome.fault);
+    print_error("{}\n", outcome.fault);
   }
-  fmt::print("STOPPED at {:.2f} of {:.2f} s: {}; STOP sent to all devices within {:.1f} ms, ",
-             outcome.time, duration, cause_of(outcome), outcome.stop_sent_ms);
+  print_out("STOPPED at {:.2f} of {:.2f} s: {}; STOP sent to all devices within {:.1f} ms, ",
+            outcome.time, duration, cause_of(outcome), outcome.stop_sent_ms);
   if (outcome.at_rest_ms >= 0.0) {
-    fmt::print("at rest {:.0f} ms later\n", outcome.at_rest_ms);
+    print_out("at rest {:.0f} ms later\n", outcome.at_rest_ms);
   } else {
-    fmt::print("not seen at rest: LOOK AT THE ROBOT\n");
+    print_out("not seen at rest: LOOK AT THE ROBOT\n");
   }
   return kMotionStopped;
 }
@@ -180,7 +181,7 @@ bool connect(const std::vector<MotionTarget>& targets, const std::stop_token& st
 }
 
 int end_before_the_start() {
-  fmt::print(stderr, "Nothing moved: stopped before the start.\n");
+  print_error("Nothing moved: stopped before the start.\n");
   return kMotionStopped;
 }
 
@@ -205,12 +206,12 @@ int send(const SendChoice& choice) {
   }
   const double duration = timed.motion.trajectory.duration();
   for (const MotionTarget& target : targets) {
-    fmt::print("{}: {} joints, {} points, {:.2f} s at {:g} % speed\n", target.link->name(),
-               target.variables.size(), timed.motion.trajectory.points.size(), duration,
-               100.0 * choice.timing.speed);
+    print_out("{}: {} joints, {} points, {:.2f} s at {:g} % speed\n", target.link->name(),
+              target.variables.size(), timed.motion.trajectory.points.size(), duration,
+              100.0 * choice.timing.speed);
   }
   if (!choice.yes) {
-    fmt::print(stderr, "Nothing was sent: --yes lets the robot move.\n");
+    print_error("Nothing was sent: --yes lets the robot move.\n");
     return kWrongUsage;
   }
   std::fflush(stdout);
@@ -236,8 +237,8 @@ int send(const SendChoice& choice) {
     outcome.collision = observer.obstacle();
   }
   if (!outcome.started) {
-    fmt::print(stderr, "Nothing moved: {}\n",
-               outcome.collision.empty() ? "stopped before the start." : outcome.collision);
+    print_error("Nothing moved: {}\n",
+                outcome.collision.empty() ? "stopped before the start." : outcome.collision);
     return outcome.collision.empty() ? kMotionStopped : kNoPath;
   }
   return report(targets, outcome, log, duration);

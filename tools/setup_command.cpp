@@ -6,6 +6,7 @@
 #include "handway/geometric/robot/robot_description.h"
 #include "handway/geometric/setup/robot_setup.h"
 #include "handway/planning/extensions/plugin.h"
+#include "printing.h"
 #include "robot_report.h"
 
 #include <CLI/CLI.hpp>
@@ -59,20 +60,20 @@ std::shared_ptr<const RobotModel> first_robot(const std::filesystem::path& file)
 }
 
 void print_text(const RobotReport& report, const RobotDescription& robot) {
-  fmt::print("robot {}: {} links, {} independent joints\n", robot.name, robot.links.size(),
-             report.model->variable_count());
+  print_out("robot {}: {} links, {} independent joints\n", robot.name, robot.links.size(),
+            report.model->variable_count());
   for (const geometric::JointGroup& group : robot.groups) {
-    fmt::print("group {}: {}\n", group.name, fmt::join(group.joints, ", "));
+    print_out("group {}: {}\n", group.name, fmt::join(group.joints, ", "));
   }
   for (const geometric::EndEffector& effector : robot.end_effectors) {
-    fmt::print("end effector {}: group {} on {}\n", effector.name, effector.group,
-               effector.parent_link);
+    print_out("end effector {}: group {} on {}\n", effector.name, effector.group,
+              effector.parent_link);
   }
   const GroupProposal& groups = report.groups;
   if (!groups.palm.empty()) {
-    fmt::print("palm: {}\nfingertips: {}\n", groups.palm, fmt::join(groups.fingertips, ", "));
+    print_out("palm: {}\nfingertips: {}\n", groups.palm, fmt::join(groups.fingertips, ", "));
   } else if (!groups.tip.empty()) {
-    fmt::print("tip: {}\n", groups.tip);
+    print_out("tip: {}\n", groups.tip);
   }
   std::vector<std::string> counts;
   for (const AllowedReason reason : kReasons) {
@@ -83,8 +84,8 @@ void print_text(const RobotReport& report, const RobotDescription& robot) {
       counts.push_back(fmt::format("{} {}", count, to_string(reason)));
     }
   }
-  fmt::print("pairs of links that may touch: {} ({})\n", robot.allowed_collisions.entries().size(),
-             fmt::join(counts, ", "));
+  print_out("pairs of links that may touch: {} ({})\n", robot.allowed_collisions.entries().size(),
+            fmt::join(counts, ", "));
   print_findings(report);
 }
 
@@ -107,7 +108,7 @@ void print_json(const RobotReport& report, const RobotDescription& robot) {
                       {"colliding", report.sampled.colliding},
                       {"allowed", allowed},
                       {"findings", findings_json(report)}};
-  fmt::print("{}\n", document.dump(2));
+  print_out("{}\n", document.dump(2));
 }
 
 void check_out(const SetupChoice& choice) {

@@ -1,5 +1,8 @@
 #include "terminal.h"
 
+#include "handway/geometric/io/printable.h"
+#include "printing.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +12,7 @@
 namespace handway::tools {
 
 void print_line(const std::string& line) {
-  fmt::print("{}\n", line);
+  print_out("{}\n", line);
   std::fflush(stdout);
 }
 
@@ -18,10 +21,10 @@ void print_table(const std::string& table, bool first) {
     fmt::print("\033[{}A", std::count(table.begin(), table.end(), '\n'));
   }
   std::string cleared;
-  for (const char c : table) {
+  for (const char c : geometric::printable(table)) {
     cleared += c == '\n' ? std::string("\033[K\n") : std::string(1, c);
   }
-  fmt::print("{}", cleared);
+  fmt::print("{}", cleared);  // with what steers the terminal
   std::fflush(stdout);
 }
 

@@ -4,6 +4,7 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "numbers.h"
+#include "printing.h"
 #include "scene_options.h"
 
 #include <CLI/CLI.hpp>
@@ -106,19 +107,19 @@ planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& in
 
 void print_timing(const planning::TimedPath& timed) {
   if (!timed.blends.fault.empty()) {
-    fmt::print("{}\nNOT CLEARED: the path itself is not free\n", timed.blends.fault);
+    print_out("{}\nNOT CLEARED: the path itself is not free\n", timed.blends.fault);
     return;
   }
-  fmt::print("{}", planning::to_text(timed.preflight));
-  fmt::print("{} waypoints, {} stops between", timed.motion.path.waypoints.size(),
-             timed.blends.stops);
+  print_out("{}", planning::to_text(timed.preflight));
+  print_out("{} waypoints, {} stops between", timed.motion.path.waypoints.size(),
+            timed.blends.stops);
   if (timed.blends.arcs > 0) {
-    fmt::print(", {} arcs ({} smaller than asked); they pass their waypoints at {:.4f} rad or less",
-               timed.blends.arcs, timed.blends.reduced, timed.blends.largest_deviation);
+    print_out(", {} arcs ({} smaller than asked); they pass their waypoints at {:.4f} rad or less",
+              timed.blends.arcs, timed.blends.reduced, timed.blends.largest_deviation);
   }
-  fmt::print("\n");
+  print_out("\n");
   if (timed.least_duration > 0.0) {
-    fmt::print("no motion through the waypoints takes less than {:.3f} s\n", timed.least_duration);
+    print_out("no motion through the waypoints takes less than {:.3f} s\n", timed.least_duration);
   }
 }
 

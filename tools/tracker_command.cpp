@@ -9,6 +9,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "numbers.h"
+#include "printing.h"
 #include "terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -217,7 +218,7 @@ class Live {
     if (options_.json) {
       print_line(tracker_statistics_json(statistics, tracker_->faults()));
     } else {
-      fmt::print(stderr, "{}\n", tracker_statistics_line(statistics, tracker_->faults()));
+      print_error("{}\n", tracker_statistics_line(statistics, tracker_->faults()));
     }
   }
 
@@ -227,12 +228,12 @@ class Live {
   void connect(const std::stop_token& stop) {
     const device::TrackerInfo info = tracker_->connect(stop);
     counter_.connected(0.0, 0.0);
-    fmt::print(stderr, "{}: {}\n", info.device, info.model);
+    print_error("{}: {}\n", info.device, info.model);
   }
 
   void enter(const char* state) {
     if (!table_ && std::string(state) != state_ && std::string(state) != "streaming") {
-      fmt::print(stderr, "{}\n", state);
+      print_error("{}\n", state);
     }
     state_ = state;
   }

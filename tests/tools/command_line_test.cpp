@@ -63,6 +63,34 @@ TEST_F(Handway, NamesJointsThatAPathHasNot) {
   EXPECT_THAT(check.err, AllOf(HasSubstr("elbow"), HasSubstr("stay at the start")));
 }
 
+// Names in files can't steer the terminal.
+TEST_F(Handway, PrintsTextFromFilesAsText) {
+  line_.write("arm.urdf", R"(<robot name="arm"><link name="foot"/><link name="rod"><collision>
+    <geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
+    <joint name="lift" type="prismatic"><parent link="foot"/><child link="rod"/><axis xyz="0 0 1"/>
+    <limit lower="0" upper="1" effort="1" velocity="1"/></joint></robot>)");
+  line_.write("red.yaml", R"(handway: 1
+name: "\e[31mred\e[0m\a\u202E"
+robots: [{name: arm, model: arm.urdf}]
+objects: [{name: "\e[31mred\e[0m\a\u202E", sphere: {radius: 0.05}, pose: {xyz: [0, 0, 0.5]}}]
+start: {lift: 0}
+goal: {lift: 0.5}
+)");
+  for (const char* arguments :
+       {"info red.yaml", "info red.yaml --json", "plan red.yaml",
+        "plan \"$(printf 'no\\033[31mfile.yaml')\"",
+        "plan red.yaml --planner \"$(printf '\\033[31m')\"", "\"$(printf '\\033[31m')\""}) {
+    const Outcome run = line_.run(arguments);
+    for (const std::string& text : {run.out, run.err}) {
+      EXPECT_THAT(text, Not(HasSubstr("\x1B"))) << arguments;
+      EXPECT_THAT(text, Not(HasSubstr("\a"))) << arguments;
+      EXPECT_THAT(text, Not(HasSubstr("\u202E"))) << arguments;
+    }
+  }
+  EXPECT_THAT(line_.run("info red.yaml").out, HasSubstr("\\u001b[31mred"));
+  EXPECT_THAT(line_.run("plan red.yaml").err, HasSubstr("\\u001b[31mred"));
+}
+
 TEST_F(Handway, NamesAnUnknownCommand) {
   const Outcome run = line_.run("grasp post.yaml");
   EXPECT_EQ(run.exit_code, kWrongUsage);

@@ -1,6 +1,7 @@
 #include "handway/planning/extensions/plugin.h"
 
 #include "handway/geometric/formats/scene_file.h"
+#include "handway/geometric/io/alike_lines.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
@@ -17,9 +18,13 @@
 #include <cstring>
 #include <exception>
 #include <iterator>
+#include <memory>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -234,7 +239,9 @@ LoadedScene scene_of_robot(const fs::path& file) {
 
 }  // namespace
 
-LoadedScene load_scene(const fs::path& file, const PluginManager& plugins) {
+namespace {
+
+LoadedScene read_any(const fs::path& file, const PluginManager& plugins) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
     const std::vector<std::string> robots = geometric::resource_names(ResourceKind::kRobot);
@@ -262,6 +269,45 @@ LoadedScene load_scene(const fs::path& file, const PluginManager& plugins) {
     return scene_of_robot(file);
   }
   refuse(file, plugins);
+}
+
+/// Whether an object has this name, or that of a further shape of it ("cell_2").
+bool is_called(const std::string& object, const std::string& name) {
+  const std::size_t digits = object.find_last_not_of("0123456789");
+  return object == name || (object.starts_with(name + "_") && digits == name.size());
+}
+
+// The objects that $HANDWAY_HOLLOW names, in lines, are hollow.
+void hollow_out(geometric::Scene& scene) {
+  const char* hollow = std::getenv("HANDWAY_HOLLOW");
+  std::istringstream names(hollow != nullptr ? hollow : "");
+  for (std::string name; std::getline(names, name);) {
+    bool is_there = name.empty();
+    std::vector<std::string> objects;
+    for (geometric::SceneObject& object : scene.objects) {
+      objects.push_back(object.name);
+      if (is_called(object.name, name)) {
+        object.solid = false;
+        is_there = true;
+      }
+    }
+    if (!is_there) {
+      throw geometric::InputError({"--hollow " + name, "", "no object of that name",
+                                   "an object of the scene",
+                                   geometric::advise_name(name, objects)});
+    }
+  }
+}
+
+}  // namespace
+
+LoadedScene load_scene(const fs::path& file, const PluginManager& plugins) {
+  LoadedScene loaded = read_any(file, plugins);
+  auto scene = std::make_shared<geometric::Scene>(*loaded.scene);
+  scene->warnings = geometric::merged_alike(scene->warnings);
+  hollow_out(*scene);
+  loaded.scene = std::move(scene);
+  return loaded;
 }
 
 }  // namespace handway::planning
