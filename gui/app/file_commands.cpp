@@ -229,7 +229,24 @@ bool FileCommands::save_as() {
   return !file.isEmpty() && save_to(file);
 }
 
+// Two windows may have the same scene open.
+bool FileCommands::may_overwrite(const QString& file) {
+  const Document& document = workbench_.document;
+  if (document.file() != file.toStdString() || !document.is_changed_on_disk()) {
+    return true;
+  }
+  return QMessageBox::warning(
+             &workbench_.window, tr("The file was changed"),
+             tr("Another window or program has changed %1 since it was opened here. Replace its "
+                "changes? Save as… keeps both.")
+                 .arg(QFileInfo(file).fileName()),
+             QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Save;
+}
+
 bool FileCommands::save_to(const QString& file) {
+  if (!may_overwrite(file)) {
+    return false;
+  }
   try {
     workbench_.document.save(file.toStdString(), workbench_.plan_settings.choice());
   } catch (const std::exception& error) {

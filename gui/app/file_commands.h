@@ -55,6 +55,8 @@ class FileCommands : public QObject {
 
  private:
   void place_actions();
+  /// Asks whether to replace a file that was changed by others.
+  [[nodiscard]] bool may_overwrite(const QString& file);
   bool save_to(const QString& file);
   /// Asks for a file and puts a picture of the view there.
   void save_picture();

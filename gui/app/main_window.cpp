@@ -13,6 +13,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"
 #include "widgets/forms/quantity_field.h"
+#include "widgets/forms/typed_input.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
@@ -40,6 +41,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget
   setAcceptDrops(true);
   setContextMenuPolicy(Qt::NoContextMenu);
   new WheelGuard(this);
+  new TypingGuard(this);
   new FileDialogTooltips(this);
   new WrappedTooltips(this);
   new EnterKey(*this, workbench_.view);
@@ -227,6 +229,7 @@ void MainWindow::update_title() {
 void MainWindow::apply_plan_options() {
   const Options& options = workbench_.options;
   PlanSettings& settings = workbench_.plan_settings;
+  settings.begin_scene();
   settings.apply(workbench_.document.scene()->planner);
   if (!options.planner.empty()) {
     settings.choose_planner(options.planner);

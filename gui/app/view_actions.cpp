@@ -70,8 +70,8 @@ PreferenceEffects::PreferenceEffects(Workbench& workbench)
       applied_(workbench.preferences.values()) {
   apply_at_once(applied_);
   planning_.set_usual_planner(applied_.planner.toStdString());
-  planning_.set_threads(applied_.threads);
-  planning_.set_time_limit(applied_.time_limit);
+  planning_.set_usual_threads(applied_.threads);
+  planning_.set_usual_time_limit(applied_.time_limit);
   connect(&preferences_, &Preferences::changed, this, &PreferenceEffects::follow);
 }
 
@@ -92,10 +92,10 @@ void PreferenceEffects::apply_to_planning(const PreferenceValues& values) {
     planning_.set_usual_planner(values.planner.toStdString());
   }
   if (values.threads != applied_.threads) {
-    planning_.set_threads(values.threads);
+    planning_.set_usual_threads(values.threads);
   }
   if (values.time_limit != applied_.time_limit) {
-    planning_.set_time_limit(values.time_limit);
+    planning_.set_usual_time_limit(values.time_limit);
   }
 }
 

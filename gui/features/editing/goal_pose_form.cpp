@@ -3,16 +3,17 @@
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
+#include "widgets/forms/typed_input.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QSignalBlocker>
 #include <QToolButton>
 
 #include <algorithm>
 #include <numbers>
+#include <vector>
 
 namespace handway::gui {
 namespace {
@@ -116,13 +117,15 @@ void GoalPoseForm::set_rotation(double tolerance) {
 }
 
 void GoalPoseForm::list_links(const geometric::RobotModel& model) {
-  const QSignalBlocker quiet(link_);
-  link_->clear();
+  std::vector<ShownChoice> choices;
+  int current = -1;
   for (int link = 1; link < model.link_count(); ++link) {
     if (!geometric::chain_variables(model, link).empty()) {
-      link_->addItem(QString::fromStdString(model.link(link).name));
+      current = model.link(link).name == goal_.link ? static_cast<int>(choices.size()) : current;
+      choices.push_back({QString::fromStdString(model.link(link).name)});
     }
   }
+  show_choices(*link_, choices, current);
 }
 
 void GoalPoseForm::show_goal(const geometric::RobotModel& model, const geometric::PoseGoal& goal) {
@@ -130,7 +133,6 @@ void GoalPoseForm::show_goal(const geometric::RobotModel& model, const geometric
   unfold(fold_->isChecked() || !goal.X_LT.isApprox(geometric::Pose::Identity()));
   goal_ = goal;
   list_links(model);
-  link_->setCurrentText(QString::fromStdString(goal.link));
   position_->show_quantity(goal.position_tolerance.maxCoeff());
   double rotation = geometric::PoseGoal().rotation_tolerance.maxCoeff();
   bool any_kept = false;

@@ -4,6 +4,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/style/theme.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
@@ -119,7 +120,8 @@ MeshImportDialog::MeshImportDialog(const QString& file,
       unit_(named("mesh_unit", new QComboBox)),
       up_(named("mesh_up", new QComboBox)),
       size_(named("mesh_size", new QLabel)),
-      picture_(named("mesh_picture", new QLabel)) {
+      picture_(named("mesh_picture", new QLabel)),
+      hollow_(named("mesh_hollow", new QCheckBox(tr("Hollow")))) {
   setObjectName(QStringLiteral("mesh_import"));
   setWindowTitle(tr("Add %1").arg(QFileInfo(file).fileName()));
   unit_->setToolTip(tr("What 1 in the file is"));
@@ -139,6 +141,9 @@ MeshImportDialog::MeshImportDialog(const QString& file,
   form->addRow(tr("Unit"), unit_);
   form->addRow(tr("Up axis"), up_);
   form->addRow(tr("Size"), size_);
+  form->addRow(QString(), hollow_);
+  hollow_->setToolTip(
+      tr("A cell or a room around the robot: its walls alone count, what is inside is free"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   QPushButton* add = buttons->addButton(tr("Add"), QDialogButtonBox::AcceptRole);
   add->setObjectName(QStringLiteral("mesh_add"));
@@ -163,6 +168,8 @@ MeshImportDialog::MeshImportDialog(const QString& file,
 double MeshImportDialog::scale() const { return unit_->currentData().toDouble(); }
 
 Matrix3d MeshImportDialog::orientation() const { return turned_up(up_->currentIndex()); }
+
+bool MeshImportDialog::is_hollow() const { return hollow_->isChecked(); }
 
 void MeshImportDialog::show_result() {
   geometric::Pose X_WF = geometric::Pose::Identity();

@@ -8,6 +8,7 @@
 
 #include <memory>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 
@@ -28,6 +29,8 @@ class MeshImportDialog : public QDialog {
   [[nodiscard]] double scale() const;
   /// Of the file's axes in the world.
   [[nodiscard]] Eigen::Matrix3d orientation() const;
+  /// Whether its walls alone count.
+  [[nodiscard]] bool is_hollow() const;
 
  private:
   void show_result();
@@ -37,6 +40,7 @@ class MeshImportDialog : public QDialog {
   QComboBox* up_;
   QLabel* size_;
   QLabel* picture_;
+  QCheckBox* hollow_;
 };
 
 }  // namespace handway::gui

@@ -1,6 +1,7 @@
 #include "features/editing/palm_tool.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
 #include "model/document/reach_words.h"
@@ -119,11 +120,32 @@ void PalmTool::show(const SceneItem& item, const Configuration& q) {
   session_.try_scene(is_start ? with_start(editor_.state(), q) : with_goal(editor_.state(), q));
 }
 
+void PalmTool::refuse(const SceneItem& item, const geometric::Pose& X_WP,
+                      const planning::PalmMove& nearest) {
+  const geometric::Pose X_WN = document_.robot()->X_WB * ik_->pose(nearest.q);
+  const double away = (X_WN.translation() - X_WP.translation()).norm();
+  const double turned = Eigen::AngleAxisd(X_WN.linear().transpose() * X_WP.linear()).angle();
+  emit refused(tr("The pose is out of reach"),
+               tr("The arm gets no nearer than %1 mm and %2° to it. The %3 was left as it was.")
+                   .arg(geometric::millimetres(away), 0, 'f', 1)
+                   .arg(geometric::degrees(turned), 0, 'f', 1)
+                   .arg(item.kind == Kind::kStart  ? tr("start")
+                        : item.kind == Kind::kGoal ? tr("goal")
+                                                   : tr("robot")));
+  editor_.select(SceneItem(item));  // its fields show where it is
+}
+
 void PalmTool::drop(const SceneItem& item, const geometric::Pose& X_WP) {
   const auto move = moved(item, X_WP);
+  const bool was_dragged = before_.has_value();
   before_.reset();
   view_.set_overlay(Overlay::kReach, nullptr);
   if (!move) {
+    emit refused(tr("The palm stays where it is"), tr("No arm of the robot moves it."));
+    return;
+  }
+  if (!move->reached && !was_dragged) {  // what is dragged shows how far it gets
+    refuse(item, X_WP, *move);
     return;
   }
   const Configuration& q = move->q;

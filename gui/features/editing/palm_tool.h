@@ -32,12 +32,19 @@ class PalmTool : public QObject {
            SceneView& view, QObject* parent = nullptr);
   ~PalmTool() override;
 
+ signals:
+  /// A pose that was typed can't be taken, in words for a person.
+  void refused(const QString& title, const QString& reason);
+
  private:
   void use_robot();
   void drag(const SceneItem& item, const geometric::Pose& X_WP);
   /// Swings the elbow of a redundant arm while its palm is held.
   void swing(const SceneItem& item, double clicks);
   void drop(const SceneItem& item, const geometric::Pose& X_WP);
+  /// Says how near the arm gets, and leaves all as it is.
+  void refuse(const SceneItem& item, const geometric::Pose& X_WP,
+              const planning::PalmMove& nearest);
   /// Goes on from `q`, and shows it.
   void take(const SceneItem& item, const geometric::Configuration& q);
   /// Whether the palm gets to where it is dragged, and how freely the arm holds it there.

@@ -6,6 +6,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/shape_form.h"
+#include "widgets/forms/typed_input.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
@@ -14,7 +15,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSignalBlocker>
 #include <QToolButton>
 
 #include <algorithm>
@@ -22,6 +22,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace handway::gui {
 namespace {
@@ -177,6 +178,10 @@ void PropertiesPanel::refresh_icons() {
 }
 
 void PropertiesPanel::refresh() {
+  if (shown_ != editor_.whole_selection()) {
+    shown_ = editor_.whole_selection();
+    forget_typed(*this);  // it was about what was selected before
+  }
   show_constraints();
   const SceneItem& item = editor_.selection();
   if (const geometric::SceneObject* object = editor_.selected_object()) {
@@ -222,7 +227,7 @@ void PropertiesPanel::show_parts(bool header, bool pose, bool shape) {
 void PropertiesPanel::show_object(const geometric::SceneObject& object) {
   show_parts(true, true, true);
   const bool editable = editor_.can_change();
-  name_->setText(QString::fromStdString(object.name));
+  show_text(*name_, QString::fromStdString(object.name));
   name_->setReadOnly(!editable);
   kind_->setText(kind_of_shape(object.shape));
   lock_->setChecked(!editable);
@@ -240,8 +245,8 @@ void PropertiesPanel::show_objects(const geometric::SceneObject& last) {
   const std::vector<std::string>& names = editor_.selected_objects();
   const bool editable = editor_.can_change();
   const bool is_group = rigid_parts(*editor_.state().scene, names).size() == 1;
-  name_->setText(is_group ? QString::fromStdString(editor_.state().display_of(last.name).group)
-                          : tr("%1 objects").arg(names.size()));
+  show_text(*name_, is_group ? QString::fromStdString(editor_.state().display_of(last.name).group)
+                             : tr("%1 objects").arg(names.size()));
   name_->setReadOnly(true);
   kind_->setText(is_group ? tr("Group of %1").arg(names.size()) : QString());
   const auto all = [&](bool geometric::ObjectDisplay::*flag) {
@@ -278,7 +283,7 @@ void PropertiesPanel::show_robot(const std::string& robot) {
   const geometric::Scene& scene = *editor_.state().scene;
   const geometric::Configuration& q = editor_.document().configuration();
   show_parts(true, true, false);
-  name_->setText(QString::fromStdString(robot));
+  show_text(*name_, QString::fromStdString(robot));
   name_->setReadOnly(true);
   kind_->setText(tr("Robot"));
   const auto on = carrier_of(scene, robot);
@@ -292,26 +297,23 @@ void PropertiesPanel::show_robot(const std::string& robot) {
 void PropertiesPanel::list_mounts(const std::string& robot) {
   const geometric::Scene& scene = *editor_.state().scene;
   const auto on = carrier_of(scene, robot);
-  const QSignalBlocker quiet(mount_);
-  mount_->clear();
-  mount_->addItem(tr("World"));
+  std::vector<ShownChoice> choices{{tr("World")}};
+  int current = 0;
   for (const LinkOfRobot& place : mounting_places(scene, robot)) {
     const QString carrier = QString::fromStdString(place.robot);
     const QString link = QString::fromStdString(place.link);
-    mount_->addItem(tr("%1 of %2").arg(link, carrier), carrier);
-    mount_->setItemData(mount_->count() - 1, link, Qt::UserRole + 1);
-    if (on == place) {
-      mount_->setCurrentIndex(mount_->count() - 1);
-    }
+    current = on == place ? static_cast<int>(choices.size()) : current;
+    choices.push_back({tr("%1 of %2").arg(link, carrier), carrier, link});
   }
-  mount_box_->setVisible(mount_->count() > 1);
+  show_choices(*mount_, choices, current);
+  mount_box_->setVisible(choices.size() > 1);
 }
 
 void PropertiesPanel::show_link(const geometric::RobotInstance& robot) {
   const auto X_WL = link_pose(*editor_.state().scene, editor_.document().configuration(),
                               robot.name, editor_.selection().name);
   show_parts(true, X_WL.has_value(), false);
-  name_->setText(QString::fromStdString(editor_.selection().name));
+  show_text(*name_, QString::fromStdString(editor_.selection().name));
   name_->setReadOnly(true);
   kind_->setText(tr("Link"));
   pose_title_->setText(tr("Pose (set by the joints)"));
@@ -322,9 +324,9 @@ void PropertiesPanel::show_link(const geometric::RobotInstance& robot) {
 void PropertiesPanel::show_posture(const geometric::Pose& X_WP) {
   show_parts(true, true, false);
   const Kind kind = editor_.selection().kind;
-  name_->setText(kind == Kind::kStart  ? tr("Start")
-                 : kind == Kind::kGoal ? tr("Goal")
-                                       : tr("Robot as shown"));
+  show_text(*name_, kind == Kind::kStart  ? tr("Start")
+                    : kind == Kind::kGoal ? tr("Goal")
+                                          : tr("Robot as shown"));
   name_->setReadOnly(true);
   kind_->setText(tr("Posture"));
   pose_title_->setText(tr("Palm: the arm follows"));
@@ -334,7 +336,7 @@ void PropertiesPanel::show_posture(const geometric::Pose& X_WP) {
 
 void PropertiesPanel::show_goal_pose(const geometric::PoseGoal& goal) {
   show_parts(true, true, false);
-  name_->setText(tr("Goal pose of %1").arg(QString::fromStdString(goal.link)));
+  show_text(*name_, tr("Goal pose of %1").arg(QString::fromStdString(goal.link)));
   name_->setReadOnly(true);
   kind_->setText(tr("Goal"));
   pose_title_->setText(tr("Pose in the world"));
@@ -375,20 +377,19 @@ void PropertiesPanel::show_constraints() {
 }
 
 void PropertiesPanel::list_parents(const geometric::SceneObject& object) {
-  const QSignalBlocker quiet(parent_);
-  parent_->clear();
-  parent_->addItem(tr("World"));
+  std::vector<ShownChoice> choices{{tr("World")}};
+  int current = 0;
   for (const geometric::RobotInstance& robot : editor_.state().scene->robots) {
     for (int i = 0; i < robot.model->link_count(); ++i) {
       const std::string& link = robot.model->link(i).name;
-      parent_->addItem(QString::fromStdString(link), QString::fromStdString(robot.name));
-      parent_->setItemData(parent_->count() - 1, QString::fromStdString(link), Qt::UserRole + 1);
-      if (object.attachment && object.attachment->robot == robot.name &&
-          object.attachment->link == link) {
-        parent_->setCurrentIndex(parent_->count() - 1);
-      }
+      const bool carries = object.attachment && object.attachment->robot == robot.name &&
+                           object.attachment->link == link;
+      current = carries ? static_cast<int>(choices.size()) : current;
+      choices.push_back({QString::fromStdString(link), QString::fromStdString(robot.name),
+                         QString::fromStdString(link)});
     }
   }
+  show_choices(*parent_, choices, current);
 }
 
 void PropertiesPanel::paint_swatch(const geometric::Color& color) {

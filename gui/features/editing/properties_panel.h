@@ -57,6 +57,7 @@ class PropertiesPanel : public PanelArea {
   void paint_swatch(const geometric::Color& color);
 
   SceneEditor& editor_;
+  Selection shown_;
   QLabel* hint_;
   QWidget* header_;
   QLineEdit* name_;

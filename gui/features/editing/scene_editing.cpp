@@ -399,6 +399,7 @@ void SceneEditing::import_mesh(const QString& file) {
   mesh.file = std::filesystem::absolute(file.toStdString());
   mesh.triangles = geometric::read_mesh(mesh.file);
   Eigen::Matrix3d R_WO = Eigen::Matrix3d::Identity();
+  bool is_hollow = false;
   if (mesh.file.parent_path() != geometric::resource_dir() / "objects") {  // those are known
     const bool knows_units = geometric::has_extension(mesh.file, ".dae") ||
                              geometric::has_extension(mesh.file, ".glb") ||
@@ -409,9 +410,14 @@ void SceneEditing::import_mesh(const QString& file) {
     }
     mesh = scaled(mesh, dialog.scale());
     R_WO = dialog.orientation();
+    is_hollow = dialog.is_hollow();
   }
   geometric::Pose X_WO = geometric::Pose::Identity();
   X_WO.linear() = R_WO;
+  if (is_hollow) {
+    editor_.add_room(mesh.file.stem().string(), mesh, new_color(*document_.scene()), X_WO);
+    return;
+  }
   const Eigen::Vector3d size =
       geometric::bounding_box(geometric::transformed(*mesh.triangles, X_WO)).size();
   editor_.add(mesh.file.stem().string(), mesh, new_color(*document_.scene()),
@@ -442,8 +448,9 @@ void ConstraintDisplay::show() {
 void add_editing(Workbench& workbench) {
   workbench.own<SceneEditing>(workbench);
   workbench.own<Recovery>(workbench);
-  workbench.own<PalmTool>(workbench.document, workbench.editor, workbench.posing, workbench.session,
-                          workbench.view);
+  auto& palm = workbench.own<PalmTool>(workbench.document, workbench.editor, workbench.posing,
+                                       workbench.session, workbench.view);
+  QObject::connect(&palm, &PalmTool::refused, &workbench, &Workbench::show_error);
   workbench.own<GoalPoseTool>(workbench);
   auto& constraints = workbench.own<ConstraintDisplay>(workbench.document, workbench.view);
   QObject::connect(&workbench, &Workbench::scene_shown, &constraints, &ConstraintDisplay::show);

@@ -144,7 +144,10 @@ void RecordBar::keep_as(const std::filesystem::path& file) {
   std::error_code other_disk;
   std::filesystem::rename(file_, file, other_disk);
   if (other_disk) {
-    std::filesystem::copy_file(file_, file, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::path part = file;  // whole, or not at all
+    part += ".part";
+    std::filesystem::copy_file(file_, part, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::rename(part, file);
     std::filesystem::remove(file_);
   }
   file_ = file;

@@ -5,6 +5,7 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/typed_input.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
@@ -368,10 +369,10 @@ void WireForm::set_wire(const device::JointWire& wire) {
   joint_->setText(QStringLiteral("<b>%1</b>").arg(joint_label(wire.joint)));
   sensor_->setCurrentIndex(sensor_->findData(wire.left_to_arm ? kOfArm : wire.sensor));
   sensor_->setToolTip(sensor_->currentData(Qt::ToolTipRole).toString());
-  gain_->setText(shown_number(wire.gain));
-  offset_->setText(shown_number(wire.offset / geometric::kDegree));
-  curve_->setText(curve_text(wire.curve));
-  fixed_->setText(wire.fixed ? shown_number(*wire.fixed / geometric::kDegree) : QString());
+  show_text(*gain_, shown_number(wire.gain));
+  show_text(*offset_, shown_number(wire.offset / geometric::kDegree));
+  show_text(*curve_, curve_text(wire.curve));
+  show_text(*fixed_, wire.fixed ? shown_number(*wire.fixed / geometric::kDegree) : QString());
   for (QLineEdit* edit : {gain_, offset_, curve_, fixed_}) {
     mark(*edit, true);
   }

@@ -86,6 +86,11 @@ void CollisionLabel::show_report(const CollisionReport& report) {
   show_words(colors.good, words, words);
 }
 
+void CollisionLabel::show_pending() {
+  const QString words = tr("checking collisions…");
+  show_words(colors_of(current_theme()).muted, words, words);
+}
+
 void CollisionLabel::show_nothing() { show_words({}, {}, {}); }
 
 CollisionDisplay::CollisionDisplay(CollisionMonitor& monitor, SceneView& view, QObject* parent)
@@ -113,6 +118,10 @@ CollisionDisplay::CollisionDisplay(CollisionMonitor& monitor, SceneView& view, Q
       view_.set_overlay(Overlay::kClearance, nullptr);
     }
     label_->show_report(report);
+  });
+  connect(&monitor, &CollisionMonitor::outdated, this, [this] {
+    label_->show_pending();
+    view_.set_overlay(Overlay::kClearance, nullptr);
   });
   connect(&monitor, &CollisionMonitor::failed, this, [this](const QString& message) {
     label_->show_nothing();
@@ -147,6 +156,33 @@ QString contact_text(const geometric::Contact& contact) {
 
 }  // namespace
 
+namespace {
+
+QString words(const std::vector<std::string>& names) {
+  QStringList all;
+  for (const std::string& name : names) {
+    all << QStringLiteral("<b>%1</b>").arg(words(name));
+  }
+  return all.join(QStringLiteral(", "));
+}
+
+QString remedy_text(const EndRemedy& remedy) {
+  switch (remedy.kind) {
+    case EndRemedy::Kind::kHollow:
+      return QObject::tr(
+                 "The robot is inside of %1, which is taken as filled. If it is a cell or "
+                 "a room, make it hollow: its walls alone count then.")
+          .arg(words(remedy.objects));
+    case EndRemedy::Kind::kTouchLinks:
+      return QObject::tr("%1 is attached and touches %2. If it is held there, allow the contact.")
+          .arg(words(remedy.objects), words(remedy.links));
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
 QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& end) {
   QStringList lines;
   if (!end.beyond_limits.empty()) {
@@ -166,6 +202,9 @@ QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& e
   if (const int others = static_cast<int>(end.contacts.size()) - named; others > 0) {
     lines << (others == 1 ? QObject::tr("and one more pair")
                           : QObject::tr("and %1 more pairs").arg(others));
+  }
+  if (const QString hint = remedy_text(end.remedy); !hint.isEmpty()) {
+    lines << hint;
   }
   if (end.nearest.q) {
     lines << QObject::tr("Nearest free posture: %1")
@@ -189,7 +228,8 @@ DoctorCard::DoctorCard(QWidget* host, std::function<std::vector<QPoint>()> to_be
       area_(new PanelArea),
       close_(make_close("doctor_close", tr("Put this message away"))),
       show_(named("doctor_show", new QPushButton(tr("Show")))),
-      use_(named("doctor_use", new QPushButton(tr("Use posture")))) {
+      use_(named("doctor_use", new QPushButton(tr("Use posture")))),
+      mend_(named("doctor_mend", new QPushButton)) {
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   show_->setToolTip(tr("Move the robot to the free posture"));
@@ -198,6 +238,7 @@ DoctorCard::DoctorCard(QWidget* host, std::function<std::vector<QPoint>()> to_be
   area_->setWidget(text_);
   area_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   connect(close_, &QToolButton::clicked, this, &QWidget::hide);
+  connect(mend_, &QPushButton::clicked, this, [this] { emit remedied(end_.remedy); });
   connect(show_, &QPushButton::clicked, this, [this] { emit shown(*end_.nearest.q); });
   connect(use_, &QPushButton::clicked, this,
           [this] { emit accepted(end_.is_start, *end_.nearest.q); });
@@ -206,7 +247,7 @@ DoctorCard::DoctorCard(QWidget* host, std::function<std::vector<QPoint>()> to_be
       in_column(
           {{in_row({{picture_, 0, Qt::AlignTop}, {area_, 1}, {close_, 0, Qt::AlignTop}}, kSpacing),
             1},
-           in_row({show_, use_, room()})},
+           in_row({mend_, show_, use_, room()})},
           6),
       {14, 10, 8, 10});
 }
@@ -220,9 +261,21 @@ void DoctorCard::show_diagnoses(const std::shared_ptr<const geometric::RobotMode
   end_ = ends.front();
   picture_->setPixmap(icon("warning", colors_of(current_theme()).bad).pixmap(24, 24));
   text_->setText(diagnosis_text(*model, end_).replace(QLatin1Char('_'), QLatin1String("_&#8203;")));
-  show_->setVisible(end_.nearest.q.has_value());
-  use_->setVisible(end_.nearest.q.has_value());
+  for (QPushButton* button : {show_, use_}) {
+    button->setVisible(end_.nearest.q.has_value());
+    button->setEnabled(true);
+  }
+  mend_->setVisible(end_.remedy.kind != EndRemedy::Kind::kNone);
+  mend_->setEnabled(true);
+  mend_->setText(end_.remedy.kind == EndRemedy::Kind::kHollow ? tr("Make hollow")
+                                                              : tr("Allow contact"));
   appear();
+}
+
+void DoctorCard::show_pending() {
+  show_->setEnabled(false);
+  use_->setEnabled(false);
+  mend_->setEnabled(false);
 }
 
 QString DoctorCard::text() const {
@@ -241,7 +294,8 @@ void DoctorCard::place() {
   const QMargins around = layout()->contentsMargins();
   const int for_words = width - around.left() - around.right() - 2 * kSpacing -
                         picture_->sizeHint().width() - close_->sizeHint().width();
-  const int answers = show_->isHidden() ? 0 : show_->sizeHint().height() + layout()->spacing();
+  const bool has_answers = !show_->isHidden() || !mend_->isHidden();
+  const int answers = has_answers ? use_->sizeHint().height() + layout()->spacing() : 0;
   const int left = beside_axes ? std::max(kAxes, (parentWidget()->width() - width) / 2) : kMargin;
   const std::vector<QPoint> to_be_seen = to_be_seen_();
   const auto covered = [&](const QRect& card) {
@@ -265,7 +319,10 @@ QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, 
       document_(document),
       view_(view),
       card_(new DoctorCard(&view, [this] { return to_be_seen(); })) {
-  connect(&document_, &Document::opened, this, &QueryCheck::examine);
+  connect(&document_, &Document::opened, this, [this] {
+    take({});  // what was found is of the scene before
+    examine();
+  });
   connect(&document_, &Document::edited, this, [this](const SceneState& before) {
     if (before.scene != document_.scene()) {
       examine();
@@ -273,12 +330,23 @@ QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, 
   });
   connect(&doctor_, &QueryDoctor::diagnosed, this, &QueryCheck::take);
   connect(card_, &DoctorCard::shown, &posing, &Posing::set);
+  connect(card_, &DoctorCard::remedied, &editor, [&editor](const EndRemedy& remedy) {
+    SceneState next = editor.state();
+    next.scene = std::make_shared<const geometric::Scene>(remedied(*next.scene, remedy));
+    const QString what = SceneEditor::words_for(remedy.objects);
+    editor.apply(remedy.kind == EndRemedy::Kind::kHollow ? tr("Make %1 hollow").arg(what)
+                                                         : tr("Let %1 touch the robot").arg(what),
+                 std::move(next), remedy.objects);
+  });
   connect(card_, &DoctorCard::accepted, &editor, [&editor](bool is_start, const auto& q) {
     is_start ? editor.set_start(q) : editor.set_goal(q);
   });
 }
 
-void QueryCheck::examine() { doctor_.examine(document_.scene(), document_.problem()); }
+void QueryCheck::examine() {
+  card_->show_pending();
+  doctor_.examine(document_.scene(), document_.problem());
+}
 
 void QueryCheck::take(const std::vector<EndDiagnosis>& ends) {
   contacts_.clear();

@@ -33,6 +33,8 @@ class CollisionLabel : public QLabel {
 
   void show_report(const CollisionReport& report);
   void show_nothing();
+  /// The answer is to come.
+  void show_pending();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -86,6 +88,8 @@ class DoctorCard : public FloatingCard {
   /// Shows the first of `ends`; none: hides the card.
   void show_diagnoses(const std::shared_ptr<const geometric::RobotModel>& model,
                       const std::vector<EndDiagnosis>& ends);
+  /// The scene was edited: what is shown can't be used until it was looked at again.
+  void show_pending();
   /// What is written on it; empty while it is hidden.
   [[nodiscard]] QString text() const;
 
@@ -94,6 +98,8 @@ class DoctorCard : public FloatingCard {
   void shown(const Eigen::VectorXd& q);
   /// A click on Use it.
   void accepted(bool is_start, const Eigen::VectorXd& q);
+  /// A click on what mends the scene.
+  void remedied(const handway::gui::EndRemedy& remedy);
 
  private:
   void place() override;
@@ -105,6 +111,7 @@ class DoctorCard : public FloatingCard {
   QToolButton* close_;
   QPushButton* show_;
   QPushButton* use_;
+  QPushButton* mend_;
   EndDiagnosis end_;
 };
 

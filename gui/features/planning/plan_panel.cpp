@@ -4,6 +4,7 @@
 #include "model/planning/planning_session.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/parameter_form.h"
+#include "widgets/forms/typed_input.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/style/theme.h"
@@ -20,7 +21,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -103,19 +103,16 @@ void PlanPanel::connect_settings() {
 
 void PlanPanel::show_request() {
   // Shown, not entered: a field rounds, and the settings shall not.
-  const std::array quiet{QSignalBlocker(seed_),          QSignalBlocker(seeds_),
-                         QSignalBlocker(merit_),         QSignalBlocker(time_limit_),
-                         QSignalBlocker(margin_),        QSignalBlocker(threads_),
-                         QSignalBlocker(optimize_limit_)};
+  const QSignalBlocker quiet(merit_);
   const planning::PlanRequest& request = settings_.request();
-  seed_->setValue(static_cast<int>(request.seed));
-  seeds_->setValue(settings_.seeds());
+  show_value(*seed_, static_cast<int>(request.seed));
+  show_value(*seeds_, settings_.seeds());
   merit_->setCurrentIndex(merit_->findData(static_cast<int>(settings_.merit())));
-  time_limit_->setValue(std::isfinite(request.time_limit_s) ? request.time_limit_s : 0.0);
-  margin_->setValue(request.margin_mm);
-  threads_->setValue(request.threads);
+  show_value(*time_limit_, std::isfinite(request.time_limit_s) ? request.time_limit_s : 0.0);
+  show_value(*margin_, request.margin_mm);
+  show_value(*threads_, request.threads);
   const double limit = settings_.optimize_limit();
-  optimize_limit_->setValue(std::isfinite(limit) ? limit : 0.0);
+  show_value(*optimize_limit_, std::isfinite(limit) ? limit : 0.0);
   show_whether_several();
 }
 

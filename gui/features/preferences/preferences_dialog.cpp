@@ -2,6 +2,7 @@
 
 #include "features/workbench.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/typed_input.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 
@@ -125,7 +126,7 @@ void PreferencesDialog::add_planning(QFormLayout& form, const QStringList& plann
   threads->setSpecialValueText(tr("One per processor"));
   connect(threads, qOverload<int>(&QSpinBox::valueChanged), this,
           [this](int value) { preferences_.set(&Values::threads, value); });
-  show_.emplace_back([this, threads] { threads->setValue(preferences_.values().threads); });
+  show_.emplace_back([this, threads] { show_value(*threads, preferences_.values().threads); });
   add_number(form, "usual_threads", tr("Threads"), threads);
   auto* limit = new QDoubleSpinBox;
   limit->setRange(0.0, 86400.0);
@@ -134,7 +135,7 @@ void PreferencesDialog::add_planning(QFormLayout& form, const QStringList& plann
   limit->setSpecialValueText(tr("None"));
   connect(limit, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           [this](double value) { preferences_.set(&Values::time_limit, value); });
-  show_.emplace_back([this, limit] { limit->setValue(preferences_.values().time_limit); });
+  show_.emplace_back([this, limit] { show_value(*limit, preferences_.values().time_limit); });
   add_number(form, "usual_time_limit", tr("Time limit"), limit);
 }
 

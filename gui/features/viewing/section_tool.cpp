@@ -4,6 +4,7 @@
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
+#include "widgets/forms/typed_input.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
@@ -76,8 +77,8 @@ void SectionCard::set_place(double place) {
   cut_[axis] = place;
   field_->show_quantity(place);
   const double size = room_.size()[axis];
-  const QSignalBlocker quiet(slider_);
-  slider_->setValue(
+  show_value(
+      *slider_,
       size > 0.0 ? static_cast<int>(std::lround(kSteps * (place - room_.lower[axis]) / size)) : 0);
   emit changed();
 }

@@ -32,6 +32,9 @@ CollisionMonitor::CollisionMonitor(QObject* parent) : QObject(parent) {
 
 void CollisionMonitor::set_problem(std::shared_ptr<const PreparedProblem> problem) {
   job_.cancel();
+  if (problem && !problem->if_ready()) {
+    emit outdated();
+  }
   checks_ = problem ? std::make_shared<Checks>(Checks{OwnChecker(std::move(problem))}) : nullptr;
 }
 

@@ -43,6 +43,8 @@ class CollisionMonitor : public QObject {
 
  signals:
   void checked(const handway::gui::CollisionReport& report);
+  /// What was checked before is of another scene, and the answer takes a while.
+  void outdated();
   void failed(const QString& message);
 
  private:

@@ -9,6 +9,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis.h"
+#include "model/document/new_scene.h"
 #include "model/document/robot_edits.h"
 #include "model/meshes/shaded_meshes.h"
 
@@ -17,6 +18,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace handway::gui {
@@ -148,41 +150,6 @@ void RecordedHand::read() {
   emit changed();
 }
 
-using geometric::ResourceKind;
-
-namespace {
-
-geometric::RobotInstance library_robot(const std::string& name,
-                                       const planning::PluginManager& plugins) {
-  const planning::LoadedScene loaded = planning::load_scene(
-      geometric::find_resource(ResourceKind::kRobot, name, geometric::resource_dir()), plugins);
-  return loaded.scene->robots.front();
-}
-
-}  // namespace
-
-planning::LoadedScene new_scene(const std::string& robot, const std::string& hand,
-                                const planning::PluginManager& plugins) {
-  geometric::Scene scene;
-  scene.robots = {library_robot(robot, plugins)};
-  if (!hand.empty()) {
-    const std::optional<LinkOfRobot> end = end_of_arm(scene);
-    if (!end) {
-      throw geometric::InputError(
-          {"", "robot " + robot, "no end of an arm", "an arm without a hand", ""});
-    }
-    scene.robots.push_back(library_robot(hand, plugins));
-    geometric::mount_robot(scene, scene.robots.back().name, end->robot, end->link,
-                           geometric::Pose::Identity());
-  }
-  std::shared_ptr<const sampling::PmdBasis> basis;
-  if (auto fitting = fitting_basis(*scene.robots.front().model)) {
-    scene.hand_basis = fitting->first;
-    basis = std::make_shared<const sampling::PmdBasis>(std::move(fitting->second));
-  }
-  return {std::make_shared<const geometric::Scene>(std::move(scene)), basis};
-}
-
 void save_scene(const planning::LoadedScene& loaded, const geometric::Configuration& shown,
                 const geometric::PlannerRequest& planner, const std::filesystem::path& file) {
   geometric::Scene scene = *loaded.scene;
@@ -285,7 +252,10 @@ planning::Revision after_edit(planning::Revision revision, const geometric::Scen
 Document::Document(std::shared_ptr<const planning::PluginManager> plugins, QObject* parent)
     : QObject(parent), loader_(std::move(plugins)) {
   connect(&loader_, &SceneLoader::loaded, this,
-          [this](const planning::LoadedScene& scene) { set_scene(scene, requested_); });
+          [this](const planning::LoadedScene& scene) {
+            stamp_ = requested_stamp_;
+            set_scene(scene, requested_);
+          });
   connect(&loader_, &SceneLoader::failed, this, &Document::open_failed);
 }
 
@@ -293,10 +263,28 @@ const geometric::RobotInstance* Document::robot() const {
   return scene() && !scene()->robots.empty() ? &scene()->robots.front() : nullptr;
 }
 
+namespace {
+
+// Of no file: that of one that is not there.
+FileStamp stamp_of(const std::filesystem::path& file) {
+  FileStamp stamp;
+  std::error_code missing;
+  stamp.time = std::filesystem::last_write_time(file, missing);
+  stamp.size = std::filesystem::file_size(file, missing);
+  return missing ? FileStamp{} : stamp;
+}
+
+}  // namespace
+
+bool Document::is_changed_on_disk() const {
+  return !file_.empty() && stamp_of(file_) != stamp_ && std::filesystem::exists(file_);
+}
+
 void Document::open(const std::filesystem::path& file) { open_copy(file, file); }
 
 void Document::open_copy(const std::filesystem::path& copy, const std::filesystem::path& file) {
   requested_ = file;
+  requested_stamp_ = stamp_of(file);
   emit opening(QString::fromStdString(copy.string()));
   loader_.load(copy);
 }
@@ -316,6 +304,7 @@ void Document::close() {
 void Document::save(const std::filesystem::path& file, const geometric::PlannerRequest& planner) {
   save_scene(loaded_, q_, planner, file);
   file_ = file;
+  stamp_ = stamp_of(file);
 }
 
 void Document::set_scene(planning::LoadedScene scene, const std::filesystem::path& file) {

@@ -13,6 +13,7 @@
 #include <QObject>
 #include <QString>
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -88,12 +89,6 @@ class RecordedHand : public QObject {
   LatestJob job_;
 };
 
-/// A scene with nothing but a robot of the library, and the first hand basis of the library that
-/// fits it. @param hand of the library, mounted on the end of the robot's arm; empty: none.
-/// @throws InputError if there is no such robot, or the robot has no end to mount a hand on.
-[[nodiscard]] planning::LoadedScene new_scene(const std::string& robot, const std::string& hand,
-                                              const planning::PluginManager& plugins);
-
 /// Writes a scene as Handway's own format, the first robot standing at `shown`. A task without a
 /// start keeps the one that it has: where the robot stood.
 /// The hand's basis of an imported problem goes into `STEM_hand.yaml` beside it.
@@ -132,6 +127,14 @@ class SceneLoader : public QObject {
   BackgroundThreads threads_;
 };
 
+/// What tells whether a file is the one that it was.
+struct FileStamp {
+  std::filesystem::file_time_type time = {};
+  std::uintmax_t size = 0;
+
+  friend bool operator==(const FileStamp&, const FileStamp&) = default;
+};
+
 /// The scene that is open, and the posture in which its first robot is shown.
 class Document : public QObject {
   Q_OBJECT
@@ -165,6 +168,10 @@ class Document : public QObject {
   /// What the hand is compared with.
   [[nodiscard]] RecordedHand& recorded_hand() { return recorded_hand_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+  /// Whether the scene's file is another than when it was read or written here: another window or
+  /// program has changed it.
+  [[nodiscard]] bool is_changed_on_disk() const;
 
   /// Begins to read `file`; opened() or open_failed() follows.
   void open(const std::filesystem::path& file);
@@ -225,6 +232,8 @@ class Document : public QObject {
   bool shows_measured_ = false;
   std::filesystem::path file_;
   std::filesystem::path requested_;
+  FileStamp stamp_;            ///< Of `file_`, as it was read or written.
+  FileStamp requested_stamp_;  ///< Of `requested_`, before it is read.
 };
 
 }  // namespace handway::gui

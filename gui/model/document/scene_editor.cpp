@@ -39,6 +39,7 @@ SceneEditor::SceneEditor(Document& document, QObject* parent)
   connect(&document_, &Document::opened, this, [this](Document::Opened what) {
     if (what == Document::Opened::kScene) {
       stack_.clear();
+      stack_.setClean();  // an empty stack is not, where a scene was recovered before
       select({});
     }
   });
@@ -163,6 +164,21 @@ void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
       geometric::bounding_box(geometric::transformed(*geometric::tessellate(shape), object.X_PO));
   const Eigen::Vector3d underside(box.centre().x(), box.centre().y(), box.lower.z());
   object.X_PO.translation() = foot - underside;
+  const std::string unused = object.name;
+  apply(tr("Add %1").arg(words(unused)), with_object(state(), std::move(object)), {unused});
+}
+
+void SceneEditor::add_room(const std::string& name, const geometric::Shape& shape,
+                           const geometric::Color& color, const Pose& X_WO) {
+  if (!state().scene) {
+    return;
+  }
+  SceneObject object;
+  object.name = unused_name(*state().scene, name);
+  object.shape = shape;
+  object.color = color;
+  object.X_PO = X_WO;
+  object.solid = false;
   const std::string unused = object.name;
   apply(tr("Add %1").arg(words(unused)), with_object(state(), std::move(object)), {unused});
 }
@@ -594,9 +610,12 @@ void SceneEditor::set_start(const geometric::Configuration& q) {
   }
 }
 
-void SceneEditor::set_goal(const geometric::Configuration& q) {
+void SceneEditor::set_goal(const geometric::Configuration& q,
+                           const std::optional<geometric::Configuration>& start) {
   if (document_.robot()) {
-    push(tr("Set goal"), with_goal(state(), q), selection_);
+    const bool needs_start = start && !state().scene->start;
+    push(tr("Set goal"), with_goal(needs_start ? with_start(state(), *start) : state(), q),
+         selection_);
   }
 }
 

@@ -61,6 +61,10 @@ class SceneEditor : public QObject {
   void add(const std::string& name, const geometric::Shape& shape, const geometric::Color& color,
            const Eigen::Vector3d& foot, const Eigen::Matrix3d& R_WO = Eigen::Matrix3d::Identity());
 
+  /// Adds a room or a cell, whose walls alone count, and selects it. @param X_WO where it is.
+  void add_room(const std::string& name, const geometric::Shape& shape,
+                const geometric::Color& color, const geometric::Pose& X_WO);
+
   /// Where something new goes, see free_foot(): onto what is selected if that is much larger, or
   /// beside it; without a selection beside `wanted`.
   /// @param size m. @pre there is a scene.
@@ -151,7 +155,10 @@ class SceneEditor : public QObject {
   /// background.
   void set_group(const std::vector<std::string>& group);
   void set_start(const geometric::Configuration& q);
-  void set_goal(const geometric::Configuration& q);
+  /// @param start what becomes the start of a scene that has none; nothing: where the robot stood
+  /// when the scene was opened.
+  void set_goal(const geometric::Configuration& q,
+                const std::optional<geometric::Configuration>& start = {});
   /// Keeps a posture in the scene, in place of one of the same name.
   void keep_posture(const geometric::NamedPosture& posture);
   void forget_posture(const std::string& name);

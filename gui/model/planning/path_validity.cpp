@@ -12,10 +12,14 @@ namespace {
 QString text_of(const planning::PathConflict& conflict, const PathTimeline& timeline,
                 bool was_valid) {
   const double waypoint = static_cast<double>(conflict.waypoint) + conflict.share;
-  return (was_valid ? QObject::tr("Out of date, the scene was edited: %1 at %2 s of the path.")
-                    : QObject::tr("Not valid in this scene: %1 at %2 s of the path."))
-      .arg(QString::fromStdString(conflict.text))
-      .arg(timeline.fraction_at(waypoint) * timeline.duration(), 0, 'f', 2);
+  // Without a motion there are no times.
+  const QString where =
+      timeline.motion() ? QObject::tr("at %1 s of the path")
+                              .arg(timeline.fraction_at(waypoint) * timeline.duration(), 0, 'f', 2)
+                        : QObject::tr("after waypoint %1").arg(conflict.waypoint + 1);
+  return (was_valid ? QObject::tr("Out of date, the scene was edited: %1 %2.")
+                    : QObject::tr("Not valid in this scene: %1 %2."))
+      .arg(QString::fromStdString(conflict.text), where);
 }
 
 }  // namespace

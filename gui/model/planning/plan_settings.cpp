@@ -8,12 +8,17 @@
 #include <utility>
 
 namespace handway::gui {
+namespace {
+
+constexpr std::uint64_t kFirstSeed = 1;
+
+}  // namespace
 
 PlanSettings::PlanSettings(const planning::PlannerRegistry& registry, QObject* parent)
     : QObject(parent), registry_(registry) {
-  request_.seed = 1;
-  request_.time_limit_s = 300.0;
-  set_threads(0);
+  request_.seed = kFirstSeed;
+  set_usual_threads(usual_threads_);
+  set_usual_time_limit(usual_time_limit_);
   set_usual_planner({});
   if (!usual_planner_.empty()) {
     planner_ = registry_.create(usual_planner_);
@@ -83,6 +88,27 @@ void PlanSettings::set_usual_planner(const std::string& name) {
   const std::string current(planning::PlannerRegistry::current_name(name));
   const bool known = std::ranges::find(names, current) != names.end();
   usual_planner_ = known ? current : names.empty() ? std::string() : names.front();
+}
+
+void PlanSettings::set_usual_threads(int threads) {
+  usual_threads_ = threads;
+  set_threads(threads);
+}
+
+void PlanSettings::set_usual_time_limit(double seconds) {
+  usual_time_limit_ = seconds;
+  set_time_limit(seconds);
+}
+
+void PlanSettings::begin_scene() {
+  request_.seed = kFirstSeed;
+  request_.margin_mm = planning::PlanRequest{}.margin_mm;
+  seeds_ = 1;
+  merit_ = kPathMerits.front();
+  optimize_limit_ = kUsualOptimizeLimit;
+  set_usual_threads(usual_threads_);
+  set_usual_time_limit(usual_time_limit_);
+  emit request_changed();
 }
 
 void PlanSettings::set_seed(std::uint64_t seed) { keep(request_.seed, seed); }

@@ -45,6 +45,8 @@ class PlanSettings : public QObject {
   /// Takes over a scene's planner with its settings.
   /// @throws InputError if it names an unknown planner, key or value.
   void apply(const geometric::PlannerRequest& choice);
+  /// What a scene begins with: one seed, 1, no margin, and the usual time limit and threads.
+  void begin_scene();
   /// Chooses a planner with its defaults. @throws InputError if there is none of that name.
   void use_planner(const std::string& name);
   /// The same, but keeps the settings if it is chosen already.
@@ -58,6 +60,9 @@ class PlanSettings : public QObject {
   /// Seed, threads, time limit and margin.
   [[nodiscard]] const planning::PlanRequest& request() const { return request_; }
   void set_seed(std::uint64_t seed);
+  /// Of this scene, and of those that are opened from now on.
+  void set_usual_threads(int threads);
+  void set_usual_time_limit(double seconds);
   /// @param threads 0: one a processor.
   void set_threads(int threads);
   /// @param seconds 0: none.
@@ -101,13 +106,18 @@ class PlanSettings : public QObject {
     }
   }
 
+  static constexpr double kUsualTimeLimit = 300.0;     // s
+  static constexpr double kUsualOptimizeLimit = 10.0;  // s
+
   const planning::PlannerRegistry& registry_;
   std::shared_ptr<planning::Planner> planner_;
   std::string usual_planner_;
   planning::PlanRequest request_;
   int seeds_ = 1;
   PathMerit merit_ = kPathMerits.front();
-  double optimize_limit_ = 10.0;
+  double optimize_limit_ = kUsualOptimizeLimit;
+  double usual_time_limit_ = kUsualTimeLimit;
+  int usual_threads_ = 0;
   QString preset_;
 };
 

@@ -32,6 +32,11 @@ PlanningSession::PlanningSession(Document& document, PlanSettings& settings, Pat
   connect(&player_, &PathPlayer::moved, this, [this](double fraction) {
     document_.set_configuration(player_.timeline().at(fraction));
   });
+  connect(&document_, &Document::configuration_changed, this, [this](const Eigen::VectorXd& q) {
+    if (!document_.shows_measured()) {
+      player_.locate(q);
+    }
+  });
   connect(&runner_, &PlanRunner::progressed, this,
           [this](double fraction, const QString& activity) {
             if (is_current() && is_running()) {
@@ -325,9 +330,14 @@ void PlanningSession::replace_path(const planning::Path& path,
                                    const planning::Revision& made_from) {
   const double fraction = player_.fraction();
   const bool was_playing = player_.is_playing();
+  const bool was_at_robot = player_.is_at_robot();
   player_.set_timeline(PathTimeline(*document_.robot()->model, path), made_from);
   emit path_changed();
-  player_.seek(fraction);
+  if (was_at_robot) {
+    player_.seek(fraction);
+  } else {
+    player_.locate(document_.configuration());  // it stays where a person has put it
+  }
   if (was_playing) {
     player_.play();
   }

@@ -14,6 +14,19 @@
 
 namespace handway::gui {
 
+/// What of the scene may not be meant as it is, where a start or goal is in collision.
+struct EndRemedy {
+  enum class Kind {
+    kNone,
+    kHollow,      ///< The robot is inside of closed objects that are taken as filled.
+    kTouchLinks,  ///< An attached object touches links that it may not touch.
+  };
+
+  Kind kind = Kind::kNone;
+  std::vector<std::string> objects;
+  std::vector<std::string> links;  ///< Of kTouchLinks.
+};
+
 /// What is wrong with a start or a goal, and what could be taken instead.
 struct EndDiagnosis {
   bool is_start = true;
@@ -22,6 +35,7 @@ struct EndDiagnosis {
   std::vector<std::string> beyond_limits;    ///< Names of joints.
   std::vector<std::string> violated;         ///< As violated_constraints() says.
   planning::NearestFree nearest;
+  EndRemedy remedy;
 };
 
 /// Looks at start and goal on a thread of its own.
@@ -49,6 +63,16 @@ class QueryDoctor : public QObject {
 [[nodiscard]] std::vector<EndDiagnosis> diagnose(const planning::PlanningProblem& problem,
                                                  bool has_start, bool has_goal,
                                                  const std::stop_token& stop);
+
+/// What would free `q`: hollow objects around the robot, or links that an attached object may
+/// touch. kNone if neither does.
+/// @param contacts all of `q`.
+[[nodiscard]] EndRemedy find_remedy(const planning::PlanningProblem& problem,
+                                    const std::vector<geometric::Contact>& contacts,
+                                    const geometric::Configuration& q);
+
+/// The scene with that remedy.
+[[nodiscard]] geometric::Scene remedied(const geometric::Scene& scene, const EndRemedy& remedy);
 
 }  // namespace handway::gui
 

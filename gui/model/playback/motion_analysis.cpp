@@ -108,8 +108,10 @@ void MotionAnalysis::begin() {
   const bool has_path = !player_.timeline().empty() && document_.problem();
   state_ = has_path ? State::kTiming : State::kNoPath;
   if (has_path) {
+    player_.set_times(PathPlayer::Times::kPending);
     calm_.start();
   } else {
+    player_.set_times(PathPlayer::Times::kEstimated);
     calm_.stop();
   }
   emit changed();
@@ -145,6 +147,8 @@ void MotionAnalysis::take_motion(const PathMotion& timed) {
   state_ = motion_ ? State::kTimed : State::kFailed;
   if (motion_) {
     player_.set_motion(motion_);
+  } else {
+    player_.set_times(PathPlayer::Times::kEstimated);
   }
   emit changed();
 }

@@ -149,6 +149,8 @@ void PathPlayer::set_timeline(PathTimeline timeline, const planning::Revision& m
   timeline_ = std::move(timeline);
   made_from_ = made_from;
   fraction_ = 0.0;
+  is_at_robot_ = true;
+  times_ = Times::kPending;
   emit timeline_changed();
 }
 
@@ -156,7 +158,37 @@ void PathPlayer::set_motion(std::shared_ptr<const planning::Motion> motion) {
   const double waypoint = timeline_.waypoint_at(fraction_);
   timeline_.set_motion(std::move(motion));
   fraction_ = timeline_.fraction_at(waypoint);
+  times_ = Times::kKnown;
   emit retimed();
+}
+
+void PathPlayer::set_times(Times times) {
+  if (std::exchange(times_, times) != times) {
+    emit retimed();
+  }
+}
+
+void PathPlayer::locate(const geometric::Configuration& q) {
+  constexpr double kSamePlace = 1e-6;  // rad or m
+  if (timeline_.empty()) {
+    return;
+  }
+  const auto is_at = [&](double fraction) {
+    const geometric::Configuration there = timeline_.at(fraction);
+    return there.size() == q.size() && (there - q).lpNorm<Eigen::Infinity>() < kSamePlace;
+  };
+  const double before = fraction_;
+  const bool was_at_robot = is_at_robot_;
+  is_at_robot_ = is_at(fraction_);
+  for (const double end : {0.0, 1.0}) {
+    if (!is_at_robot_ && !is_playing() && is_at(end)) {
+      fraction_ = end;
+      is_at_robot_ = true;
+    }
+  }
+  if (fraction_ != before || is_at_robot_ != was_at_robot) {
+    emit located();
+  }
 }
 
 void PathPlayer::play() {

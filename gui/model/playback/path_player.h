@@ -83,9 +83,23 @@ class PathPlayer : public QObject {
   [[nodiscard]] const planning::Revision& made_from() const { return made_from_; }
   /// The path has got times: it goes on from where it is. @pre `motion` is one of the path.
   void set_motion(std::shared_ptr<const planning::Motion> motion);
+  /// Whether duration() and time() are those of a robot that goes the path.
+  enum class Times {
+    kPending,    ///< They are being found: those before were of another scene or path.
+    kKnown,      ///< As the motion has them.
+    kEstimated,  ///< There is no motion; the path is played at even speed.
+  };
+  [[nodiscard]] Times times() const { return times_; }
+  /// @param times not kKnown, which set_motion() makes.
+  void set_times(Times times);
   [[nodiscard]] const PathTimeline& timeline() const { return timeline_; }
 
   [[nodiscard]] double fraction() const { return fraction_; }
+  /// Whether the robot is shown where the path is at fraction(); false where it was moved
+  /// otherwise.
+  [[nodiscard]] bool is_at_robot() const { return is_at_robot_; }
+  /// The robot is shown in `q`: at the start or the end of the path, fraction() becomes that.
+  void locate(const geometric::Configuration& q);
   [[nodiscard]] bool is_playing() const { return timer_.isActive(); }
   /// How long the whole path takes at speed 1, s.
   [[nodiscard]] double duration() const { return timeline_.duration(); }
@@ -110,6 +124,8 @@ class PathPlayer : public QObject {
   void timeline_changed();
   /// The same path, with other times.
   void retimed();
+  /// The robot was moved by something else, see locate().
+  void located();
 
  private:
   void advance();
@@ -122,6 +138,8 @@ class PathPlayer : public QObject {
   QTimer timer_;
   QElapsedTimer clock_;
   double fraction_ = 0.0;
+  bool is_at_robot_ = true;
+  Times times_ = Times::kPending;
   double speed_ = 1.0;
   double rest_s_ = 0.0;  ///< Still to wait at the end before a loop starts again.
   bool loop_ = true;

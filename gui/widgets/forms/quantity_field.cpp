@@ -2,6 +2,7 @@
 
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/typed_input.h"
 #include "widgets/style/theme.h"
 
 #include <QAbstractSpinBox>
@@ -117,13 +118,12 @@ double QuantityField::quantity() const {
   return kind_ == Kind::kLength ? geometric::metres(value()) : geometric::radians(value());
 }
 
-void QuantityField::show_quantity(double value) {
-  const QSignalBlocker quiet(this);
-  setValue(to_shown(kind_, value));
-}
+void QuantityField::show_quantity(double value) { show_value(*this, to_shown(kind_, value)); }
 
 double QuantityField::valueFromText(const QString& text) const {
-  return parse(kind_, text, unit_).value_or(value());
+  // What is shown has fewer digits than the value.
+  return text == textFromValue(value()) + suffix() ? value()
+                                                   : parse(kind_, text, unit_).value_or(value());
 }
 
 QString QuantityField::textFromValue(double value) const {
@@ -258,6 +258,24 @@ namespace {
 
 constexpr int kSteps = 2000;
 
+/// A number of which fewer digits are shown than it has: 12.345 is typed, kept, and shown as 12.3.
+class PreciseField : public QDoubleSpinBox {
+ public:
+  explicit PreciseField(int shown) : shown_(shown) { setDecimals(kDecimals); }
+
+  [[nodiscard]] QString textFromValue(double value) const override {
+    const double unit = std::pow(10.0, shown_);
+    return locale().toString(std::round(value * unit) / unit + 0.0, 'f', shown_);
+  }
+  [[nodiscard]] double valueFromText(const QString& text) const override {
+    return text == textFromValue(value()) + suffix() ? value()
+                                                     : QDoubleSpinBox::valueFromText(text);
+  }
+
+ private:
+  int shown_;
+};
+
 }  // namespace
 
 SliderRow::SliderRow(const QString& label, const Range& range, QWidget* parent)
@@ -265,14 +283,13 @@ SliderRow::SliderRow(const QString& label, const Range& range, QWidget* parent)
       range_(range),
       label_(new QLabel(label)),
       slider_(named("slider", new QSlider(Qt::Horizontal))),
-      field_(new QDoubleSpinBox) {
+      field_(new PreciseField(range.decimals)) {
   label_->setToolTip(label);
   slider_->setAccessibleName(label);
   field_->setAccessibleName(label);
   slider_->setRange(0, kSteps);
   slider_->setPageStep(kSteps / 20);
   slider_->setFocusPolicy(Qt::StrongFocus);
-  field_->setDecimals(range.decimals);
   field_->setRange(range.lower * range.scale, range.upper * range.scale);
   field_->setSingleStep(
       std::max(std::pow(10.0, -range.decimals), (range.upper - range.lower) * range.scale / 100.0));
@@ -317,14 +334,14 @@ void SliderRow::set_value(double value) {
 }
 
 void SliderRow::show_value(bool slider, bool field) {
-  const QSignalBlocker quiet_slider(slider_), quiet_field(field_);
   const double range = range_.upper - range_.lower;
   if (slider) {
-    slider_->setValue(
+    gui::show_value(
+        *slider_,
         range > 0.0 ? static_cast<int>(std::lround((value_ - range_.lower) / range * kSteps)) : 0);
   }
   if (field) {
-    field_->setValue(value_ * range_.scale);
+    gui::show_value(*field_, value_ * range_.scale);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "model/document/scene_edits.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
+#include "widgets/forms/typed_input.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -59,6 +60,18 @@ QString kind_of_shape(const geometric::Shape& shape) {
                                      QObject::tr("Mesh")};
   return words.at(shape.index());
 }
+
+namespace {
+
+// Of a mesh its file and its size in triangles are shown.
+bool has_same_fields(const geometric::Shape& a, const geometric::Shape& b) {
+  const auto* one = std::get_if<geometric::Mesh>(&a);
+  const auto* other = std::get_if<geometric::Mesh>(&b);
+  return a.index() == b.index() &&
+         (!one || (one->file == other->file && one->triangles == other->triangles));
+}
+
+}  // namespace
 
 ShapeForm::ShapeForm(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {
   layout_->setContentsMargins(0, 0, 0, 0);
@@ -124,8 +137,7 @@ void ShapeForm::rebuild() {
 }
 
 void ShapeForm::show_shape(const geometric::Shape& shape) {
-  const bool is_mesh = std::holds_alternative<geometric::Mesh>(shape);
-  const bool other_fields = shape.index() != shape_.index() || is_mesh;
+  const bool other_fields = !has_same_fields(shape, shape_);
   shape_ = shape;
   if (other_fields) {
     rebuild();
@@ -135,8 +147,7 @@ void ShapeForm::show_shape(const geometric::Shape& shape) {
     fields_[i]->show_quantity(values[i]);
   }
   if (scale_) {
-    const QSignalBlocker quiet(scale_);
-    scale_->setValue(std::abs(std::get<geometric::Mesh>(shape).scale.x()));
+    show_value(*scale_, std::abs(std::get<geometric::Mesh>(shape).scale.x()));
   }
   set_editable(editable_);
 }

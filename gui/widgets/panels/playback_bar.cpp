@@ -29,6 +29,19 @@ namespace {
 constexpr int kScrubSteps = 10000;
 constexpr int kLeastScrub = 160;  // px, for a timeline that can be used
 
+QString time_text(const PathPlayer& player) {
+  if (player.times() == PathPlayer::Times::kPending) {
+    return QObject::tr("timing…");
+  }
+  const QString duration =
+      (player.times() == PathPlayer::Times::kKnown ? QStringLiteral("%1 s")
+                                                   : QObject::tr("about %1 s"))
+          .arg(player.duration(), 0, 'f', 2);
+  return player.is_at_robot()
+             ? QStringLiteral("%1 / %2").arg(player.time(), 0, 'f', 2).arg(duration)
+             : QObject::tr("off path / %1").arg(duration);
+}
+
 }  // namespace
 
 PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
@@ -47,7 +60,7 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
       row_(new QHBoxLayout),
       scrub_(named("scrub", new QSlider(Qt::Horizontal))),
       note_(named("playback_note", note())),
-      time_(note()),
+      time_(named("playback_time", note())),
       speed_(named("speed", new QComboBox)),
       space_(new QShortcut(Qt::Key_Space, this)) {
   // A shortcut of the button itself would press it twice where it has the focus.
@@ -99,6 +112,7 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
           [this] { player_.set_speed(speed_->currentData().toDouble()); });
   connect(&player_, &PathPlayer::moved, this, &PlaybackBar::show_position);
   connect(&player_, &PathPlayer::retimed, this, &PlaybackBar::show_position);
+  connect(&player_, &PathPlayer::located, this, &PlaybackBar::show_position);
   connect(&player_, &PathPlayer::timeline_changed, this, &PlaybackBar::show_timeline);
   connect(&player_, &PathPlayer::playing_changed, this, &PlaybackBar::refresh_icons);
   show_timeline();
@@ -194,9 +208,7 @@ void PlaybackBar::show_position() {
   if (player_.timeline().empty()) {
     time_->setText(tr("no path yet"));
   } else {
-    time_->setText(QStringLiteral("%1 / %2 s")
-                       .arg(player_.time(), 0, 'f', 2)
-                       .arg(player_.duration(), 0, 'f', 2));
+    time_->setText(time_text(player_));
   }
 }
 

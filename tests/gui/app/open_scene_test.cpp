@@ -1,8 +1,11 @@
 #include "features/editing/scene_tree.h"
 #include "model/document/collision_monitor.h"
+#include "patience.h"
 #include "window_test.h"
 
 #include <QPushButton>
+
+#include <fstream>
 
 namespace handway::test {
 namespace {
@@ -67,6 +70,29 @@ TEST_F(OpenScene, SaysWhatTouchesWhat) {
   click("go_to_goal");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !report.collisions.empty(); }));
   EXPECT_EQ(report.collisions.front().b, "wall");
+}
+
+// As many hands are published.
+TEST_F(OpenScene, ShowsARobotWithoutCollisionGeometry) {
+  const std::filesystem::path file = cell().folder() / "bare.urdf";
+  std::ofstream(file) << R"(<robot name="bare">
+    <link name="palm"><visual><geometry><box size="0.1 0.1 0.02"/></geometry></visual></link>
+    <link name="finger"><visual><geometry><box size="0.01 0.01 0.08"/></geometry></visual></link>
+    <joint name="knuckle" type="revolute"><parent link="palm"/><child link="finger"/>
+      <axis xyz="0 1 0"/><limit lower="0" upper="1.5" effort="1" velocity="1"/></joint>
+  </robot>)";
+  open(file);
+  EXPECT_EQ(window().message(), QString());
+  EXPECT_THAT(rows(), IsSupersetOf({"bare", "palm", "finger"}));
+  gui::Workbench& workbench = window().workbench();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.collisions.is_busy(); }, kPatienceMs));
+  geometric::Configuration q = window().document().configuration();
+  workbench.editor.set_start(q);
+  q[0] = 1.0;
+  workbench.editor.set_goal(q);
+  plan();
+  EXPECT_FALSE(window().player().timeline().empty()) << result();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.analysis.motion() != nullptr; }, kPatienceMs));
 }
 
 }  // namespace

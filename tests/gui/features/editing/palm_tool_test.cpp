@@ -108,5 +108,18 @@ TEST_F(MovingThePalm, SelectsAGhostByAClick) {
   EXPECT_EQ(editor().selection().kind, Kind::kGoal);
 }
 
+TEST_F(MovingThePalm, SaysThatATypedPoseIsOutOfReachAndLeavesTheGoal) {
+  editor().set_goal(bent());
+  editor().select({Kind::kGoal, "", ""});
+  const geometric::Configuration before = *scene().goal;
+  const std::string x = part<gui::QuantityField>("position_x").text().toStdString();
+  type("position_x", "5000");
+  EXPECT_EQ(*scene().goal, before);
+  EXPECT_EQ(part<gui::QuantityField>("position_x").text().toStdString(), x);
+  EXPECT_THAT(window().message().toStdString(), ::testing::HasSubstr("gets no nearer than"));
+  type("position_x", "350");
+  EXPECT_NEAR(palm_at(*scene().goal).x(), 0.35, 1e-4);
+}
+
 }  // namespace
 }  // namespace handway::test

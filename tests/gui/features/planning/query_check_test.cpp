@@ -72,6 +72,45 @@ TEST_F(GoalDoctor, LeavesInSightWhatCollides) {
   }
 }
 
+TEST_F(GoalDoctor, OffersToMakeACellAroundTheRobotHollow) {
+  geometric::Scene closed = scene();
+  geometric::SceneObject cell;
+  cell.name = "cell";
+  cell.shape = geometric::Box{{3.0, 3.0, 3.0}};
+  closed.objects.push_back(cell);
+  window().document().set_state({std::make_shared<const geometric::Scene>(closed),
+                                 window().document().loaded().basis});
+  wait_for_diagnosis();
+  EXPECT_THAT(said(), AllOf(HasSubstr("inside of <b>cell</b>"), HasSubstr("hollow")));
+  click("doctor_mend");
+  EXPECT_FALSE(object("cell").solid);
+  EXPECT_EQ(editor().undo_stack().undoText(), "Make cell hollow");
+  wait_for_diagnosis();
+  EXPECT_EQ(said(), "");
+}
+
+TEST_F(GoalDoctor, OffersToLetAnAttachedObjectTouchTheRobot) {
+  geometric::Scene held = scene();
+  geometric::SceneObject cup;
+  cup.name = "cup";
+  cup.shape = geometric::Box{{0.2, 0.02, 0.02}};  // from the palm into the lower arm
+  cup.attachment = geometric::Attachment{"arm", "palm", {}};
+  held.objects.push_back(cup);
+  window().document().set_state({std::make_shared<const geometric::Scene>(held),
+                                 window().document().loaded().basis});
+  wait_for_diagnosis();
+  EXPECT_THAT(said(), AllOf(HasSubstr("<b>cup</b> is attached"), HasSubstr("<b>lower</b>")));
+  click("doctor_mend");
+  EXPECT_THAT(object("cup").attachment->touching, ::testing::Contains("lower"));
+  EXPECT_THAT(editor().undo_stack().undoText().toStdString(), HasSubstr("Let cup touch"));
+}
+
+TEST_F(GoalDoctor, OffersNoSuchThingForAWallInTheWay) {
+  open(cell().goal_in_wall());
+  wait_for_diagnosis();
+  EXPECT_FALSE(part<QPushButton>("doctor_mend").isVisible());
+}
+
 TEST_F(GoalDoctor, LeavesOutAnEndThatIsNotThere) {
   geometric::Scene bare = scene();
   bare.goal.reset();
