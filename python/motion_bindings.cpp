@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -153,6 +154,16 @@ void bind_motion(py::module_& module) {
       .def_property_readonly(
           "min_clearance_mm", [](const TimedPath& t) { return t.preflight.min_clearance_mm; },
           "Smallest clearance, mm; 50: at least that.")
+      .def_property_readonly(
+          "warning",
+          [](const TimedPath& t) -> std::optional<std::string> {
+            if (!t.cleared() || !t.preflight.is_tight()) {
+              return std::nullopt;
+            }
+            return to_string(*t.preflight.shortfall) + ". " + t.preflight.advice();
+          },
+          "Where it keeps less clearance than a robot needs that is off by its following error, and "
+          "what to do; None if it keeps enough everywhere.")
       .def_property_readonly(
           "assumed_limits",
           [](const TimedPath& t) {

@@ -2,6 +2,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
+#include "handway/planning/paths/safety_clearance.h"
 #include "numbers.h"
 #include "plan_report.h"
 #include "printing.h"
@@ -23,6 +24,7 @@ struct CheckOptions {
   std::filesystem::path path;
   std::filesystem::path postures;
   double resolution_mm = 1.0;
+  double margin_mm = 0.0;
   std::vector<std::string> uprights;
   GoalPoseOptions goal_poses;
   std::vector<std::string> group;
@@ -38,6 +40,16 @@ void print_likeness(const planning::PathLikeness& likeness) {
               likeness.to_recorded->mean, likeness.to_recorded->largest);
   }
   print_out("\n");
+}
+
+/// Says where a valid path is nearer to something than a robot can be trusted to keep.
+void print_shortfall(const planning::PlanningProblem& problem, const planning::Path& path,
+                     double margin_mm) {
+  if (const auto shortfall =
+          planning::path_shortfall(problem, path, geometric::metres(margin_mm))) {
+    print_out("warning: after waypoint {:.0f} {}; plan again with --margin {:g}\n",
+               shortfall->place, planning::to_string(*shortfall), shortfall->suggested_margin_mm());
+  }
 }
 
 int check(const CheckOptions& options) {
@@ -67,6 +79,9 @@ int check(const CheckOptions& options) {
     print_out(", smallest clearance {:.3f} mm ({})", result.min_clearance_mm, result.closest_pair);
   }
   print_out("\n");
+  if (result.valid()) {
+    print_shortfall(problem, path, options.margin_mm);
+  }
   const bool has_configurations = result.configurations > 0;
   if (const auto likeness =
           has_configurations ? hand_likeness(problem, path, options.postures) : std::nullopt) {
@@ -87,6 +102,12 @@ void add_check_command(CLI::App& app, int& exit_code) {
                    "Farthest that any point of the robot moves between two checks")
       ->check(positive_number())
       ->check(CLI::Range(1e-4, 1e3))
+      ->capture_default_str();
+  command
+      ->add_option("--margin", options->margin_mm,
+                   "Clearance (mm) that has to remain when the joints stand 0.03 degrees off: less "
+                   "is valid with a warning")
+      ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command->add_option("--postures", options->postures,
                       "Recorded postures to compare the hand with (default: the basis')");

@@ -30,12 +30,10 @@ constexpr double kLatestFault = 1.0;    // s
 
 const std::map<std::string, FaultKind>& fault_names() {
   static const std::map<std::string, FaultKind> kNames{
-      {"none", FaultKind::kNone},          {"late", FaultKind::kLate},
-      {"lost", FaultKind::kLost},          {"refused", FaultKind::kRefused},
-      {"estop", FaultKind::kEstop},        {"joint-limit", FaultKind::kJointLimit},
-      {"slow", FaultKind::kSlow},          {"time-back", FaultKind::kTimeBack},
-      {"time-jump", FaultKind::kTimeJump}, {"phases", FaultKind::kPhases},
-      {"idle", FaultKind::kIdle},          {"dance", FaultKind::kDance}};
+      {"none", FaultKind::kNone},   {"late", FaultKind::kLate},
+      {"lost", FaultKind::kLost},   {"refused", FaultKind::kRefused},
+      {"estop", FaultKind::kEstop}, {"joint-limit", FaultKind::kJointLimit},
+      {"slow", FaultKind::kSlow}};
   return kNames;
 }
 

@@ -60,7 +60,7 @@ int map(const MapOptions& options) {
     mapping.source += ", fitted to " + options.fit.filename().string();
   }
   for (const std::string& doubt : device::mapping_doubts(mapping, *model)) {
-    fmt::print(stderr, "warning: {}\n", doubt);
+    print_error("warning: {}\n", doubt);
   }
   print(mapping);
   if (!options.out.empty()) {

@@ -37,6 +37,17 @@ void add_timing_options(CLI::App& command, TimingChoice& choice) {
   command.add_flag("--jerk", choice.jerk, "Limit jerk, too");
   command.add_option("--limits", choice.limits,
                      "Velocity, acceleration and jerk limits (joint_limits.yaml)");
+  command
+      .add_option("--margin", choice.margin_mm,
+                  "Clearance (mm) that has to remain when the joints are off by their following "
+                  "error: less is cleared with a warning")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command
+      .add_option("--following-error", choice.following_error,
+                  "How far the controller lets joints be off at their velocity limit, rad or m "
+                  "(default: 0.01 rad, 0.001 m)")
+      ->check(CLI::Range(0.0, 1.0));
   add_group_option(command, choice.group);
   command.add_option("--report", choice.report, "Where to write the pre-flight report (JSON)");
 }
@@ -94,6 +105,11 @@ planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& in
   options.measured_start = start;
   options.start_tolerance = start_tolerance;
   options.limits = read_limits(choice, input.problem.model());
+  options.safety.margin = geometric::metres(choice.margin_mm);
+  if (choice.following_error >= 0.0) {
+    options.safety.following_error =
+        Eigen::VectorXd::Constant(input.problem.model().variable_count(), choice.following_error);
+  }
   planning::TimedPath timed = time_path(
       input.problem, input.path, planning::motion_name(choice.path.stem().string()), options);
   if (!timed.blends.fault.empty()) {

@@ -24,6 +24,8 @@ struct TimingChoice {
   double period_ms = 4.0;
   double deviation = planning::BlendOptions{}.deviation;
   double arc_clearance_mm = 1.0;
+  double margin_mm = 0.0;
+  double following_error = -1.0;  ///< rad or m; negative: assumed.
   bool no_blend = false;
   bool jerk = false;
 };

@@ -173,10 +173,13 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, MotionDrive
   connect(panel_, &DevicesPanel::mirror_changed, this, &DeviceSession::mirror);
   connect(panel_, &DevicesPanel::start_here_requested, this,
           [this] { emit start_here_requested(measured_); });
+  connect(panel_, &DevicesPanel::margin_requested, this, &DeviceSession::margin_requested);
   connect(&player_, &PathPlayer::timeline_changed, this, &DeviceSession::time_again);
   connect(&document_, &Document::edited, this, &DeviceSession::take_edit);
   connect(&document_, &Document::opened, this, [this] {
     driver_.disconnect_all();
+    safety_.following_error.resize(0);
+    panel_->show_problem({});
     panel_->clear_outcome();
     panel_->show_state(driver_.state(), document_.robot() != nullptr);
     emit executed_changed({});
@@ -217,6 +220,7 @@ void DeviceSession::connect_devices() {
   panel_->show_problem({});
   panel_->clear_outcome();
   emit executed_changed({});
+  safety_.following_error.resize(0);  // other devices, perhaps
   driver_.connect_to(panel_->devices(), problem, document_.configuration());
 }
 
@@ -236,6 +240,7 @@ void DeviceSession::time_again() {
   planning::TimingOptions options;
   options.speed = panel_->speed();
   options.period = kPeriod;
+  options.safety = safety_;
   backwards_ = false;
   if (measured_.size() > 0) {
     options.measured_start = measured_;
@@ -266,6 +271,12 @@ void DeviceSession::take_edit(const SceneState& before) {
   time_again();
   if (timing_.is_busy()) {
     panel_->show_no_motion(tr("Out of date, the scene was edited: checking the path again…"));
+  }
+}
+
+void DeviceSession::set_margin(double margin) {
+  if (std::exchange(safety_.margin, margin) != margin) {
+    time_again();
   }
 }
 
@@ -366,6 +377,7 @@ void DeviceSession::take_outcome(const execution::MotionOutcome& outcome,
     emit reported(false, tr("The robot was not started: %1").arg(reason));
     return;
   }
+  safety_.following_error = executed->following_error(*document_.robot()->model);
   panel_->show_outcome(outcome, executed, *document_.robot()->model);
   emit executed_changed(executed->way_of(*document_.robot(), document_.palm()));
   emit reported(outcome.done,
@@ -394,6 +406,14 @@ void add_devices(Workbench& workbench) {
                      workbench.editor.set_start(q);
                      workbench.session.start();
                    });
+  PlanSettings& settings = workbench.plan_settings;
+  const auto take_margin = [&] { devices.set_margin(geometric::metres(settings.request().margin_mm)); };
+  QObject::connect(&settings, &PlanSettings::request_changed, &devices, take_margin);
+  QObject::connect(&devices, &DeviceSession::margin_requested, &workbench, [&](double millimetres) {
+    settings.set_margin(millimetres);
+    workbench.session.start();
+  });
+  take_margin();
 }
 
 }  // namespace handway::gui

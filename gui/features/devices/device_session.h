@@ -77,6 +77,9 @@ class DeviceSession : public QObject {
   /// it, stops it, and waits until it is at rest. @returns false to stay.
   [[nodiscard]] bool may_leave(QWidget& window);
 
+  /// What has to remain of the clearance beyond the robot's following error, m.
+  void set_margin(double margin);
+
   /// Where logs of motions are kept.
   [[nodiscard]] static std::filesystem::path log_folder();
 
@@ -85,6 +88,8 @@ class DeviceSession : public QObject {
   void executed_changed(const std::vector<Eigen::Vector3d>& curve);
   /// Let the start be where the robot stands, and plan.
   void start_here_requested(const Eigen::VectorXd& q);
+  /// Plan again with that margin.
+  void margin_requested(double millimetres);
   /// For the log.
   void reported(bool good, const QString& message);
 
@@ -113,6 +118,7 @@ class DeviceSession : public QObject {
   bool backwards_ = false;                    ///< motion_ goes from goal to start.
   geometric::Configuration measured_;         ///< Of size 0: nothing is connected.
   geometric::Configuration timed_from_;       ///< `measured_` when motion_ was timed.
+  planning::SafetyMargin safety_;             ///< With what these devices were seen to miss.
 };
 
 /// Adds the panel, and a STOP button to the window.

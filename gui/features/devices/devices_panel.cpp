@@ -240,6 +240,7 @@ DevicesPanel::DevicesPanel(QWidget* parent)
       motion_(make_text("devices_motion")),
       start_here_(
           named("devices_start_here", new QPushButton(tr("Plan from the measured position")))),
+      with_margin_(named("devices_with_margin", new QPushButton)),
       armed_(named("devices_armed", new QCheckBox(tr("Let the robot move")))),
       run_(named("devices_run", new QPushButton(tr("Run on the robot")))),
       hold_(named("devices_hold", new QPushButton(tr("Hold")))),
@@ -296,13 +297,18 @@ QWidget* DevicesPanel::make_motion() {
   problem_->hide();
   start_here_->setToolTip(tr("Makes the robot's measured posture the start, and plans"));
   start_here_->hide();
+  with_margin_->setToolTip(tr("Plans a path that keeps this clearance from everything"));
+  with_margin_->hide();
+  connect(with_margin_, &QPushButton::clicked, this,
+          [this] { emit margin_requested(margin_mm_); });
   connect(speed_, &SliderRow::value_edited, this, &DevicesPanel::speed_changed);
   connect(start_here_, &QPushButton::clicked, this, &DevicesPanel::start_here_requested);
   connect(armed_, &QCheckBox::toggled, this, &DevicesPanel::update_buttons);
   connect(run_, &QPushButton::clicked, this, &DevicesPanel::run_requested);
   connect(hold_, &QPushButton::clicked, this, [this] { emit hold_requested(!held_); });
   return boxed(in_column({heading(tr("Motion")), speed_, armed_, in_row({{run_, 2}, {hold_, 1}}, 8),
-                          progress_, progress_text_, problem_, motion_, start_here_},
+                          progress_, progress_text_, problem_, motion_, start_here_,
+                          with_margin_},
                          8));
 }
 
@@ -357,6 +363,7 @@ void DevicesPanel::show_no_motion(const QString& why) {
   motion_->setText(colored(why, colors_of(current_theme()).muted));
   cleared_ = false;
   start_here_->hide();
+  with_margin_->hide();
   update_buttons();
 }
 
@@ -370,7 +377,17 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
   run_->setText(backwards ? tr("Run backwards") : tr("Run on the robot"));
   cleared_ = motion.cleared();
   start_here_->hide();
+  offer_margin(motion.preflight);
   update_buttons();
+}
+
+// Where planning can help: a start or goal stays where it is.
+void DevicesPanel::offer_margin(const planning::PreflightReport& report) {
+  with_margin_->setVisible(report.is_tight() && report.is_under_way());
+  if (report.is_tight()) {
+    margin_mm_ = report.shortfall->suggested_margin_mm();
+    with_margin_->setText(tr("Plan with %1 mm margin").arg(margin_mm_));
+  }
 }
 
 void DevicesPanel::show_progress(double time, double duration, double error) {

@@ -100,12 +100,15 @@ class DevicesPanel : public QWidget {
   void hold_requested(bool held);
   void mirror_changed();
   void start_here_requested();  ///< Let the path start where the robot stands.
+  /// Plan again with that margin.
+  void margin_requested(double millimetres);
 
  private:
   QWidget* make_connection();
   QWidget* make_motion();
   QWidget* make_outcome();
   void update_buttons();
+  void offer_margin(const planning::PreflightReport& report);
 
   MotionDeviceField* arm_;
   MotionDeviceField* hand_;
@@ -117,6 +120,8 @@ class DevicesPanel : public QWidget {
   SliderRow* speed_;
   QLabel* motion_;
   QPushButton* start_here_;
+  QPushButton* with_margin_;
+  double margin_mm_ = 0.0;  ///< That `with_margin_` plans with.
   QCheckBox* armed_;
   QPushButton* run_;
   QPushButton* hold_;

@@ -335,6 +335,12 @@ void ExportDialog::choose_format(const std::string& name) {
 
 void ExportDialog::set_folder(const QString& folder) { folder_->setText(folder); }
 
+void ExportDialog::set_margin(double margin) {
+  if (std::exchange(safety_.margin, margin) != margin) {
+    time_again();
+  }
+}
+
 std::string ExportDialog::format() const {
   return formats_->currentItem()->data(Qt::UserRole).toString().toStdString();
 }
@@ -353,6 +359,7 @@ void ExportDialog::time_again() {
   deviation_->setEnabled(!stops && arcs_->isChecked());
   preview_->show_waiting(tr("Timing the path…"));
   planning::TimingOptions options;
+  options.safety = safety_;
   options.speed = speed_->value() / kPercent;
   options.period = period_->value() * kMilli;
   options.blends.deviation = stops || !arcs_->isChecked() ? 0.0 : deviation_->value();
@@ -392,6 +399,7 @@ void export_path(Workbench& workbench) {
   auto* dialog =
       new ExportDialog(workbench.plugins, workbench.document, workbench.player.timeline().path(),
                        workbench.scene_name(), &workbench.window);
+  dialog->set_margin(geometric::metres(workbench.plan_settings.request().margin_mm));
   QObject::connect(dialog, &ExportDialog::exported, &workbench, [&](const QStringList& files) {
     note_exported(workbench, files.join(QStringLiteral(", ")));
   });

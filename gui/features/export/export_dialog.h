@@ -99,6 +99,8 @@ class ExportDialog : public QDialog {
   /// Leaves the choice as it is if there is no such exporter.
   void choose_format(const std::string& name);
   void set_folder(const QString& folder);
+  /// What has to remain of the clearance beyond the robot's following error, m.
+  void set_margin(double margin);
 
  signals:
   void exported(const QStringList& files);
@@ -120,6 +122,7 @@ class ExportDialog : public QDialog {
   ExportRunner export_;
   QTimer settle_;  ///< Settings are timed when they have been left alone for a moment.
   DerivedMotion motion_;
+  planning::SafetyMargin safety_;
   QListWidget* formats_;
   QLineEdit* name_;
   QDoubleSpinBox* speed_;

@@ -63,6 +63,31 @@ int ExecutedMotion::worst_variable() const {
   return worst;
 }
 
+Eigen::VectorXd ExecutedMotion::following_error(const geometric::RobotModel& model) const {
+  constexpr double kLeastShare = 0.02;  // of the velocity limit: slower tells nothing of more
+  Eigen::VectorXd at_limit = planning::assumed_following_error(model);
+  const Eigen::VectorXd limits = planning::rate_limits(model).velocity;
+  for (const Device& device : devices) {
+    for (const int variable : device.variables) {
+      const JointCurve seen = curve(variable);
+      double error = 0.0;
+      double velocity = 0.0;
+      for (std::size_t i = 0; i < seen.times.size(); ++i) {
+        error = std::max(error, std::abs(seen.measured[i] - seen.planned[i]));
+        if (i > 0 && seen.times[i] > seen.times[i - 1]) {
+          velocity = std::max(velocity, std::abs(seen.planned[i] - seen.planned[i - 1]) /
+                                            (seen.times[i] - seen.times[i - 1]));
+        }
+      }
+      const double share = std::min(velocity / limits[variable], 1.0);
+      if (share > kLeastShare) {
+        at_limit[variable] = std::max(error - planning::kErrorAtRest, 0.0) / share;
+      }
+    }
+  }
+  return at_limit;
+}
+
 std::vector<Eigen::Vector3d> ExecutedMotion::way_of(const geometric::RobotInstance& robot,
                                                     int link) const {
   struct Seen {

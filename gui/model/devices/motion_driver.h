@@ -44,6 +44,9 @@ struct ExecutedMotion {
   [[nodiscard]] JointCurve curve(int variable) const;
   /// The variable that was farthest off, or -1.
   [[nodiscard]] int worst_variable() const;
+  /// How far each variable was off, in proportion to its velocity limit; what is usual for those
+  /// that no device moves. @returns rad or m, shape [variable_count], see planning::SafetyMargin.
+  [[nodiscard]] Eigen::VectorXd following_error(const geometric::RobotModel& model) const;
   /// The path of a link's origin as it was measured (world, m).
   [[nodiscard]] std::vector<Eigen::Vector3d> way_of(const geometric::RobotInstance& robot,
                                                     int link) const;

@@ -153,6 +153,28 @@ QString faults_text(const planning::TimedPath& motion) {
   return text;
 }
 
+QString shortfall_text(const planning::PreflightReport& report) {
+  const planning::ClearanceShortfall& place = *report.shortfall;
+  const QString off =
+      report.assumed_following_error
+          ? tr("%1 mm because joints may be up to %2° off (assumed, nothing was measured)")
+          : tr("%1 mm because joints were up to %2° off at that speed");
+  QString needed = off.arg(place.following_mm, 0, 'f', 1)
+                       .arg(geometric::degrees(place.following_error), 0, 'f', 2);
+  if (place.margin_mm > 0.0) {
+    needed = tr("%1, and %2 mm margin").arg(needed).arg(place.margin_mm, 0, 'f', 1);
+  }
+  return strong(tr("Cleared, but too close"), attention_color()) + QStringLiteral("<br>") +
+         tr("<b>%1</b> and <b>%2</b> are %3 mm apart at %4 s. %5 mm are needed: %6.")
+             .arg(QString::fromStdString(place.a).toHtmlEscaped(),
+                  QString::fromStdString(place.b).toHtmlEscaped())
+             .arg(place.clearance_mm, 0, 'f', 2)
+             .arg(place.place, 0, 'f', 2)
+             .arg(place.needed_mm(), 0, 'f', 1)
+             .arg(needed) +
+         QStringLiteral("<br>") + QString::fromStdString(report.advice()).toHtmlEscaped();
+}
+
 }  // namespace
 
 QString motion_text(const planning::TimedPath& motion) {
@@ -160,7 +182,9 @@ QString motion_text(const planning::TimedPath& motion) {
     return faults_text(motion);
   }
   const planning::PreflightReport& report = motion.preflight;
-  QString text = strong(tr("Cleared to run"), colors_of(current_theme()).good);
+  QString text = report.is_tight()
+                     ? shortfall_text(report)
+                     : strong(tr("Cleared to run"), colors_of(current_theme()).good);
   const auto add = [&text](const QString& line) { text += QStringLiteral("<br>") + line; };
   add(tr("The motion takes %1 s.").arg(report.duration, 0, 'f', 2));
   const auto add_share = [&](const QString& line, const planning::LimitShare& share) {

@@ -136,19 +136,14 @@ SimpleMessage Val3Controller::receive(const SimpleMessage& message, double now) 
 
 std::vector<SimpleMessage> Val3Controller::feedback() {
   SimpleMessage positions;
-  const Eigen::VectorXd told = reported();
   for (Eigen::Index j = 0; j < joints().count(); ++j) {
-    positions.joints[static_cast<std::size_t>(j)] = static_cast<float>(told[j]);
+    positions.joints[static_cast<std::size_t>(j)] = static_cast<float>(position()[j]);
   }
   std::vector<SimpleMessage> feedback{positions};
   if (fed_back_++ % kStatusPeriod == 0) {
     SimpleMessage& last = feedback.emplace_back();
     last.type = SimpleMessageType::kStatus;
     last.status = status();
-    if (active_fault() == FaultKind::kPhases && ++lies_ % 2 == 0) {
-      last.status.mode = 1;
-      last.status.motion_possible = 0;
-    }
   }
   return feedback;
 }
@@ -169,11 +164,10 @@ struct Ports {
 Ports open_ports(std::uint16_t port) {
   for (int attempt = 1;; ++attempt) {
     Ports ports;
-    ports.motion = std::make_unique<TcpHostPort>(port, SecondHost::kIsRefused);
+    ports.motion = std::make_unique<TcpHostPort>(port);
     const int state = ports.motion->port() + kStatePortOffset;
     try {
-      ports.state =
-          std::make_unique<TcpHostPort>(static_cast<std::uint16_t>(state), SecondHost::kIsRefused);
+      ports.state = std::make_unique<TcpHostPort>(static_cast<std::uint16_t>(state));
       return ports;
     } catch (const DeviceError&) {
       if (port != 0 || attempt == kPortAttempts) {

@@ -13,8 +13,6 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace handway::device {
@@ -115,12 +113,6 @@ constexpr std::size_t kQueue = 10;
 template <typename Take>
 bool read_messages(ByteLink& link, SimpleMessageParser& parser, const Take& take) {
   return read_turn(link, milliseconds(1), [&](std::span<const std::uint8_t> bytes) {
-    // What an emulated arm says to a second host; no message begins with it.
-    constexpr std::string_view kBusy = "error busy ";
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.starts_with(kBusy)) {
-      throw SimpleMessageError(std::string(text.substr(0, text.find('\n'))));
-    }
     parser.add(bytes);
     while (const auto message = parser.next()) {
       take(*message);

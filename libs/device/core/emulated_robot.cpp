@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace handway::device {
@@ -66,29 +65,8 @@ void EmulatedRobot::follow_command() {
     command_velocity_ = braking_->velocity * left;
   }
   const Eigen::VectorXd before = position_;
-  if (active_fault() == FaultKind::kIdle) {
-    velocity_.setZero();
-    return;
-  }
   position_ += (1.0 - std::exp(-kStep / lag_)) * (command_ - position_);
   velocity_ = (position_ - before) / kStep;
-}
-
-Eigen::VectorXd EmulatedRobot::reported() const {
-  constexpr double kSwing = 0.08;     // rad
-  constexpr double kFrequency = 2.5;  // Hz
-  const double swing = active_fault() == FaultKind::kDance
-                           ? kSwing * std::sin(2.0 * std::numbers::pi * kFrequency * now_)
-                           : 0.0;
-  return position_.array() + swing;
-}
-
-double EmulatedRobot::clock_lie() const {
-  constexpr double kBack = -10.0;  // s
-  constexpr double kJump = 1e9;    // s
-  return active_fault() == FaultKind::kTimeBack   ? kBack
-         : active_fault() == FaultKind::kTimeJump ? kJump
-                                                  : 0.0;
 }
 
 bool EmulatedRobot::moving() const { return velocity_.lpNorm<Eigen::Infinity>() > kAtRest; }

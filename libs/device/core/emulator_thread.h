@@ -117,7 +117,7 @@ class RunningRobot final : public RobotEmulator::Running {
 class LinePort {
  public:
   /// @param scheme of its address: "hand". @param port 0: any that is free.
-  LinePort(std::string scheme, std::uint16_t port) : scheme_(std::move(scheme)), port_(port, SecondHost::kIsRefused) {}
+  LinePort(std::string scheme, std::uint16_t port) : scheme_(std::move(scheme)), port_(port) {}
 
   [[nodiscard]] std::string address() const { return scheme_ + "://" + port_.address(); }
   void wait(std::chrono::microseconds time) { count_ = port_.read(bytes_, time); }

@@ -43,8 +43,8 @@ void set_up_connection(const FileDescriptor& connection) {
 
 }  // namespace
 
-TcpHostPort::TcpHostPort(std::uint16_t port, SecondHost second)
-    : second_(second), listener_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+TcpHostPort::TcpHostPort(std::uint16_t port)
+    : listener_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   const int on = 1;
   // So that an emulator that was killed can be started again on its port.
   ::setsockopt(listener_.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
@@ -71,8 +71,7 @@ std::size_t TcpHostPort::read(std::span<std::uint8_t> bytes, std::chrono::micros
   if (::ppoll(waiting.data(), host_.valid() ? 2 : 1, &time, nullptr) <= 0) {
     return 0;
   }
-  // What the host said before it went is read before another one is let in.
-  if (waiting[0].revents != 0 && !(second_ == SecondHost::kIsRefused && host_has_unread_bytes())) {
+  if (waiting[0].revents != 0) {
     accept_host();
     return 0;
   }
@@ -82,50 +81,13 @@ std::size_t TcpHostPort::read(std::span<std::uint8_t> bytes, std::chrono::micros
 void TcpHostPort::write(std::span<const std::uint8_t> bytes) { write_connection(host_, bytes); }
 
 void TcpHostPort::accept_host() {
-  sockaddr_in peer{};
-  socklen_t size = sizeof(peer);
-  FileDescriptor host(::accept(listener_.get(), reinterpret_cast<sockaddr*>(&peer), &size));
+  FileDescriptor host(::accept(listener_.get(), nullptr, nullptr));
   if (!host.valid()) {
     return;
   }
   set_up_connection(host);
-  if (second_ == SecondHost::kIsRefused && host_.valid()) {
-    refuse(std::move(host));
-    return;
-  }
-  std::array<char, INET_ADDRSTRLEN> text{};
-  ::inet_ntop(AF_INET, &peer.sin_addr, text.data(), text.size());
-  peer_ = std::string(text.data()) + ':' + std::to_string(ntohs(peer.sin_port));
   host_ = std::move(host);
   ++connections_;
-}
-
-// Closes the connection if the host has closed it.
-bool TcpHostPort::host_has_unread_bytes() {
-  if (!host_.valid()) {
-    return false;
-  }
-  char byte = 0;
-  const ssize_t count = ::recv(host_.get(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
-  if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) {
-    host_.close();
-  }
-  return count > 0;
-}
-
-// Its connection stays for a while: closing it at once could drop what it was told.
-void TcpHostPort::refuse(FileDescriptor host) {
-  constexpr std::size_t kMostRefused = 8;
-  const std::string reason =
-      "error busy " + peer_ + " is connected, and this device serves one host at a time\n";
-  write_connection(host, {reinterpret_cast<const std::uint8_t*>(reason.data()), reason.size()});
-  if (host.valid()) {
-    ::shutdown(host.get(), SHUT_WR);
-    refused_.push_back(std::move(host));
-  }
-  if (refused_.size() > kMostRefused) {
-    refused_.pop_front();
-  }
 }
 
 std::unique_ptr<HostPort> listen_on_tcp_port(std::uint16_t port) {

@@ -95,18 +95,13 @@ class HostPort {
 /// @throws geometric::InputError for a wrong address; DeviceError if there is no such host.
 [[nodiscard]] std::unique_ptr<HostPort> send_to_udp_port(const std::string& receiver);
 
-/// What a port does with a host that connects while another one is there.
-enum class SecondHost {
-  kTakesOver,  ///< It takes the place of the first.
-  kIsRefused,  ///< It is sent "error busy" with the first one's address, and closed.
-};
-
-/// A TCP port of this computer that one host at a time may connect to.
+/// A TCP port of this computer that one host at a time may connect to; a new connection takes
+/// the place of the last.
 class TcpHostPort final : public HostPort {
  public:
   /// @param port 0: any free one.
   /// @throws DeviceError if the port is taken or not allowed.
-  explicit TcpHostPort(std::uint16_t port, SecondHost second = SecondHost::kTakesOver);
+  explicit TcpHostPort(std::uint16_t port);
 
   [[nodiscard]] std::string address() const override;
   std::size_t read(std::span<std::uint8_t> bytes, std::chrono::microseconds timeout) override;
@@ -120,12 +115,7 @@ class TcpHostPort final : public HostPort {
 
  private:
   void accept_host();
-  [[nodiscard]] bool host_has_unread_bytes();
-  void refuse(FileDescriptor host);
 
-  SecondHost second_;
-  std::string peer_;                    ///< Of the host: "127.0.0.1:40123".
-  std::deque<FileDescriptor> refused_;  ///< Closed a while after they were told.
   FileDescriptor listener_;
   FileDescriptor host_;
   std::uint16_t port_ = 0;

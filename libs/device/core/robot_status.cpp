@@ -34,13 +34,6 @@ std::optional<RobotObstacle> obstacle_under_way(const RobotStatus& status) {
   if (status.drives_powered == 0) {
     return RobotObstacle{"drives without power", "Look at the controller's pendant."};
   }
-  if (status.mode == 1) {
-    return RobotObstacle{"manual mode under way", "Look at the controller's pendant."};
-  }
-  if (status.motion_possible == 0) {
-    return RobotObstacle{"a controller that says under way that it can't move",
-                         "Look at its pendant."};
-  }
   return std::nullopt;
 }
 

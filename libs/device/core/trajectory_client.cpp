@@ -1,6 +1,5 @@
 #include "handway/device/core/trajectory_client.h"
 
-#include "core/motion_witness.h"
 #include "handway/device/core/device_error.h"
 
 #include <fmt/format.h>
@@ -24,8 +23,6 @@ constexpr milliseconds kFirstPosition{3000};
 constexpr milliseconds kLongestBacklog{500};
 // How long after its time a motion may still be arriving, s.
 constexpr double kLatestArrival = 2.0;
-// So many samples in a row have to be at the end of a motion.
-constexpr int kArrivals = 3;
 
 double seconds(TrajectoryClient::Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -34,10 +31,7 @@ double seconds(TrajectoryClient::Clock::duration duration) {
 }  // namespace
 
 TrajectoryClient::TrajectoryClient(std::string name, JointRanges joints)
-    : name_(std::move(name)),
-      joints_(std::move(joints)),
-      witness_(std::make_unique<MotionWitness>()),
-      clock_(std::make_unique<DeviceClock>()) {
+    : name_(std::move(name)), joints_(std::move(joints)) {
   const Eigen::Index count = joints_.count();
   if (count == 0 || joints_.upper.size() != count || joints_.velocity.size() != count ||
       std::cmp_not_equal(joints_.names.size(), count) ||
@@ -46,8 +40,6 @@ TrajectoryClient::TrajectoryClient(std::string name, JointRanges joints)
     throw std::invalid_argument("joints of a device without ranges or velocities");
   }
 }
-
-TrajectoryClient::~TrajectoryClient() = default;
 
 void TrajectoryClient::refuse(std::string found, std::string expected, std::string advice) const {
   throw DeviceError({name_, "", std::move(found), std::move(expected), std::move(advice)});
@@ -126,9 +118,6 @@ void TrajectoryClient::start(const MotionTolerances& tolerances) {
   tolerances_ = tolerances;
   begin_ = Clock::now();
   samples_seen_ = measured_.samples;
-  arrived_ = 0;
-  witness_->begin(joints_.names);
-  clock_->reset();
   phase_ = MotionPhase::kRunning;
 }
 
@@ -156,8 +145,6 @@ void TrajectoryClient::resume() {
     }
     begin_ = now - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(held));
     samples_seen_ = measured_.samples;
-    arrived_ = 0;
-    witness_->begin(joints_.names);
     phase_ = MotionPhase::kRunning;
   }
 }
@@ -245,15 +232,6 @@ void TrajectoryClient::look_at_sample() {
              "is in its way, or move slower.");
     }
   }
-  if (auto fault =
-          witness_->add(trajectory_, motion_time(measured_.received), measured_.position)) {
-    refuse(std::move(fault->found), std::move(fault->expected), std::move(fault->advice));
-  }
-  const Eigen::VectorXd end = trajectory_.at(trajectory_.duration());
-  const bool is_over =
-      measured_.received - begin_ > std::chrono::duration<double>(trajectory_.duration());
-  const bool is_there = (measured_.position - end).cwiseAbs().maxCoeff() <= tolerances_.end;
-  arrived_ = is_over && is_there ? arrived_ + 1 : 0;
 }
 
 void TrajectoryClient::look_at_end(Clock::time_point now) {
@@ -263,28 +241,14 @@ void TrajectoryClient::look_at_end(Clock::time_point now) {
   }
   const Eigen::VectorXd end = trajectory_.at(trajectory_.duration());
   const double away = (measured_.position - end).lpNorm<Eigen::Infinity>();
-  const std::string unfinished = do_unfinished();
-  if (arrived_ >= kArrivals && unfinished.empty()) {
+  if (away <= tolerances_.end &&
+      measured_.received - begin_ > std::chrono::duration<double>(trajectory_.duration())) {
     phase_ = MotionPhase::kDone;
-  } else if (late > kLatestArrival && away <= tolerances_.end && !unfinished.empty()) {
-    refuse(fmt::format("{} {} s after the end", unfinished, kLatestArrival),
-           "a device that ends the motion", "Look at its controller.");
   } else if (late > kLatestArrival) {
     refuse(fmt::format("{:.4f} rad away from the last point {} s after its time", away,
                        kLatestArrival),
            fmt::format("{:.4f} rad or less", tolerances_.end),
            "The device did not run the whole motion.");
-  }
-}
-
-void TrajectoryClient::check_clock(double time, double backward) {
-  if (phase_ != MotionPhase::kRunning && phase_ != MotionPhase::kPaused) {
-    clock_->reset();
-    return;
-  }
-  if (auto fault = clock_->note(time, Clock::now(), backward)) {
-    refuse(std::move(*fault), "one that runs as this computer's",
-           "Nothing that the device reports can be trusted: look at its controller.");
   }
 }
 

@@ -155,12 +155,11 @@ std::string HandController::receive(const std::string& line, double now) {
   }
 }
 
-std::string HandController::feedback() {
+std::string HandController::feedback() const {
   if (!greeted_) {
     return "";
   }
-  const bool lies = active_fault() == FaultKind::kPhases && ++reports_ % 2 == 0;
-  std::string lines = to_line({time_ + clock_lie(), lies ? "ready" : phase_, reported()});
+  std::string lines = to_line({time_, phase_, position()});
   if (phase_ == "error") {
     lines += "fault " + fault_text_ + "\n";
   }

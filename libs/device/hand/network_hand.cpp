@@ -57,10 +57,7 @@ struct NetworkHand::Wire {
   LineBuffer lines;
   std::string answer;  ///< The word that "ok" came for last.
   std::string phase;
-  bool watched = false;   ///< It has to run or hold, and not to fail.
-  bool begun = false;     ///< It said that it runs the motion.
-  bool over = false;      ///< It said that it is done.
-  bool may_hold = false;  ///< It was asked to, in this motion.
+  bool watched = false;  ///< It has to run or hold, and not to fail.
   Clock::time_point spoken;
 
   void send(std::string_view text, milliseconds timeout = ByteLink::kLongestCommand) {
@@ -99,7 +96,6 @@ void NetworkHand::ask(const std::string& lines, const char* word, const std::sto
 }
 
 void NetworkHand::do_upload(const JointTrajectory& trajectory, const std::stop_token& stop) {
-  wire_->watched = false;
   ask(to_lines(trajectory), "trajectory", stop);
   wire_->phase = "ready";
 }
@@ -109,15 +105,11 @@ void NetworkHand::do_start() {
     refuse("a hand with a fault", "one that is ready", "Look at its controller.");
   }
   wire_->send("start\n");
-  wire_->begun = false;
-  wire_->over = false;
-  wire_->may_hold = false;
   wire_->watched = true;
 }
 
 double NetworkHand::do_pause(double time) {
   const double hold = std::max(time, motion_time(Clock::now()) + kPauseNotice);
-  wire_->may_hold = true;
   wire_->send(fmt::format("pause {}\n", hold));
   return hold;
 }
@@ -156,9 +148,6 @@ void NetworkHand::take(const std::string& line) {
   if (words[0] == "state") {
     const HandState state = parse_hand_state(line, joints().count());
     wire_->phase = state.phase;
-    if (wire_->watched) {
-      look_at_phase(state.phase, state.time);
-    }
     add_sample(state.position);
   } else if (words[0] == "fault") {
     if (wire_->watched) {
@@ -168,39 +157,6 @@ void NetworkHand::take(const std::string& line) {
   } else {
     take_answer(words, line);
   }
-}
-
-// What it was before the start may still be on its way; from the first "running" on it has to keep
-// to the order, and to its clock.
-void NetworkHand::look_at_phase(const std::string& phase, double time) {
-  constexpr double kRounding = 0.05;  // s
-  const bool runs = phase == "running";
-  const auto refuse_phase = [&](const char* expected) {
-    refuse(fmt::format("phase \"{}\" at {:.3f} s of the motion", phase, time), expected,
-           "What the hand reports is not the motion: look at its controller.");
-  };
-  if (wire_->over && phase != "done" && phase != "error") {
-    refuse_phase("a hand that stays done");
-  }
-  if (!wire_->begun && !runs) {
-    return;
-  }
-  wire_->begun = true;
-  if (runs || phase == "paused" || phase == "done") {
-    check_clock(time);
-  }
-  if (phase == "done") {
-    if (time < trajectory().duration() - kRounding) {
-      refuse_phase("one that runs to the end before it is done");
-    }
-    wire_->over = true;
-  } else if (phase == "paused" ? !wire_->may_hold : !runs && phase != "error") {
-    refuse_phase("one that runs until it is done");
-  }
-}
-
-std::string NetworkHand::do_unfinished() const {
-  return wire_->over ? "" : fmt::format("phase \"{}\"", wire_->phase);
 }
 
 void NetworkHand::take_answer(const std::vector<std::string_view>& words, const std::string& line) {

@@ -19,7 +19,6 @@ namespace {
 constexpr double kOnLimit = 1e-6;
 constexpr int kEstopCode = 1;
 constexpr int kLimitCode = 2;
-constexpr double kFirstStamp = 1000.0;  // s: 0 would be none
 
 }  // namespace
 
@@ -171,17 +170,10 @@ RosController::Messages RosController::feedback(std::uint64_t host) {
   Messages messages;
   const std::set<std::string>& topics = listening_[host];
   if (topics.contains(kJointStatesTopic)) {
-    messages.push_back(
-        publish(kJointStatesTopic,
-                RosJointState{joints().names, reported(), kFirstStamp + now() + clock_lie()}));
+    messages.push_back(publish(kJointStatesTopic, RosJointState{joints().names, position()}));
   }
   if (topics.contains(kRobotStatusTopic)) {
-    RobotStatus told = status();
-    if (active_fault() == FaultKind::kPhases && ++lies_ % 2 == 0) {
-      told.mode = 1;
-      told.motion_possible = 0;
-    }
-    messages.push_back(publish(kRobotStatusTopic, told));
+    messages.push_back(publish(kRobotStatusTopic, status()));
   }
   return messages;
 }

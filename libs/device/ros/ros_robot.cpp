@@ -245,13 +245,6 @@ void RosRobot::take(const RosbridgeMessage& message) {
 }
 
 void RosRobot::take_joints(const RosJointState& state) {
-  constexpr double kOtherPublishers = 0.5;  // s that the stamps of several may differ by
-  const bool is_ours = std::ranges::any_of(state.names, [this](const std::string& name) {
-    return std::ranges::count(joints().names, name) > 0;
-  });
-  if (is_ours && state.stamp != 0.0) {
-    check_clock(state.stamp, kOtherPublishers);
-  }
   for (std::size_t i = 0; i < state.names.size(); ++i) {
     const auto found = std::ranges::find(joints().names, state.names[i]);
     if (found == joints().names.end()) {

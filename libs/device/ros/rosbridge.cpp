@@ -46,9 +46,6 @@ Json duration(double seconds, RosVersion version) {
 RosJointState joint_state(const Json& message) {
   RosJointState state{message.at("name").get<std::vector<std::string>>(),
                       numbers(message.at("position"))};
-  if (message.contains("header") && message.at("header").contains("stamp")) {
-    state.stamp = duration(message.at("header").at("stamp"));
-  }
   if (std::cmp_not_equal(state.names.size(), state.position.size())) {
     throw RosbridgeError(
         fmt::format("{} joints with {} positions", state.names.size(), state.position.size()));
@@ -166,14 +163,13 @@ std::string publish(const std::string& topic, const RosTrajectory& trajectory, R
 }
 
 std::string publish(const std::string& topic, const RosJointState& state) {
-  Json body = {{"name", state.names},
-               {"position", list(state.position)},
-               {"velocity", Json::array()},
-               {"effort", Json::array()}};
-  if (state.stamp != 0.0) {
-    body["header"] = {{"stamp", duration(state.stamp, RosVersion::kRos1)}};
-  }
-  return dump({{"op", "publish"}, {"topic", topic}, {"msg", std::move(body)}});
+  return dump({{"op", "publish"},
+               {"topic", topic},
+               {"msg",
+                {{"name", state.names},
+                 {"position", list(state.position)},
+                 {"velocity", Json::array()},
+                 {"effort", Json::array()}}}});
 }
 
 std::string publish(const std::string& topic, const RobotStatus& status) {

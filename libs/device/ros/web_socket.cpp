@@ -2,20 +2,17 @@
 
 #include "core/links.h"
 #include "handway/device/core/device_error.h"
-#include "handway/device/core/line_protocol.h"
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
 #include <algorithm>
 #include <deque>
 #include <map>
-#include <string_view>
 #include <utility>
 
 namespace handway::device {
@@ -179,18 +176,6 @@ namespace {
 // A host that reads nothing loses what comes after so many messages.
 constexpr std::size_t kMostWaiting = 1000;
 
-/// Whether an Origin is that of a page or program of this computer: SCHEME://HOST[:PORT].
-bool is_local_origin(std::string_view origin) {
-  const std::size_t scheme = origin.find("://");
-  if (scheme == std::string_view::npos) {
-    return false;  // "null" is a page that hides where it comes from
-  }
-  std::string_view host = origin.substr(scheme + 3);
-  const bool is_ipv6 = host.starts_with('[');
-  host = is_ipv6 ? host.substr(0, host.find(']') + 1) : host.substr(0, host.find(':'));
-  return host == "localhost" || host == "127.0.0.1" || host == "[::1]";
-}
-
 }  // namespace
 
 struct WebSocketPort::Server {
@@ -203,13 +188,9 @@ struct WebSocketPort::Server {
     websocket::stream<tcp::socket> stream;
     boost::beast::flat_buffer incoming;
     std::deque<std::string> outgoing;  ///< The first is under way.
-    boost::beast::http::request<boost::beast::http::string_body> request;
-    boost::beast::http::response<boost::beast::http::string_body> refusal;
     bool open = false;
 
     void accept();
-    void upgrade();
-    void refuse(const std::string& origin);
     void read();
     void write();
     void end();
@@ -229,36 +210,8 @@ struct WebSocketPort::Server {
   void listen();
 };
 
-// Any page that a browser shows may open a WebSocket to this computer; its Origin says which page.
 void WebSocketPort::Server::Session::accept() {
-  boost::beast::http::async_read(
-      stream.next_layer(), incoming, request,
-      [self = shared_from_this()](const error_code& error, std::size_t) {
-        if (error) {
-          self->end();
-          return;
-        }
-        const auto origin = self->request.find(boost::beast::http::field::origin);
-        if (origin != self->request.end() && !is_local_origin(std::string(origin->value()))) {
-          self->refuse(std::string(origin->value()));
-        } else {
-          self->upgrade();
-        }
-      });
-}
-
-void WebSocketPort::Server::Session::refuse(const std::string& origin) {
-  refusal = {boost::beast::http::status::forbidden, request.version()};
-  refusal.set(boost::beast::http::field::content_type, "text/plain");
-  refusal.body() = "Pages of " + quote(origin) + " may not move this robot.\n";
-  refusal.prepare_payload();
-  boost::beast::http::async_write(
-      stream.next_layer(), refusal,
-      [self = shared_from_this()](const error_code& /*error*/, std::size_t) { self->end(); });
-}
-
-void WebSocketPort::Server::Session::upgrade() {
-  stream.async_accept(request, [self = shared_from_this()](const error_code& error) {
+  stream.async_accept([self = shared_from_this()](const error_code& error) {
     if (error) {
       self->end();
       return;

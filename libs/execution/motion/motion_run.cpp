@@ -2,8 +2,6 @@
 
 #include "handway/execution/motion/motion_target.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <exception>
 #include <system_error>
@@ -74,9 +72,6 @@ class Run {
       outcome_.stop_sent_ms = 1e3 * seconds(outcome_.stop_sent - polled);
     }
     wait_for_rest();
-    if (outcome_.done) {
-      look_at_end(tolerances);
-    }
     if (outcome_.done && !outcome_.fault.empty()) {
       outcome_.done = false;
       stop_all();
@@ -270,21 +265,6 @@ class Run {
       last_[i] = measured.position;
       if (observer_works_) {
         observe([&] { observer_.on_sample({time, i, planned, measured.position}); });
-      }
-    }
-  }
-
-  // Devices that had arrived have to be there when they are at rest, too.
-  void look_at_end(const device::MotionTolerances& tolerances) {
-    for (const MotionTarget& target : targets_) {
-      const device::TrajectoryClient& link = *target.link;
-      const Eigen::VectorXd end = link.trajectory().at(link.trajectory().duration());
-      const double away = (link.measured().position - end).cwiseAbs().maxCoeff();
-      if (!(away <= tolerances.end)) {
-        note_fault(fmt::format(
-            "{}: found {:.4f} rad away from the last point after the end, expected {:.4f} rad or "
-            "less. It left the end after it had arrived: look at its controller.",
-            link.name(), away, tolerances.end));
       }
     }
   }

@@ -94,6 +94,49 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
   report.min_clearance_mm = geometric::millimetres(least);
 }
 
+constexpr double kErrorDecay = 0.05;  // s, time constant of the error after a joint has moved
+constexpr double kLookStep = 1e-4;    // m, that a point of the robot moves between two looks
+
+/// Compares the clearance along the trajectory with what following errors and the margin need.
+void check_safety(const PlanningProblem& problem, const Trajectory& trajectory,
+                  const TimingOptions& options, PreflightReport& report) {
+  const geometric::RobotModel& model = problem.model();
+  report.assumed_following_error = options.safety.following_error.size() == 0;
+  const Eigen::VectorXd at_limit = report.assumed_following_error ? assumed_following_error(model)
+                                                                  : options.safety.following_error;
+  SafetyClearance clearance(problem, options.safety.margin);
+  Eigen::VectorXd share = Eigen::VectorXd::Zero(model.variable_count());
+  const TrajectoryPoint* looked = nullptr;
+  double before = trajectory.points.front().time;
+  for (const TrajectoryPoint& point : trajectory.points) {
+    geometric::end_if_stopped(options.stop);
+    const Eigen::VectorXd now =
+        point.velocity.cwiseAbs().cwiseQuotient(options.limits.velocity).cwiseMin(1.0);
+    share = (std::exp((before - point.time) / kErrorDecay) * share).cwiseMax(now);
+    before = point.time;
+    const bool is_last = &point == &trajectory.points.back();
+    if (!looked || is_last ||
+        problem.motion->any_point((point.position - looked->position).cwiseAbs()) > kLookStep) {
+      looked = &point;
+      const Eigen::VectorXd error = (share.cwiseProduct(at_limit)).array() + kErrorAtRest;
+      clearance.look(point.position, error, point.time);
+    }
+  }
+  report.shortfall = clearance.worst();
+}
+
+nlohmann::ordered_json to_object(const ClearanceShortfall& shortfall, const std::string& advice) {
+  return {{"a", shortfall.a},
+          {"b", shortfall.b},
+          {"time_s", shortfall.place},
+          {"clearance_mm", shortfall.clearance_mm},
+          {"needed_mm", shortfall.needed_mm()},
+          {"following_mm", shortfall.following_mm},
+          {"margin_mm", shortfall.margin_mm},
+          {"following_error", shortfall.following_error},
+          {"advice", advice}};
+}
+
 nlohmann::ordered_json to_object(const LimitShare& share) {
   return {{"joint", share.joint}, {"time_s", share.time}, {"share", share.share}};
 }
@@ -144,7 +187,24 @@ PreflightReport preflight(const PlanningProblem& problem, const Trajectory& traj
   std::ranges::transform(trajectory.points, std::back_inserter(positions),
                          &TrajectoryPoint::position);
   report.warnings = holding_warnings(*problem.scene, positions);
+  if (report.cleared()) {
+    check_safety(problem, trajectory, options, report);
+  }
   return report;
+}
+
+bool PreflightReport::is_under_way() const {
+  constexpr double kAtEnd = 0.01;  // s
+  return shortfall->place >= kAtEnd && shortfall->place <= duration - kAtEnd;
+}
+
+std::string PreflightReport::advice() const {
+  if (!is_under_way()) {
+    return fmt::format("The {} itself is that near: move it, or the object.",
+                       shortfall->place < 0.5 * duration ? "start" : "goal");
+  }
+  return fmt::format("Plan again with a margin of {:g} mm (plan --margin {:g}), or run slower.",
+                     shortfall->suggested_margin_mm(), shortfall->suggested_margin_mm());
 }
 
 std::string to_text(const PreflightReport& report) {
@@ -155,8 +215,16 @@ std::string to_text(const PreflightReport& report) {
   for (const std::string& warning : report.warnings) {
     text += "warning: " + warning + "\n";
   }
-  text += fmt::format("{}: {} points, {:.3f} s\n", report.cleared() ? "cleared" : "NOT CLEARED",
+  text += fmt::format("{}: {} points, {:.3f} s\n",
+                      report.is_tight()  ? "cleared, but too close"
+                      : report.cleared() ? "cleared"
+                                         : "NOT CLEARED",
                       report.points, report.duration);
+  if (report.is_tight()) {
+    text += fmt::format(
+        "warning: at {:.3f} s {}{}. {}\n", report.shortfall->place, to_string(*report.shortfall),
+        report.assumed_following_error ? "; no following error was measured" : "", report.advice());
+  }
   for (const auto& [what, share] :
        {std::pair("velocity", report.velocity), std::pair("acceleration", report.acceleration)}) {
     if (share.share > 0.0) {
@@ -186,17 +254,23 @@ std::string to_json(const PreflightReport& report) {
   for (const AssumedLimit& one : report.assumed) {
     assumed.push_back({{"joint", one.joint}, {"limit", rate_name(one.rate)}, {"value", one.value}});
   }
-  const nlohmann::ordered_json object = {{"cleared", report.cleared()},
-                                         {"faults", faults},
-                                         {"warnings", report.warnings},
-                                         {"points", report.points},
-                                         {"duration_s", report.duration},
-                                         {"velocity", to_object(report.velocity)},
-                                         {"acceleration", to_object(report.acceleration)},
-                                         {"min_clearance_mm", report.min_clearance_mm},
-                                         {"min_clearance_time_s", report.min_clearance_time},
-                                         {"closest_pair", report.closest_pair},
-                                         {"assumed_limits", assumed}};
+  const nlohmann::ordered_json object = {
+      {"cleared", report.cleared()},
+      {"verdict", report.is_tight()  ? "tight"
+                  : report.cleared() ? "cleared"
+                                     : "not cleared"},
+      {"faults", faults},
+      {"points", report.points},
+      {"duration_s", report.duration},
+      {"velocity", to_object(report.velocity)},
+      {"acceleration", to_object(report.acceleration)},
+      {"min_clearance_mm", report.min_clearance_mm},
+      {"min_clearance_time_s", report.min_clearance_time},
+      {"closest_pair", report.closest_pair},
+      {"assumed_limits", assumed},
+      {"shortfall", report.is_tight() ? to_object(*report.shortfall, report.advice())
+                                      : nlohmann::ordered_json()},
+      {"assumed_following_error", report.assumed_following_error}};
   return object.dump(2) + "\n";
 }
 

@@ -53,7 +53,6 @@ class HANDWAY_DEVICE_EXPORT Val3Controller final : public EmulatedRobot {
   [[nodiscard]] RobotStatus status() const;
 
   std::size_t longest_queue_;
-  int lies_ = 0;  ///< Statuses since they lie.
   bool powered_;
   bool automatic_;
   bool estopped_ = false;

@@ -35,10 +35,6 @@ class HANDWAY_DEVICE_EXPORT EmulatedRobot {
   void advance(double now);
 
   [[nodiscard]] const Eigen::VectorXd& position() const { return position_; }
-  /// What it reports as that, rad: see FaultKind::kDance.
-  [[nodiscard]] Eigen::VectorXd reported() const;
-  /// By how much its clock lies, s: see FaultKind::kTimeBack and kTimeJump.
-  [[nodiscard]] double clock_lie() const;
   /// True if a joint goes faster than 1e-3 rad/s.
   [[nodiscard]] bool moving() const;
   /// How many stop commands came. Loss of a connection, or silence, is none.

@@ -11,12 +11,6 @@ enum class FaultKind {
   kEstop,       ///< Somebody presses the emergency stop.
   kJointLimit,  ///< A joint's range ends where the joint is.
   kSlow,        ///< It moves at half the pace: the monitor speed is at 50 %.
-  // Lies: it goes on accepting, and reports what is not so.
-  kTimeBack,  ///< Its clock runs back by 10 s. An arm's protocol has no clock.
-  kTimeJump,  ///< Its clock jumps ahead by 1e9 s.
-  kPhases,    ///< The phase or status that it reports changes with every message.
-  kIdle,      ///< It stands still, and says at the end that it is done.
-  kDance,     ///< The joints that it reports swing about where they are.
 };
 
 struct InjectedFault {

@@ -8,7 +8,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <memory>
 #include <stop_token>
 #include <string>
 
@@ -39,23 +38,20 @@ struct MotionTolerances {
   double end = 0.01;       ///< How near to the last point counts as arrived, rad.
 };
 
-class MotionWitness;
-class DeviceClock;
-
 /// A connection to a device that moves joints: an arm's or a hand's controller.
 ///
 /// It has no thread of its own: whoever uses it calls update() every few milliseconds from
 /// connect() on. It never lets a motion go on unwatched: a lost connection, positions that stop
 /// coming, or that come faster than they are read, a refused point, an emergency stop, a joint that
-/// does not follow, stands still, runs back or does not arrive, and a device whose clock runs back
-/// or jumps end the motion, with kFailed and a fault() in words.
+/// does not follow, or one that does not arrive end the motion, with kFailed and a fault() in
+/// words.
 ///
 /// The public functions check; derived classes speak the device's protocol.
 class HANDWAY_DEVICE_EXPORT TrajectoryClient {
  public:
   using Clock = std::chrono::steady_clock;
 
-  virtual ~TrajectoryClient();
+  virtual ~TrajectoryClient() = default;
   TrajectoryClient(const TrajectoryClient&) = delete;
   TrajectoryClient& operator=(const TrajectoryClient&) = delete;
 
@@ -107,10 +103,6 @@ class HANDWAY_DEVICE_EXPORT TrajectoryClient {
 
   /// For derived classes: positions came. @pre shape [joints].
   void add_sample(const Eigen::VectorXd& position);
-  /// For derived classes: what the device's own clock says with a message that just came, s.
-  /// @param backward s that it may go back by.
-  /// @throws DeviceError if it runs back or jumps while a motion is under way.
-  void check_clock(double time, double backward = 0.05);
   /// For derived classes. @throws DeviceError with this link's name.
   [[noreturn]] void refuse(std::string found, std::string expected, std::string advice) const;
 
@@ -126,9 +118,6 @@ class HANDWAY_DEVICE_EXPORT TrajectoryClient {
   /// Reads within a ReadBudget. @param time of the motion, s. @returns whether all that had come
   /// was read. @throws DeviceError for anything that has to end the motion.
   [[nodiscard]] virtual bool do_update(double time) = 0;
-
-  /// Whether the device itself says that the motion is over, and what it says instead.
-  [[nodiscard]] virtual std::string do_unfinished() const { return ""; }
 
   void take_turn(double time);
   void fail(std::string fault);
@@ -149,9 +138,6 @@ class HANDWAY_DEVICE_EXPORT TrajectoryClient {
   MotionTolerances tolerances_;
   Clock::time_point begin_;  ///< When motion time was 0, had there been no pauses.
   double hold_ = 0.0;        ///< Motion time of the pause, s.
-  int arrived_ = 0;          ///< Samples in a row that were at the end.
-  std::unique_ptr<MotionWitness> witness_;
-  std::unique_ptr<DeviceClock> clock_;
 };
 
 }  // namespace handway::device

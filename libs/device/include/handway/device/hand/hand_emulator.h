@@ -33,7 +33,7 @@ class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
   [[nodiscard]] std::string receive(const std::string& line, double now);
 
   /// What it sends every 10 ms; empty before a host has said hello.
-  [[nodiscard]] std::string feedback();
+  [[nodiscard]] std::string feedback() const;
 
   /// The host is gone: it stops, and waits for another hello.
   void connection_lost();
@@ -54,7 +54,6 @@ class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
 
   std::size_t longest_;
   bool greeted_ = false;
-  int reports_ = 0;  ///< Since its phases lie.
   std::string phase_ = "idle";
   std::string fault_text_;
   JointTrajectory trajectory_;

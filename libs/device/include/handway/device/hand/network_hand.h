@@ -32,12 +32,10 @@ class HANDWAY_DEVICE_EXPORT NetworkHand final : public TrajectoryClient {
   void do_start() override;
   [[nodiscard]] double do_pause(double time) override;
   void do_resume() override;
-  [[nodiscard]] std::string do_unfinished() const override;
   void do_stop() override;
   [[nodiscard]] bool do_update(double time) override;
 
   void take(const std::string& line);
-  void look_at_phase(const std::string& phase, double time);
   void take_answer(const std::vector<std::string_view>& words, const std::string& line);
   void ask(const std::string& lines, const char* word, const std::stop_token& stop);
 

@@ -55,7 +55,6 @@ class HANDWAY_DEVICE_EXPORT RosController final : public EmulatedRobot {
   std::vector<Goal> goals_;
   std::map<std::string, std::string> advertised_;             ///< Topics with their types.
   std::map<std::uint64_t, std::set<std::string>> listening_;  ///< Topics of each host.
-  int lies_ = 0;                                              ///< Statuses since they lie.
   int error_code_ = 0;
 };
 

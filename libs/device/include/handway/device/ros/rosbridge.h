@@ -31,11 +31,10 @@ struct RosTrajectory {
   JointTrajectory motion;  ///< Times need not begin at 0.
 };
 
-/// `sensor_msgs/JointState`: positions and the stamp only; shape [names].
+/// `sensor_msgs/JointState`: positions only; shape [names].
 struct RosJointState {
   std::vector<std::string> names;
   Eigen::VectorXd position;  ///< rad; NaN where the message had null.
-  double stamp = 0.0;        ///< s; 0: none.
 };
 
 /// One rosbridge message; of the fields those of its `op` count.

@@ -2,11 +2,13 @@
 
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
+#include "handway/planning/paths/safety_clearance.h"
 #include "handway/planning/timing/blended_path.h"
 #include "handway/planning/timing/kinematic_limits.h"
 #include "handway/planning/timing/trajectory.h"
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -35,6 +37,7 @@ struct TimingOptions {
   Configuration measured_start;   ///< Of size 0: the start is not compared.
   double start_tolerance = 1e-3;  ///< rad or m, of that comparison.
   std::stop_token stop = {};      ///< Timing ends with geometric::PreparationStopped.
+  SafetyMargin safety;            ///< What the clearance is weighed against.
 };
 
 /// Largest share that a motion takes of a limit, and where.
@@ -57,15 +60,29 @@ struct PreflightReport {
   double min_clearance_time = 0.0;    ///< s
   std::string closest_pair;           ///< "A with B"
   std::vector<AssumedLimit> assumed;  ///< Limits that it was checked against and no file has.
+  /// Where the clearance is less than following errors and the margin need; nothing: nowhere.
+  /// Places are times, s.
+  std::optional<ClearanceShortfall> shortfall;
+  bool assumed_following_error = false;  ///< None was measured.
 
   [[nodiscard]] bool cleared() const { return faults.empty(); }
+  /// Whether it may run, but not everything keeps a safe distance.
+  [[nodiscard]] bool is_tight() const { return cleared() && shortfall.has_value(); }
+  /// Whether the shortfall is between the ends of the motion, where another path can have more
+  /// clearance. @pre is_tight().
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_under_way() const;
+  /// What to do about the shortfall, a sentence. @pre is_tight().
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string advice() const;
 };
 
 /// Checks everything that can be known without the robot: check_trajectory(), the start
 /// against what was measured and the straight motion from there, and collisions for every
 /// configuration between the points (they are followed in straight lines), with the clearance along
-/// time. A trajectory that fails check_trajectory() is not looked at further.
-/// @param options limits (not of size 0), measured start and the resolution of blends count.
+/// time. A trajectory that fails check_trajectory() is not looked at further. The clearance of one
+/// that is cleared is compared with options.safety: a joint's following error is in proportion to
+/// its velocity, and decays after it.
+/// @param options limits (not of size 0), measured start, the resolution of blends and safety
+/// count.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PreflightReport preflight(const PlanningProblem& problem,
                                                                 const Trajectory& trajectory,
                                                                 const TimingOptions& options);
@@ -73,10 +90,13 @@ struct PreflightReport {
 /// For a person, a line each.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_text(const PreflightReport& report);
 
-/// A JSON object: `cleared`, `faults` (`joint`, `time_s`, `value`, `text`), `warnings`, `points`,
-/// `duration_s`, `velocity` and `acceleration` (`joint`, `time_s`, `share`),
-/// `min_clearance_mm`, `min_clearance_time_s`, `closest_pair`, `assumed_limits` (`joint`, `limit`:
-/// rate_name(), `value`). What is no finite number is null.
+/// A JSON object: `cleared`, `verdict` ("cleared", "tight" or "not cleared"), `faults` (`joint`,
+/// `time_s`, `value`, `text`), `warnings`, `points`, `duration_s`, `velocity` and `acceleration`
+/// (`joint`, `time_s`, `share`), `min_clearance_mm`, `min_clearance_time_s`, `closest_pair`,
+/// `assumed_limits`
+/// (`joint`, `limit`: rate_name(), `value`), `shortfall` (null, or `a`, `b`, `time_s`,
+/// `clearance_mm`, `needed_mm`, `following_mm`, `margin_mm`, `following_error`, `advice`),
+/// `assumed_following_error`. What is no finite number is null.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_json(const PreflightReport& report);
 
 /// A path made into a motion, and all that is known about it.

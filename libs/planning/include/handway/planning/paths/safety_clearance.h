@@ -1,0 +1,85 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// How far a robot may be from where a motion wants it, and how much clearance has to remain then.
+struct SafetyMargin {
+  /// Following error of each variable at its velocity limit, rad or m; shape [variable_count], ≥ 0.
+  /// Of size 0: assumed_following_error().
+  Eigen::VectorXd following_error;
+  double margin = 0.0;  ///< m, ≥ 0.
+};
+
+/// What is assumed of a robot that nothing was measured of: 0.01 rad (0.57°) or 1 mm.
+/// @returns shape [variable_count].
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Eigen::VectorXd assumed_following_error(
+    const geometric::RobotModel& model);
+
+/// Error that remains at rest, for example from the resolution of encoders, rad or m.
+inline constexpr double kErrorAtRest = 5e-4;
+
+/// A place where two bodies are nearer to each other than is safe.
+struct ClearanceShortfall {
+  std::string a;
+  std::string b;
+  double place = 0.0;  ///< Of the configuration, as it was looked at: s, or the waypoint.
+  double clearance_mm = 0.0;
+  double following_mm = 0.0;     ///< How far the joints' errors may move the bodies together.
+  double margin_mm = 0.0;        ///< What was asked for beyond that.
+  double following_error = 0.0;  ///< rad or m, the largest of a joint there.
+
+  [[nodiscard]] double needed_mm() const { return following_mm + margin_mm; }
+  /// The margin to plan with, whole mm.
+  [[nodiscard]] double suggested_margin_mm() const;
+};
+
+/// Compares clearance with what following errors and a margin need, configuration by configuration.
+/// Errors are mapped to millimetres by a bound of the motion of both bodies against each other: the
+/// smaller of MotionBound and that of the bodies' bounding balls around the joints' axes as they
+/// are, to first order of the errors.
+class HANDWAY_PLANNING_EXPORT SafetyClearance {
+ public:
+  /// @param margin m.
+  SafetyClearance(const PlanningProblem& problem, double margin);
+
+  /// Looks at `q` while each joint may be `error` away from it.
+  /// @param error rad or m, ≥ 0; shape [variable_count]. @param place see ClearanceShortfall.
+  void look(const Configuration& q, const Eigen::VectorXd& error, double place);
+
+  /// Where the least share is there of what is needed; nothing if all is there everywhere.
+  [[nodiscard]] const std::optional<ClearanceShortfall>& worst() const { return worst_; }
+
+ private:
+  /// How far the pair's bodies may move together, m. @pre the checker is placed.
+  [[nodiscard]] double approach(int pair, const Eigen::VectorXd& error) const;
+  [[nodiscard]] double displacement(int body, int frame, const Eigen::VectorXd& error) const;
+
+  std::unique_ptr<geometric::CollisionChecker> checker_;
+  std::shared_ptr<const geometric::MotionBound> motion_;
+  double margin_;
+  std::vector<int> near_;
+  std::optional<ClearanceShortfall> worst_;
+  double share_ = 1.0;  ///< Of what is needed, at the worst place.
+};
+
+/// Looks along a path that is not timed, at rest everywhere. Places are waypoints, from 1.
+/// @param margin m.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<ClearanceShortfall> path_shortfall(
+    const PlanningProblem& problem, const Path& path, double margin);
+
+/// "a with b: 0.080 mm clearance where 3.2 mm are needed (2.2 mm for joints that are up to 0.57°
+/// off, 1.0 mm margin)".
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_string(const ClearanceShortfall& shortfall);
+
+}  // namespace handway::planning

@@ -1,0 +1,129 @@
+#include "handway/planning/paths/safety_clearance.h"
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/planning/timing/time_path.h"
+#include "handway_test/planar_problems.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace handway::planning {
+namespace {
+
+using test::planar_configuration;
+using testing::HasSubstr;
+using testing::Not;
+
+/// The stretched arm sweeps past a post, that it misses by `clearance` (m) in the middle.
+PlanningProblem sweep_past_post(double clearance) {
+  const auto with_post_at = [](double x) {
+    geometric::Scene scene = test::scene_of(test::planar_hand_arm());
+    test::add_object(scene, "post", geometric::Cylinder{0.01, 0.3}, Eigen::Vector3d(x, 0.0, 0.0));
+    return test::planar_problem(std::move(scene), planar_configuration(-0.6, 0.0),
+                                planar_configuration(0.6, 0.0));
+  };
+  constexpr double kFar = 2.0;
+  const PlanningProblem far = with_post_at(kFar);
+  const auto checker = far.checker->clone();
+  double gap = kFar;
+  checker->place(planar_configuration(0.0, 0.0));
+  for (std::size_t pair = 0; pair < checker->world().pairs().size(); ++pair) {
+    const auto named = geometric::named_pair(checker->world(), static_cast<int>(pair), 0.0);
+    if (named.a == "post" || named.b == "post") {
+      gap = std::min(gap, checker->pair_distance(static_cast<int>(pair), kFar));
+    }
+  }
+  return with_post_at(kFar - gap + clearance);
+}
+
+PreflightReport preflight_at(double clearance, double speed = 1.0,
+                             const SafetyMargin& safety = {}) {
+  const PlanningProblem problem = sweep_past_post(clearance);
+  TimingOptions options;
+  options.speed = speed;
+  options.safety = safety;
+  return time_path(problem, {{problem.start, problem.goal}}, "sweep", options).preflight;
+}
+
+TEST(SafetyClearance, IsTooLittleWhereARobotThatIsOffByItsFollowingErrorTouches) {
+  const PreflightReport report = preflight_at(0.08e-3, 0.1);
+  ASSERT_TRUE(report.cleared());
+  ASSERT_TRUE(report.is_tight());
+  const ClearanceShortfall& place = *report.shortfall;
+  EXPECT_TRUE(place.a == "post" || place.b == "post");
+  EXPECT_NEAR(place.clearance_mm, 0.08, 0.03);
+  EXPECT_NEAR(place.place, 0.5 * report.duration, 0.1 * report.duration);
+  EXPECT_GT(place.needed_mm(), 0.5);
+  EXPECT_TRUE(report.is_under_way());
+  const std::string text = to_text(report);
+  EXPECT_THAT(text, HasSubstr("cleared, but too close"));
+  EXPECT_THAT(text, HasSubstr("post"));
+  EXPECT_THAT(text, HasSubstr("margin"));
+  const auto json = nlohmann::json::parse(to_json(report));
+  EXPECT_EQ(json["verdict"], "tight");
+  EXPECT_EQ(json["cleared"], true);
+  EXPECT_GT(json["shortfall"]["needed_mm"], json["shortfall"]["clearance_mm"]);
+}
+
+TEST(SafetyClearance, IsEnoughFarFromEverything) {
+  const PreflightReport report = preflight_at(0.06);
+  EXPECT_TRUE(report.cleared());
+  EXPECT_FALSE(report.is_tight()) << to_text(report);
+  EXPECT_THAT(to_text(report), Not(HasSubstr("too close")));
+  EXPECT_EQ(nlohmann::json::parse(to_json(report))["verdict"], "cleared");
+}
+
+TEST(SafetyClearance, CountsWhatAFastRobotMissesByMore) {
+  EXPECT_TRUE(preflight_at(0.005, 1.0).is_tight());
+  EXPECT_FALSE(preflight_at(0.005, 0.1).is_tight());
+}
+
+TEST(SafetyClearance, CountsWhatWasMeasured) {
+  SafetyMargin exact;
+  exact.following_error = Eigen::VectorXd::Zero(planar_configuration(0, 0).size());
+  EXPECT_FALSE(preflight_at(0.005, 1.0, exact).is_tight());
+  SafetyMargin loose = exact;
+  loose.following_error.setConstant(0.1);
+  EXPECT_TRUE(preflight_at(0.03, 1.0, loose).is_tight());
+}
+
+TEST(SafetyClearance, KeepsTheMarginThatIsChosen) {
+  SafetyMargin safety;
+  safety.margin = 0.01;
+  const PreflightReport report = preflight_at(0.005, 0.1, safety);
+  ASSERT_TRUE(report.is_tight());
+  EXPECT_NEAR(report.shortfall->margin_mm, 10.0, 1e-9);
+  EXPECT_GE(report.shortfall->suggested_margin_mm(), 10.0);
+}
+
+TEST(SafetyClearance, SaysThatAnEndIsTooNearWherePlanningCanNotHelp) {
+  PlanningProblem problem = sweep_past_post(0.2e-3);
+  const Path path = {{problem.start, planar_configuration(0.0, 0.0)}};
+  TimingOptions options;
+  options.speed = 0.05;
+  const PreflightReport report = time_path(problem, path, "up_to", options).preflight;
+  ASSERT_TRUE(report.is_tight());
+  EXPECT_FALSE(report.is_under_way());
+  EXPECT_THAT(report.advice(), HasSubstr("goal itself"));
+}
+
+TEST(SafetyClearance, IsLookedAtOnPathsWithoutTimes) {
+  const PlanningProblem near = sweep_past_post(0.08e-3);
+  const auto shortfall = path_shortfall(near, {{near.start, near.goal}}, 0.0);
+  ASSERT_TRUE(shortfall);
+  EXPECT_THAT(to_string(*shortfall), HasSubstr("post"));
+  const PlanningProblem far = sweep_past_post(0.005);
+  EXPECT_FALSE(path_shortfall(far, {{far.start, far.goal}}, 0.0));
+  EXPECT_TRUE(path_shortfall(far, {{far.start, far.goal}}, 0.01));
+}
+
+TEST(SafetyClearance, HasNothingToSayWhereThereIsNothing) {
+  const PlanningProblem problem =
+      test::planar_problem(test::scene_of(test::planar_hand_arm()), planar_configuration(0, 0),
+                           planar_configuration(0.1, 0));
+  EXPECT_FALSE(path_shortfall(problem, {}, 0.01));
+}
+
+}  // namespace
+}  // namespace handway::planning
