@@ -107,19 +107,6 @@ TEST_F(MotionRun, TakesBothToTheEnd) {
   EXPECT_FALSE(watcher.samples.empty());
 }
 
-TEST_F(MotionRun, StopsTheArmWhenTheHandLies) {
-  hand_settings_.fault = {device::FaultKind::kIdle, 0.3};
-  upload();
-  Watcher watcher;
-  const MotionOutcome outcome = run(watcher);
-  EXPECT_FALSE(outcome.done);
-  EXPECT_NE(outcome.fault.find("hand: found joint"), std::string::npos) << outcome.fault;
-  EXPECT_FALSE(arm_->moving());
-  EXPECT_GE(arm_->stops(), 1);
-  EXPECT_GT((arm_->position() - Eigen::VectorXd::Constant(6, 0.3)).norm(), 0.05)
-      << "stopped under way";
-}
-
 TEST_F(MotionRun, HoldsBothAtOneTimeAndGoesOn) {
   upload();
   Watcher watcher;

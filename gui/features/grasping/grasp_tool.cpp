@@ -14,15 +14,19 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QStyle>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVariant>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace handway::gui {
@@ -32,6 +36,7 @@ constexpr int kWidth = 340;
 constexpr int kMargin = 12;
 constexpr int kColumnWidth = 58;
 constexpr int kFewestRows = 3;
+constexpr int kProgressSteps = 1000;
 
 QStringList row_texts(int rank, const planning::Pregrasp& grasp) {
   return {QString::number(rank), QString::number(grasp.fingers),
@@ -57,6 +62,8 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
       fold_(make_fold(QStringLiteral("grasp_fold"), *details_)),
       note_(named("grasp_note", note())),
       list_(named("grasp_list", new QTreeWidget)),
+      search_(new QWidget),
+      progress_(named("grasp_progress", new QProgressBar)),
       plan_(named("grasp_plan", new QPushButton(tr("Plan to this grasp")))) {
   note_->setWordWrap(true);
   list_->setAccessibleName(tr("Grasps"));
@@ -76,6 +83,13 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
   for (int column = 0; column < words.size(); ++column) {
     list_->headerItem()->setToolTip(column, words[column]);
   }
+  progress_->setRange(0, kProgressSteps);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(6);
+  auto* stop = named("grasp_stop", new QPushButton(tr("Stop")));
+  stop->setToolTip(tr("End the search and keep what was found"));
+  connect(stop, &QPushButton::clicked, this, &GraspCard::stop_requested);
+  lay_out(*search_, in_row({{progress_, 1}, stop}, 8));
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Take it for the goal and plan"));
   QToolButton* close = make_close("grasp_close", tr("Leave the goal as it is"));
@@ -90,12 +104,15 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
       emit looked_at(row);
     }
   });
+  for (const auto by_person : {&QTreeWidget::itemClicked, &QTreeWidget::itemActivated}) {
+    connect(list_, by_person, this, [this] { is_chosen_ = true; });
+  }
   connect(list_, &QTreeWidget::itemDoubleClicked, plan_, &QPushButton::click);
   connect(plan_, &QPushButton::clicked, this, [this] {
     hide();
     emit chosen(list_->indexOfTopLevelItem(list_->currentItem()));
   });
-  lay_out(*details_, in_column({note_, {list_, 1}}, 6));
+  lay_out(*details_, in_column({note_, search_, {list_, 1}}, 6));
   lay_out(*this,
           in_column({in_row({{title_, 1}, {fold_, 0, Qt::AlignTop}, {close, 0, Qt::AlignTop}}),
                      {details_, 1},
@@ -105,30 +122,72 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
 }
 
 void GraspCard::show_search(const QString& object) {
-  set_up(tr("Grasp %1").arg(object), tr("Searching for grasps…"), false);
+  title_->setText(tr("Grasp %1").arg(object));
+  listed_.clear();
+  list_->clear();
+  is_chosen_ = false;
+  progress_->setValue(0);
+  set_up(tr("Searching for grasps…"), false, true);
 }
 
-void GraspCard::show_grasps(const QString& object, const std::vector<planning::Pregrasp>& grasps) {
-  list_->clear();
-  for (std::size_t i = 0; i < grasps.size(); ++i) {
-    auto* row = new QTreeWidgetItem(list_, row_texts(static_cast<int>(i) + 1, grasps[i]));
-    for (int column = 0; column < list_->columnCount(); ++column) {
-      row->setToolTip(column, row_tip(grasps[i]));
-      row->setTextAlignment(column, column == 0 ? Qt::AlignRight : Qt::AlignHCenter);
+void GraspCard::show_progress(const std::vector<planning::Pregrasp>& grasps, double fraction) {
+  progress_->setValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
+  list(grasps);
+  const int percent = static_cast<int>(std::lround(100.0 * fraction));
+  set_up(grasps.empty() ? tr("Searching for grasps… %1 %").arg(percent)
+                        : tr("The best so far, %1 % searched. Plan to one, or go on.").arg(percent),
+         !grasps.empty(), true);
+}
+
+void GraspCard::show_grasps(const std::vector<planning::Pregrasp>& grasps, bool stopped) {
+  list(grasps);
+  set_up(stopped ? tr("The best of those found until the search was stopped.")
+                 : tr("The best first; the ghost shows the one chosen."),
+         true, false);
+}
+
+void GraspCard::list(const std::vector<planning::Pregrasp>& grasps) {
+  const auto same = [](const planning::Pregrasp& a, const planning::Pregrasp& b) {
+    return a.q == b.q;
+  };
+  if (std::ranges::equal(grasps, listed_, same)) {
+    return;
+  }
+  const int before = list_->indexOfTopLevelItem(list_->currentItem());
+  int row = 0;
+  if (is_chosen_ && before >= 0) {
+    const auto& chosen = listed_[static_cast<std::size_t>(before)];
+    const auto now =
+        std::ranges::find_if(grasps, [&](const auto& grasp) { return same(grasp, chosen); });
+    row = now == grasps.end() ? 0 : static_cast<int>(now - grasps.begin());
+  }
+  const bool is_first = listed_.empty();
+  listed_ = grasps;
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (std::size_t i = 0; i < grasps.size(); ++i) {
+      auto* item = new QTreeWidgetItem(list_, row_texts(static_cast<int>(i) + 1, grasps[i]));
+      for (int column = 0; column < list_->columnCount(); ++column) {
+        item->setToolTip(column, row_tip(grasps[i]));
+        item->setTextAlignment(column, column == 0 ? Qt::AlignRight : Qt::AlignHCenter);
+      }
     }
   }
-  set_up(tr("Grasp %1").arg(object), tr("The best first; the ghost shows the one chosen."), true);
-  list_->setCurrentItem(list_->topLevelItem(0));
-  fold_->setChecked(false);
+  list_->setCurrentItem(list_->topLevelItem(row));
+  if (is_first) {
+    fold_->setChecked(false);
+  }
 }
 
 void GraspCard::show_failure(const QString& object, const QString& reason) {
-  set_up(tr("Grasp %1").arg(object), reason, false);
+  title_->setText(tr("Grasp %1").arg(object));
+  set_up(reason, false, false);
 }
 
-void GraspCard::set_up(const QString& title, const QString& note, bool with_list) {
-  title_->setText(title);
+void GraspCard::set_up(const QString& note, bool with_list, bool searching) {
   note_->setText(note);
+  search_->setVisible(searching);
   list_->setVisible(with_list);
   plan_->setVisible(with_list);
   fold_->setVisible(with_list);
@@ -187,6 +246,11 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
   });
   connect(card_, &GraspCard::chosen, this, &GraspTool::choose);
   connect(card_, &GraspCard::closed, this, &GraspTool::end);
+  connect(card_, &GraspCard::stop_requested, this, [this] {
+    if (ends_search_) {
+      ends_search_->request_stop();
+    }
+  });
   connect(&job_, &LatestJob::failed, this, [this](const QString& reason) {
     card_->show_failure(QString::fromStdString(object_), reason);
   });
@@ -201,27 +265,51 @@ void GraspTool::begin() {
   object_ = object->name;
   grasps_ = {};
   card_->show_search(QString::fromStdString(object->name));
-  job_.run([this, name = object->name,
-            problem = document_.problem()](const std::stop_token& stop) -> LatestJob::Answer {
-    const QString title = QString::fromStdString(name);
+  ends_search_ = std::make_shared<std::stop_source>();
+  // Without a start the motion begins where the robot is shown.
+  const auto from =
+      document_.scene()->start ? std::nullopt : std::optional(document_.configuration());
+  job_.run([this, name = object->name, problem = document_.problem(), search = ++search_, from,
+            ends = ends_search_](const std::stop_token& stop) -> LatestJob::Answer {
     const PreparedProblem::Problem prepared = problem->wait(stop);
     if (!prepared) {
       return nullptr;
     }
-    return [this, title, revision = problem->revision(),
-            found = planning::find_pregrasps(*prepared, name, {}, stop)] {
+    planning::PlanningProblem asked = *prepared;
+    asked.start = from.value_or(asked.start);
+    const std::stop_callback on_cancel(stop, [&ends] { ends->request_stop(); });
+    const auto progress = [this, search](const std::vector<planning::Pregrasp>& found,
+                                         double fraction) {
+      QMetaObject::invokeMethod(
+          this, [this, search, found, fraction] { take_progress(search, found, fraction); },
+          Qt::QueuedConnection);
+    };
+    return [this, title = QString::fromStdString(name), revision = problem->revision(), ends,
+            found = planning::find_pregrasps(asked, name, {}, ends->get_token(), progress)] {
+      ++search_;  // no progress after the end
       grasps_ = {found.found, revision};
       if (grasps_.value.empty()) {
-        card_->show_failure(title, QString::fromStdString(found.why_none));
+        card_->show_failure(title, ends->stop_requested()
+                                       ? tr("The search was stopped before a grasp was found.")
+                                       : QString::fromStdString(found.why_none));
       } else {
-        card_->show_grasps(title, grasps_.value);
+        card_->show_grasps(grasps_.value, ends->stop_requested());
       }
     };
   });
 }
 
+void GraspTool::take_progress(int search, std::vector<planning::Pregrasp> found, double fraction) {
+  if (search != search_ || !job_.is_busy()) {
+    return;
+  }
+  grasps_ = {std::move(found), document_.revision()};
+  card_->show_progress(grasps_.value, fraction);
+}
+
 void GraspTool::end() {
   job_.cancel();
+  ++search_;
   card_->hide();
   emit handles_welcome(true);
   if (!std::exchange(grasps_, {}).value.empty() && document_.robot()) {
@@ -266,10 +354,7 @@ void GraspTool::choose(int index) {
     return;
   }
   const geometric::Configuration q = grasps_.value[static_cast<std::size_t>(index)].q;
-  editor_.set_goal(q);
-  if (!document_.scene()->start) {
-    editor_.set_start(document_.configuration());
-  }
+  editor_.set_goal(q, document_.configuration());
   emit planning();
   session_.start();
 }

@@ -9,10 +9,13 @@
 #include <QPoint>
 
 #include <functional>
+#include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 class QLabel;
+class QProgressBar;
 class QPushButton;
 class QToolButton;
 class QTreeWidget;
@@ -35,7 +38,10 @@ class GraspCard : public FloatingCard {
   GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen);
 
   void show_search(const QString& object);
-  void show_grasps(const QString& object, const std::vector<planning::Pregrasp>& grasps);
+  /// While the search goes on. @param fraction of it that is done, in [0, 1].
+  void show_progress(const std::vector<planning::Pregrasp>& grasps, double fraction);
+  /// The search has ended. @param stopped before its end.
+  void show_grasps(const std::vector<planning::Pregrasp>& grasps, bool stopped);
   void show_failure(const QString& object, const QString& reason);
 
  signals:
@@ -44,9 +50,13 @@ class GraspCard : public FloatingCard {
   /// Plan to this one.
   void chosen(int index);
   void closed();
+  /// Search no longer, and keep what was found.
+  void stop_requested();
 
  private:
-  void set_up(const QString& title, const QString& note, bool with_list);
+  void set_up(const QString& note, bool with_list, bool searching);
+  /// Lists them, the row that is looked at staying the same grasp.
+  void list(const std::vector<planning::Pregrasp>& grasps);
   void place() override;
 
   std::function<std::vector<QPoint>()> to_be_seen_;
@@ -55,7 +65,11 @@ class GraspCard : public FloatingCard {
   QToolButton* fold_;
   QLabel* note_;
   QTreeWidget* list_;
+  QWidget* search_;  ///< How far it is, and what ends it.
+  QProgressBar* progress_;
   QPushButton* plan_;
+  std::vector<planning::Pregrasp> listed_;
+  bool is_chosen_ = false;  ///< A person has chosen the row.
 };
 
 /// From an object to a plan: finds pre-grasps in the background, shows them as ghosts of the goal,
@@ -83,6 +97,8 @@ class GraspTool : public QObject {
  private:
   void end();
   void choose(int index);
+  /// What a search has found so far. @param search the number of it.
+  void take_progress(int search, std::vector<planning::Pregrasp> found, double fraction);
   /// In the view: the object, and the hand in each of the grasps.
   [[nodiscard]] std::vector<QPoint> to_be_seen() const;
 
@@ -93,6 +109,8 @@ class GraspTool : public QObject {
   GraspCard* card_;
   std::string object_;  ///< The one that grasps were looked for.
   planning::Derived<std::vector<planning::Pregrasp>> grasps_;
+  int search_ = 0;  ///< The number of the last search.
+  std::shared_ptr<std::stop_source> ends_search_;
   LatestJob job_;
 };
 

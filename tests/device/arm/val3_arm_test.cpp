@@ -227,40 +227,5 @@ TEST(ArmEmulator, StopsWhenItsHostIsGone) {
   EXPECT_LT(cell.emulator.position()[5], 0.5);
 }
 
-class LyingArm : public testing::TestWithParam<FaultCase> {};
-
-TEST_P(LyingArm, IsNoArmThatIsDone) {
-  Val3ControllerSettings settings = tx90_at_zero();
-  settings.fault = {GetParam().kind, 0.3};
-  Cell cell(settings);
-  MotionTolerances tolerances;
-  tolerances.following = 1.0;  // each lie is noticed for what it is
-  cell.arm->start(tolerances);
-  test::run_to_end(*cell.arm);
-  EXPECT_EQ(cell.arm->phase(), MotionPhase::kFailed);
-  EXPECT_THAT(cell.arm->fault(), HasSubstr(GetParam().message));
-  EXPECT_LT(test::wait_until([&] { return !cell.emulator.moving(); }), 0.5);
-}
-
-INSTANTIATE_TEST_SUITE_P(Lies, LyingArm,
-                         testing::Values(FaultCase{FaultKind::kPhases, "Phases", "under way"},
-                                         FaultCase{FaultKind::kIdle, "Idle", "standing still"},
-                                         FaultCase{FaultKind::kDance, "Dance", "running back"}),
-                         [](const auto& test) { return test.param.name; });
-
-TEST(ArmEmulator, RefusesASecondHostAndNamesTheFirst) {
-  Cell cell;
-  const auto second = arm_at(cell.emulator.address());
-  try {
-    second->connect();
-    ADD_FAILURE() << "it was let in";
-  } catch (const DeviceError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("127.0.0.1:"), HasSubstr("one host at a time")));
-  }
-  cell.arm->start();
-  test::run_to_end(*cell.arm);
-  EXPECT_EQ(cell.arm->phase(), MotionPhase::kDone) << cell.arm->fault();
-}
-
 }  // namespace
 }  // namespace handway::device

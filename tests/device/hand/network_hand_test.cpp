@@ -115,7 +115,6 @@ TEST(NetworkHand, CanCloseAgainAfterAFault) {
   ASSERT_EQ(cell.hand->phase(), MotionPhase::kFailed);
   EXPECT_LT(test::wait_until([&] { return !cell.emulator.moving(); }), 0.5);
   const auto again = hand_at(cell.emulator.address());
-  cell.hand.reset();  // it serves one host at a time
   again->connect();
   const Eigen::VectorXd from = cell.emulator.position();
   again->upload(test::swing(from, -0.1 * Eigen::VectorXd::Unit(13, 2), 0.5));
@@ -155,45 +154,6 @@ INSTANTIATE_TEST_SUITE_P(Faults, FaultyHand,
                                                    "at its limit"},
                                          FaultCase{FaultKind::kSlow, "Slow", "does not follow"}),
                          [](const auto& test) { return test.param.name; });
-
-class LyingHand : public testing::TestWithParam<FaultCase> {};
-
-TEST_P(LyingHand, IsNoHandThatIsDone) {
-  HandControllerSettings settings = open_sah();
-  settings.fault = {GetParam().kind, 0.3};
-  Cell cell(settings);
-  MotionTolerances tolerances;
-  tolerances.following = 1.0;  // each lie is noticed for what it is
-  cell.hand->start(tolerances);
-  test::run_to_end(*cell.hand);
-  EXPECT_EQ(cell.hand->phase(), MotionPhase::kFailed);
-  EXPECT_THAT(cell.hand->fault(), HasSubstr(GetParam().message));
-  EXPECT_LT(test::wait_until([&] { return !cell.emulator.moving(); }), 0.5);
-}
-
-INSTANTIATE_TEST_SUITE_P(Lies, LyingHand,
-                         testing::Values(FaultCase{FaultKind::kTimeBack, "TimeBack", "ran back"},
-                                         FaultCase{FaultKind::kTimeJump, "TimeJump",
-                                                   "jumped ahead by 1e+09 s"},
-                                         FaultCase{FaultKind::kPhases, "Phases", "phase \"ready\""},
-                                         FaultCase{FaultKind::kIdle, "Idle", "standing still"},
-                                         FaultCase{FaultKind::kDance, "Dance", "running back"}),
-                         [](const auto& test) { return test.param.name; });
-
-TEST(HandEmulator, RefusesASecondHostAndNamesTheFirst) {
-  Cell cell;
-  const auto second = hand_at(cell.emulator.address());
-  try {
-    second->connect();
-    ADD_FAILURE() << "it was let in";
-  } catch (const DeviceError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("127.0.0.1:"));
-    EXPECT_THAT(error.what(), HasSubstr("one host at a time"));
-  }
-  cell.hand->start();
-  test::run_to_end(*cell.hand);
-  EXPECT_EQ(cell.hand->phase(), MotionPhase::kDone) << cell.hand->fault();
-}
 
 TEST(HandEmulator, StopsWhenItsHostIsGone) {
   Cell cell;

@@ -8,11 +8,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -186,65 +182,6 @@ INSTANTIATE_TEST_SUITE_P(Faults, FaultyRosRobot,
                                          FaultCase{FaultKind::kJointLimit, "JointLimit", "error 2"},
                                          FaultCase{FaultKind::kSlow, "Slow", "does not follow"}),
                          [](const auto& test) { return test.param.name; });
-
-class LyingRosRobot : public testing::TestWithParam<FaultCase> {};
-
-TEST_P(LyingRosRobot, IsNoRobotThatIsDone) {
-  RosControllerSettings settings = tx90_robot_at_zero();
-  settings.fault = {GetParam().kind, 0.3};
-  Cell cell(settings);
-  MotionTolerances tolerances;
-  tolerances.following = 1.0;  // each lie is noticed for what it is
-  cell.robot->start(tolerances);
-  test::run_to_end(*cell.robot);
-  EXPECT_EQ(cell.robot->phase(), MotionPhase::kFailed);
-  EXPECT_THAT(cell.robot->fault(), HasSubstr(GetParam().message));
-  EXPECT_LT(test::wait_until([&] { return !cell.emulator.moving(); }), 1.0);
-}
-
-INSTANTIATE_TEST_SUITE_P(Lies, LyingRosRobot,
-                         testing::Values(FaultCase{FaultKind::kTimeBack, "TimeBack", "ran back"},
-                                         FaultCase{FaultKind::kTimeJump, "TimeJump",
-                                                   "jumped ahead by 1e+09 s"},
-                                         FaultCase{FaultKind::kPhases, "Phases", "under way"},
-                                         FaultCase{FaultKind::kIdle, "Idle", "standing still"},
-                                         FaultCase{FaultKind::kDance, "Dance", "running back"}),
-                         [](const auto& test) { return test.param.name; });
-
-/// The first line that a server answers to a request for a WebSocket.
-std::string answer_to(std::uint16_t port, const std::string& origin) {
-  const int connection = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(port);
-  EXPECT_EQ(::connect(connection, reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
-  const std::string request =
-      "GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n" +
-      (origin.empty() ? "" : "Origin: " + origin + "\r\n") + "\r\n";
-  EXPECT_EQ(::send(connection, request.data(), request.size(), 0),
-            static_cast<ssize_t>(request.size()));
-  std::string answer(256, '\0');
-  const ssize_t count = ::recv(connection, answer.data(), answer.size(), 0);
-  ::close(connection);
-  answer.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-  return answer.substr(0, answer.find("\r\n"));
-}
-
-TEST(RosEmulator, LetsNoPageOfAnotherHostIn) {
-  const RosEmulator emulator(tx90_robot_at_zero(), 0);
-  const std::string& name = emulator.address();
-  const auto port = static_cast<std::uint16_t>(std::stoi(name.substr(name.rfind(':') + 1)));
-  for (const char* origin : {"http://example.org", "null", "http://localhost.example.org",
-                             "http://127.0.0.1.example.org:80"}) {
-    EXPECT_THAT(answer_to(port, origin), HasSubstr("403")) << origin;
-  }
-  for (const char* origin : {"", "http://localhost", "http://localhost:8080", "https://127.0.0.1",
-                             "http://[::1]:3000"}) {
-    EXPECT_THAT(answer_to(port, origin), HasSubstr("101")) << origin;
-  }
-}
 
 }  // namespace
 }  // namespace handway::device
