@@ -162,7 +162,8 @@ void bind_motion(py::module_& module) {
             }
             return to_string(*t.preflight.shortfall) + ". " + t.preflight.advice();
           },
-          "Where it keeps less clearance than a robot needs that is off by its following error, and "
+          "Where it keeps less clearance than a robot needs that is off by its following error, "
+          "and "
           "what to do; None if it keeps enough everywhere.")
       .def_property_readonly(
           "assumed_limits",

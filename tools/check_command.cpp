@@ -48,7 +48,7 @@ void print_shortfall(const planning::PlanningProblem& problem, const planning::P
   if (const auto shortfall =
           planning::path_shortfall(problem, path, geometric::metres(margin_mm))) {
     print_out("warning: after waypoint {:.0f} {}; plan again with --margin {:g}\n",
-               shortfall->place, planning::to_string(*shortfall), shortfall->suggested_margin_mm());
+              shortfall->place, planning::to_string(*shortfall), shortfall->suggested_margin_mm());
   }
 }
 
@@ -72,9 +72,9 @@ int check(const CheckOptions& options) {
     print_out("warning: {}\n", warning);
   }
   print_out("{}: {} waypoints, {} configurations checked at {:g} mm or closer, {} in collision{}",
-             result.valid() ? "valid" : "NOT VALID", path.waypoints.size(), result.configurations,
-             options.resolution_mm, result.collisions,
-             loaded.scene->constraints.empty() ? "" : " or violating a constraint");
+            result.valid() ? "valid" : "NOT VALID", path.waypoints.size(), result.configurations,
+            options.resolution_mm, result.collisions,
+            loaded.scene->constraints.empty() ? "" : " or violating a constraint");
   if (result.collisions == 0 && !result.closest_pair.empty()) {
     print_out(", smallest clearance {:.3f} mm ({})", result.min_clearance_mm, result.closest_pair);
   }

@@ -299,16 +299,14 @@ QWidget* DevicesPanel::make_motion() {
   start_here_->hide();
   with_margin_->setToolTip(tr("Plans a path that keeps this clearance from everything"));
   with_margin_->hide();
-  connect(with_margin_, &QPushButton::clicked, this,
-          [this] { emit margin_requested(margin_mm_); });
+  connect(with_margin_, &QPushButton::clicked, this, [this] { emit margin_requested(margin_mm_); });
   connect(speed_, &SliderRow::value_edited, this, &DevicesPanel::speed_changed);
   connect(start_here_, &QPushButton::clicked, this, &DevicesPanel::start_here_requested);
   connect(armed_, &QCheckBox::toggled, this, &DevicesPanel::update_buttons);
   connect(run_, &QPushButton::clicked, this, &DevicesPanel::run_requested);
   connect(hold_, &QPushButton::clicked, this, [this] { emit hold_requested(!held_); });
   return boxed(in_column({heading(tr("Motion")), speed_, armed_, in_row({{run_, 2}, {hold_, 1}}, 8),
-                          progress_, progress_text_, problem_, motion_, start_here_,
-                          with_margin_},
+                          progress_, progress_text_, problem_, motion_, start_here_, with_margin_},
                          8));
 }
 

@@ -251,11 +251,10 @@ planning::Revision after_edit(planning::Revision revision, const geometric::Scen
 
 Document::Document(std::shared_ptr<const planning::PluginManager> plugins, QObject* parent)
     : QObject(parent), loader_(std::move(plugins)) {
-  connect(&loader_, &SceneLoader::loaded, this,
-          [this](const planning::LoadedScene& scene) {
-            stamp_ = requested_stamp_;
-            set_scene(scene, requested_);
-          });
+  connect(&loader_, &SceneLoader::loaded, this, [this](const planning::LoadedScene& scene) {
+    stamp_ = requested_stamp_;
+    set_scene(scene, requested_);
+  });
   connect(&loader_, &SceneLoader::failed, this, &Document::open_failed);
 }
 

@@ -54,8 +54,7 @@ double depth_below_base(const geometric::RobotModel& model) {
   for (const geometric::LinkGeometry& part : model.link(0).collision) {
     const auto mesh = geometric::tessellate(part.shape);
     if (mesh && !mesh->vertices.empty()) {
-      const geometric::Aabb box =
-          geometric::bounding_box(geometric::transformed(*mesh, part.X_LG));
+      const geometric::Aabb box = geometric::bounding_box(geometric::transformed(*mesh, part.X_LG));
       lowest = std::min(lowest, box.lower.z());
     }
   }
@@ -138,10 +137,9 @@ void mount_hand(Scene& scene, const std::string& hand, const planning::PluginMan
                                  "an arm without a hand", ""});
   }
   scene.robots.push_back(library_robot(hand, plugins));
-  const auto seat =
-      geometric::find_seat(*scene.robots.front().model, *scene.robots.back().model);
-  geometric::mount_robot(scene, scene.robots.back().name, end->robot,
-                         seat ? seat->link : end->link, seat ? seat->X_LB : Pose::Identity());
+  const auto seat = geometric::find_seat(*scene.robots.front().model, *scene.robots.back().model);
+  geometric::mount_robot(scene, scene.robots.back().name, end->robot, seat ? seat->link : end->link,
+                         seat ? seat->X_LB : Pose::Identity());
 }
 
 }  // namespace
@@ -170,8 +168,8 @@ planning::LoadedScene new_scene(const std::string& robot, const std::string& han
                                 const planning::PluginManager& plugins) {
   Scene scene;
   scene.robots = {library_robot(robot, plugins)};
-  const bool is_arm = end_of_arm(scene).has_value() ||
-                      scene.robots.front().model->find_group("arm").has_value();
+  const bool is_arm =
+      end_of_arm(scene).has_value() || scene.robots.front().model->find_group("arm").has_value();
   if (!hand.empty()) {
     mount_hand(scene, hand, plugins);
   }

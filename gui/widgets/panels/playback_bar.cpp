@@ -33,10 +33,9 @@ QString time_text(const PathPlayer& player) {
   if (player.times() == PathPlayer::Times::kPending) {
     return QObject::tr("timing…");
   }
-  const QString duration =
-      (player.times() == PathPlayer::Times::kKnown ? QStringLiteral("%1 s")
-                                                   : QObject::tr("about %1 s"))
-          .arg(player.duration(), 0, 'f', 2);
+  const QString duration = (player.times() == PathPlayer::Times::kKnown ? QStringLiteral("%1 s")
+                                                                        : QObject::tr("about %1 s"))
+                               .arg(player.duration(), 0, 'f', 2);
   return player.is_at_robot()
              ? QStringLiteral("%1 / %2").arg(player.time(), 0, 'f', 2).arg(duration)
              : QObject::tr("off path / %1").arg(duration);

@@ -182,9 +182,8 @@ QString motion_text(const planning::TimedPath& motion) {
     return faults_text(motion);
   }
   const planning::PreflightReport& report = motion.preflight;
-  QString text = report.is_tight()
-                     ? shortfall_text(report)
-                     : strong(tr("Cleared to run"), colors_of(current_theme()).good);
+  QString text = report.is_tight() ? shortfall_text(report)
+                                   : strong(tr("Cleared to run"), colors_of(current_theme()).good);
   const auto add = [&text](const QString& line) { text += QStringLiteral("<br>") + line; };
   add(tr("The motion takes %1 s.").arg(report.duration, 0, 'f', 2));
   const auto add_share = [&](const QString& line, const planning::LimitShare& share) {

@@ -78,8 +78,8 @@ TEST_F(GoalDoctor, OffersToMakeACellAroundTheRobotHollow) {
   cell.name = "cell";
   cell.shape = geometric::Box{{3.0, 3.0, 3.0}};
   closed.objects.push_back(cell);
-  window().document().set_state({std::make_shared<const geometric::Scene>(closed),
-                                 window().document().loaded().basis});
+  window().document().set_state(
+      {std::make_shared<const geometric::Scene>(closed), window().document().loaded().basis});
   wait_for_diagnosis();
   EXPECT_THAT(said(), AllOf(HasSubstr("inside of <b>cell</b>"), HasSubstr("hollow")));
   click("doctor_mend");
@@ -96,8 +96,8 @@ TEST_F(GoalDoctor, OffersToLetAnAttachedObjectTouchTheRobot) {
   cup.shape = geometric::Box{{0.2, 0.02, 0.02}};  // from the palm into the lower arm
   cup.attachment = geometric::Attachment{"arm", "palm", {}};
   held.objects.push_back(cup);
-  window().document().set_state({std::make_shared<const geometric::Scene>(held),
-                                 window().document().loaded().basis});
+  window().document().set_state(
+      {std::make_shared<const geometric::Scene>(held), window().document().loaded().basis});
   wait_for_diagnosis();
   EXPECT_THAT(said(), AllOf(HasSubstr("<b>cup</b> is attached"), HasSubstr("<b>lower</b>")));
   click("doctor_mend");
