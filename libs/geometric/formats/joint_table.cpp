@@ -180,6 +180,9 @@ class TableOfJoints {
         take_row(line);
       }
     }
+    if (kind_ == Kind::kColumns && !is_begun_) {
+      begin_rows({});  // a header alone
+    }
     return std::move(table_);
   }
 

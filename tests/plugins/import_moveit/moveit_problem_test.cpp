@@ -400,9 +400,9 @@ allowed_collision_matrix:
   EXPECT_FALSE(pairs.contains({"finger", "slide"}));
   EXPECT_FALSE(pairs.contains({"slide", "tower"})) << "allowed by the SRDF, slide is not named";
   EXPECT_TRUE(pairs.contains({"boom", "finger"}));
-  EXPECT_THAT(scene->warnings,
-              testing::Contains(testing::AllOf(HasSubstr("does not name 3 links of crane"),
-                                               HasSubstr("finger, finger_2, slide"))));
+  EXPECT_THAT(scene->warnings, testing::Contains(testing::AllOf(
+                                   HasSubstr("the allowed-collision matrix does not name"),
+                                   HasSubstr("of crane"), HasSubstr("slide"))));
 }
 
 TEST(MoveitProblem, PadsLinksTowardsObjectsAlone) {
