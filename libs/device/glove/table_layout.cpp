@@ -304,8 +304,8 @@ bool bends(int sensor) {
            : std::string(cyberglove_sensors()[static_cast<std::size_t>(first->sensor)].name),
        count == 1 ? value : fmt::format("{}, and {} more values like it", value, count - 1),
        "counts from 0 to 255, or angles in rad or degrees",
-       count == 1 ? "Correct the row or take it out"
-                  : "Write a map of the table's columns (YAML), with gains."});
+       std::string(count == 1 ? "Correct the row or take it out, or write" : "Write") +
+           " a map of the table's columns (YAML), with gains."});
 }
 
 /// Counts, rad or degrees, and where bending counts negative, by the numbers.
