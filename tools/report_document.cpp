@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cstddef>
 #include <string_view>
 
 namespace handway::tools {
@@ -22,14 +23,18 @@ constexpr const char* kDrawingStyle = "svg text{font:12px sans-serif;fill:#222}"
 
 // Text from files as text: neither HTML nor marks of Markdown.
 std::string escaped(const std::string& text) {
+  const std::string plain = geometric::printable(text);
   std::string result;
-  for (const char c : geometric::printable(text)) {
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const char c = plain[i];
     if (c == '<') {
       result += "&lt;";
     } else if (c == '&') {
       result += "&amp;";
     } else {
-      result += std::string_view("|*`[\\").find(c) == std::string_view::npos ? "" : "\\";
+      const bool ends_link = c == ']' && plain.substr(i + 1, 1) == "(";
+      const bool is_mark = std::string_view("|*`\\").find(c) != std::string_view::npos;
+      result += ends_link || is_mark ? "\\" : "";
       result += c == '\n' ? ' ' : c;
     }
   }
@@ -186,10 +191,15 @@ std::string html_escaped(const std::string& text) {
 
 namespace {
 
-/// Whether a spreadsheet would take the text for a formula.
+/// Whether a spreadsheet would take the text for a formula. A number may have a unit.
 bool is_formula(const std::string& text) {
-  return !text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos &&
-         !geometric::parse_number(text);
+  if (text.size() < 2 || geometric::parse_number(text)) {
+    return false;
+  }
+  const bool has_sign = text.front() == '+' || text.front() == '-';
+  const bool is_operation = text.find_first_of("+*=|!@(\"'", 1) != std::string::npos;
+  return text.front() == '=' || text.front() == '@' || text.front() == '\t' ||
+         (has_sign && is_operation);
 }
 
 }  // namespace

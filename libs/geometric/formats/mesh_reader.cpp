@@ -258,6 +258,6 @@ std::shared_ptr<const TriangleMesh> read_mesh(const fs::path& file, const Eigen:
   return cache.store(key, source.read(scale));
 }
 
-bool is_mesh_file(const fs::path& file) { return is_assimp_file(file) || is_inventor_file(file); }
+bool is_mesh_file(const fs::path& file) { return is_assimp_file(file); }
 
 }  // namespace handway::geometric

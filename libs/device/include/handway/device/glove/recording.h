@@ -104,7 +104,7 @@ struct Recording {
 ///
 /// @throws geometric::InputError with file and line for what is none of these, holds no
 /// rows, names a sensor that isn't known or one twice, has a row of the wrong length, a
-/// value that is no number or out of range, or time that runs backwards.
+/// value that is no number or out of range.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording read_recording(const std::filesystem::path& file);
 
 /// Replaces the file whole; the same recording makes the same bytes.

@@ -38,7 +38,8 @@ namespace handway::geometric {
     const std::filesystem::path& file, const Eigen::Vector3d& scale = Eigen::Vector3d::Ones(),
     const std::string& referenced_by = "");
 
-/// Does the file's name end like one of a mesh format that read_mesh() knows?
+/// Does the file's name end like one of a mesh format that read_mesh() knows, but for Open Inventor
+/// and VRML, whose units are those of the robot or problem that names the file?
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_mesh_file(const std::filesystem::path& file);
 
 }  // namespace handway::geometric
