@@ -36,8 +36,6 @@ constexpr double kContradiction = 0.35;  // of evidence on each side
 constexpr int kCurlSteps = 8;
 constexpr int kCloudPoints = 256;
 
-double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
-
 /// The middle of the end of a finger, in the palm's frame: of its outermost shape, or its fingertip
 /// where that is a frame.
 Vector3d end_of(PalmKinematics& palm, const RobotFinger& finger, const Configuration& q) {

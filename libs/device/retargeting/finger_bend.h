@@ -11,6 +11,9 @@
 
 namespace handway::device {
 
+/// Returns -1 for what is below 0, else 1.
+[[nodiscard]] inline double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
+
 /// Returns whether the joint that carries `link` moves it: limits that leave no room are a fixed
 /// joint.
 [[nodiscard]] bool joint_moves(const geometric::RobotModel& model, int link);

@@ -24,7 +24,7 @@ using geometric::Configuration;
 using geometric::kDegree;
 using geometric::RobotModel;
 
-constexpr int kSteps = 10;                 // from flat to fist
+constexpr int kFistSteps = 10;             // from flat to fist
 constexpr double kStraight = 0.8;          // of a finger's reach: less is bent
 constexpr double kBends = 0.15;            // of a finger's reach, towards the palm
 constexpr double kBeyond = 2.0 * kDegree;  // of limits
@@ -117,8 +117,8 @@ std::vector<std::string> mapping_doubts(const HandMapping& mapping, const RobotM
   std::vector<std::string> doubts = played.hand().doubts;
   std::vector<Vector3d> open;
   std::vector<Vector3d> closed;
-  for (int step = 0; step <= kSteps; ++step) {
-    played.pose(closed_by(static_cast<double>(step) / kSteps));
+  for (int step = 0; step <= kFistSteps; ++step) {
+    played.pose(closed_by(static_cast<double>(step) / kFistSteps));
     closed.clear();
     for (const RobotFinger& finger : played.hand().fingers) {
       closed.push_back(played.tip(finger));

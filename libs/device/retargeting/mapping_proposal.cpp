@@ -45,8 +45,6 @@ constexpr double kDifferenceStep = 1e-3;  // rad
 
 int sensor_called(const std::string& name) { return find_sensor(name).value(); }
 
-double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
-
 /// The joints of a hand in the frame of a person's palm (see hand_landmarks()): fingers straight,
 /// other joints neutral.
 class HandAtRest {
