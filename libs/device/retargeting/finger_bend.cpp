@@ -299,7 +299,7 @@ bool is_thumb(const RobotFinger& finger) { return finger.finger == Finger::kThum
 bool align_side_by_side(PalmKinematics& palm, const std::vector<RobotFinger>& fingers,
                         std::vector<FingerBend>& bends) {
   const FingerBend* first = nullptr;
-  Vector3d direction;
+  Vector3d direction = Vector3d::Zero();
   int count = 0;
   for (std::size_t f = 0; f < fingers.size(); ++f) {
     if (is_thumb(fingers[f])) {
