@@ -41,7 +41,7 @@ struct ClearanceShortfall {
 
   [[nodiscard]] double needed_mm() const { return following_mm + margin_mm; }
   /// The margin to plan with, whole mm.
-  [[nodiscard]] double suggested_margin_mm() const;
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT double suggested_margin_mm() const;
 };
 
 /// Compares clearance with what following errors and a margin need, configuration by configuration.
