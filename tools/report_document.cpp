@@ -199,7 +199,7 @@ bool is_formula(const std::string& text) {
   const bool has_sign = text.front() == '+' || text.front() == '-';
   const bool is_operation = text.find_first_of("+*=|!@(\"'", 1) != std::string::npos;
   return text.front() == '=' || text.front() == '@' || text.front() == '\t' ||
-         (has_sign && is_operation);
+         (has_sign && (is_operation || std::isalpha(static_cast<unsigned char>(text[1])) != 0));
 }
 
 }  // namespace
