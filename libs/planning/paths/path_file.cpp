@@ -383,8 +383,8 @@ std::string JointsAtRest::remark(const std::filesystem::path& file) const {
 
 bool is_path_file(const std::filesystem::path& file) {
   const std::string head = geometric::head_of(file);
-  return geometric::has_extension(file, ".csv") ||
-         head.find("joint_names") != std::string::npos || geometric::has_joint_messages(head);
+  return geometric::has_extension(file, ".csv") || head.find("joint_names") != std::string::npos ||
+         geometric::has_joint_messages(head);
 }
 
 Path read_path(const RobotModel& model, const std::filesystem::path& file, JointsAtRest* rest) {
