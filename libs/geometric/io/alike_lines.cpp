@@ -16,7 +16,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr std::size_t kFewestWords = 4;
+constexpr std::size_t kFewestWords = 15;  // shorter lines are alike by chance
 constexpr std::size_t kMostWords = 80;
 constexpr std::size_t kMostLines = 2000;  // more are not compared
 constexpr std::size_t kMostKinds = 40;    // that a line is compared with
