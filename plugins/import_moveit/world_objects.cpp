@@ -536,9 +536,7 @@ std::string id_of(const YamlElement& object) {
 void remove_from_world(const YamlElement& object, World& world) {
   const std::string id = id_of(object);
   if (!id.empty() && (!world.objects.contains(id) || is_attached(id, world))) {
-    world.scene.warnings.push_back(
-        fmt::format("{}: there is no object \"{}\" to remove", object.where(), id));
-    return;
+    return;  // it is not there already
   }
   std::vector<std::string> ids{id};
   if (id.empty()) {  // all
