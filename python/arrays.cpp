@@ -33,7 +33,7 @@ Eigen::VectorXd finite_row(const double* begin, Eigen::Index width, const std::s
 
 }  // namespace
 
-std::string path_from(const py::object& path, const std::string& argument) {
+std::string file_name_from(const py::object& path, const std::string& argument) {
   const auto text =
       py::reinterpret_steal<py::object>(PyOS_FSPath(path.ptr()));  // TypeError if it is none
   if (!text) {

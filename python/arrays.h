@@ -20,7 +20,7 @@ class Array
 /// Returns the path of a file or folder: text, bytes or an os.PathLike.
 /// @throws InputError naming `argument` if it is empty or has a NUL, at which the system would end
 /// it; TypeError for other objects.
-[[nodiscard]] std::string path_from(const pybind11::object& path, const std::string& argument);
+[[nodiscard]] std::string file_name_from(const pybind11::object& path, const std::string& argument);
 
 /// Rows of numbers as they came from Python: one row or a batch of them.
 struct Batch {

@@ -95,9 +95,9 @@ py::dict map_recording(const py::object& file, const std::string& mapping,
   const device::HandMapper mapper(wiring, *hand, true);
   const device::GloveCalibration person =
       calibration.is_none() ? device::typical_calibration()
-                            : device::read_calibration(path_from(calibration, "calibration"));
+                            : device::read_calibration(file_name_from(calibration, "calibration"));
   const device::MappedPostures mapped = mapper.map_recording(
-      device::to_angles(device::read_recording(path_from(file, "file")), person));
+      device::to_angles(device::read_recording(file_name_from(file, "file")), person));
   const auto rows = [](const Eigen::MatrixXd& matrix) {
     std::vector<Eigen::VectorXd> all;
     for (Eigen::Index row = 0; row < matrix.rows(); ++row) {

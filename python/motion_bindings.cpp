@@ -81,7 +81,7 @@ std::vector<std::string> export_motion(const TimedPath& timed, const std::string
   planning::ExportOptions options;
   options.any_robot = any_robot;
   for (const std::filesystem::path& file : plugin_manager().exporter(format).write(
-           timed.motion, path_from(folder, "folder"), options)) {
+           timed.motion, file_name_from(folder, "folder"), options)) {
     files.push_back(file.string());
   }
   return files;

@@ -98,7 +98,7 @@ planning::PathCheckResult check(const SceneModel& scene, const Array& array, dou
 
 py::array_t<double> read_path(const SceneModel& scene, const py::object& file) {
   planning::JointsAtRest rest{scene.problem().start};
-  const std::string name = path_from(file, "file");
+  const std::string name = file_name_from(file, "file");
   const planning::Path path = planning::read_path(scene.robot(), name, &rest);
   if (const std::string warning = rest.remark(name); !warning.empty()) {
     if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) {
@@ -109,7 +109,7 @@ py::array_t<double> read_path(const SceneModel& scene, const py::object& file) {
 }
 
 void write_path(const SceneModel& scene, const Array& path, const py::object& file) {
-  planning::write_path_csv(path_from(scene, path), scene.robot(), path_from(file, "file"));
+  planning::write_path_csv(path_from(scene, path), scene.robot(), file_name_from(file, "file"));
 }
 
 void bind_contents(py::class_<SceneModel>& scene) {
@@ -254,7 +254,7 @@ void bind_scene(py::module_& module) {
   module.def(
       "load_scene",
       [](const py::object& file, const py::object& basis) {
-        const std::string path = path_from(file, "file");
+        const std::string path = file_name_from(file, "file");
         const std::string other = basis.is_none() ? std::string() : std::string(py::str(basis));
         const py::gil_scoped_release release;
         return std::make_unique<SceneModel>(path, other);
