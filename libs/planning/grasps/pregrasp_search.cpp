@@ -521,7 +521,9 @@ class PregraspSearch {
   bool keeps_gap(const Configuration& q, const std::vector<MovedCheck>& checks) {
     checker_->place(q);
     return std::ranges::all_of(checks, [this](const MovedCheck& moved) {
-      return checker_->pair_closeness(moved.check, moved.gap) == geometric::Closeness::kFarther;
+      return moved.gap > 0.0 ? checker_->pair_closeness(moved.check, moved.gap) ==
+                                   geometric::Closeness::kFarther
+                             : !checker_->pair_collides(moved.check);
     });
   }
 
