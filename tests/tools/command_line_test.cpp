@@ -155,7 +155,7 @@ TEST_F(Handway, FailsWhereItsOutputCanNotBeWritten) {
   for (const std::string arguments :
        {"info post.yaml", "info --json post.yaml", "plan post.yaml", "check post.yaml path.csv",
         "time path.csv --scene post.yaml", "--help", "--version"}) {
-    const Outcome run = line_.run(arguments + " >/dev/full");
+    const Outcome run = line_.run(arguments + " >/dev/full 2>stderr.txt #");
     EXPECT_EQ(run.exit_code, kNotWritten) << arguments;
     EXPECT_THAT(run.err, HasSubstr("standard output can't be written")) << arguments;
   }
