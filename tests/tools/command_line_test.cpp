@@ -36,8 +36,12 @@ class Handway : public testing::Test {
   // Exit code 3, one message on stderr that names all of `words`, nothing on stdout.
   template <typename... Words>
   void expect_refusal(const std::string& arguments, const Words&... words) const {
+    expect_failure(kInvalidInput, arguments, words...);
+  }
+  template <typename... Words>
+  void expect_failure(ExitCode code, const std::string& arguments, const Words&... words) const {
     const Outcome run = line_.run(arguments);
-    EXPECT_EQ(run.exit_code, kInvalidInput) << arguments << "\n" << run.err;
+    EXPECT_EQ(run.exit_code, code) << arguments << "\n" << run.err;
     EXPECT_THAT(run.err, AllOf(StartsWith("handway: "), HasSubstr(words)...));
     EXPECT_THAT(run.out, IsEmpty());
   }
@@ -171,7 +175,10 @@ TEST_F(Handway, NeedsNoGoalForAPathThatIsThere) {
   const std::string scene = line_.read("scene.yaml");
   const std::size_t goal = scene.find("goal:");
   ASSERT_NE(goal, std::string::npos);
-  const std::size_t end = scene.find("\n", goal);
+  std::size_t end = scene.find('\n', goal);
+  while (end + 1 < scene.size() && scene[end + 1] == ' ') {  // what is indented belongs to the goal
+    end = scene.find('\n', end + 1);
+  }
   line_.write("scene.yaml", scene.substr(0, goal) + scene.substr(end + 1));
   for (const std::string arguments :
        {"check scene.yaml path.csv", "time path.csv --scene scene.yaml",
@@ -290,8 +297,8 @@ TEST_F(Handway, NamesLineAndColumnOfABrokenPath) {
   expect_refusal("check post.yaml path.csv", "path.csv:3", "column shoulder", "nan");
   line_.write("path.csv", header + "0,-0.4,0,0,0\n1,0,0,0,0,0\n");
   expect_refusal("check post.yaml path.csv", "path.csv:2", "5 values");
-  line_.write("path.csv", "time,shoulder,elbow,thumb,left,pinky\n0,-0.4,0,0,0,0\n");
-  expect_refusal("check post.yaml path.csv", "path.csv:1", "pinky");
+  line_.write("path.csv", "time,a,b\n0,-0.4,0\n1,0.4,0\n");
+  expect_refusal("check post.yaml path.csv", "path.csv", "shoulder");
 }
 
 constexpr const char* kTray =
@@ -442,7 +449,7 @@ TEST_F(Handway, RefusesAStartInCollision) {
   EXPECT_EQ(run.exit_code, kInvalidQuery) << run.err;
   EXPECT_THAT(run.err, AllOf(HasSubstr("start is in collision"), HasSubstr("with post"),
                              HasSubstr("mm into each other at ("),
-                             HasSubstr("The nearest free start that was found is ")));
+                             HasSubstr("The nearest free start that was found: ")));
   EXPECT_FALSE(fs::exists(line_.folder() / "path.csv"));
   EXPECT_EQ(nlohmann::json::parse(line_.read("report.json"))["solved"], false);
 }
@@ -492,12 +499,13 @@ TEST_F(Handway, RefusesAGoalOutOfLimits) {
 
 TEST_F(Handway, SaysThatAPlaceCanNotBeWrittenTo) {
   for (const std::string option : {"--out", "--report"}) {
-    expect_refusal("plan open.yaml " + option + " /dev/full", "/dev/full", "No space left");
-    expect_refusal("plan open.yaml " + option + " none/file", "none/file", "No such file");
-    expect_refusal("plan open.yaml " + option + " .", "directory");
+    const std::string plan = "plan open.yaml " + option;
+    expect_failure(kNotWritten, plan + " /dev/full", "/dev/full", "No space left");
+    expect_failure(kNotWritten, plan + " none/file", "none/file", "No such file");
+    expect_failure(kNotWritten, plan + " .", "directory");
   }
   if (::geteuid() != 0) {  // root may write everywhere
-    expect_refusal("plan open.yaml --out /proc/version", "/proc/version");
+    expect_failure(kNotWritten, "plan open.yaml --out /proc/version", "/proc/version");
   }
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
