@@ -266,9 +266,11 @@ void GraspTool::begin() {
   grasps_ = {};
   card_->show_search(QString::fromStdString(object->name));
   ends_search_ = std::make_shared<std::stop_source>();
-  // Without a start the motion begins where the robot is shown.
-  const auto from =
-      document_.scene()->start ? std::nullopt : std::optional(document_.configuration());
+  // Without a start the motion begins where the robot is shown. Of size 0: the scene has a start.
+  geometric::Configuration from;
+  if (!document_.scene()->start) {
+    from = document_.configuration();
+  }
   job_.run([this, name = object->name, problem = document_.problem(), search = ++search_, from,
             ends = ends_search_](const std::stop_token& stop) -> LatestJob::Answer {
     const PreparedProblem::Problem prepared = problem->wait(stop);
@@ -276,7 +278,7 @@ void GraspTool::begin() {
       return nullptr;
     }
     planning::PlanningProblem asked = *prepared;
-    asked.start = from.value_or(asked.start);
+    asked.start = from.size() > 0 ? from : asked.start;
     const std::stop_callback on_cancel(stop, [&ends] { ends->request_stop(); });
     const auto progress = [this, search](const std::vector<planning::Pregrasp>& found,
                                          double fraction) {
