@@ -1,6 +1,7 @@
 #include "features/editing/editing_test.h"
 #include "handway/planning/paths/path_file.h"
 #include "patience.h"
+#include "widgets/panels/floating_card.h"
 
 #include <QAction>
 #include <QDropEvent>
