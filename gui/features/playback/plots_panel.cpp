@@ -465,7 +465,7 @@ std::size_t PlotsPanel::point_at_cursor() const {
 }
 
 void PlotsPanel::show_cursor() {
-  if (times_.empty()) {
+  if (times_.empty() || !analysis_.motion()) {  // the curves of a path that is no more
     return;
   }
   plot_->set_cursor(player_.time());
