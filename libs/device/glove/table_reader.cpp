@@ -26,7 +26,12 @@ std::vector<SeenHand> hands_in(const std::filesystem::path& file, const NumberTa
                                std::vector<std::string>& warnings) {
   std::optional<LandmarkColumns> columns = landmark_columns(table.names);
   constexpr auto kCoordinates = static_cast<Eigen::Index>(std::tuple_size_v<LandmarkColumns>);
-  const MeasuredColumns measured = measured_columns(table);
+  MeasuredColumns measured = measured_columns(table);
+  if (measured.end - measured.first == kCoordinates - 1 && measured.times.size() == 1 &&
+      !table.is_spelled(measured.times.front().column)) {
+    measured.first = measured.times.front().column;  // a coordinate that happens to rise
+    measured.times.clear();
+  }
   TableLayout layout;
   if (!columns && table.names.empty() && measured.end - measured.first == kCoordinates) {
     columns.emplace();

@@ -159,7 +159,7 @@ TEST_F(RecordingFile, OfVirtualHandNamesItsBrokenLine) {
   EXPECT_THAT(refusal(good + "2014 12 31 23 59\n" + good), HasSubstr("recording.csv:2"));
   EXPECT_THAT(refusal(good + "2014 13 31 23 59 59.99000" + row + "\n"),
               HasSubstr("recording.csv:2"));
-  EXPECT_THAT(refusal(good + "2014 12 31 23 59 58.99000" + row + "\n"), HasSubstr("after"));
+  EXPECT_EQ(refusal(good + "2014 12 31 23 59 58.99000" + row + "\n"), "") << "time that runs back";
 }
 
 TEST_F(RecordingFile, OfTheReferenceIsReadWhole) {
