@@ -67,7 +67,7 @@ TEST(InventorMesh, RefusesWhatIsNoInventorFile) {
   write_text(files.cube(), "solid cube\nendsolid\n");
   EXPECT_THAT(complaint(files.cube()), HasSubstr("expected an Open Inventor or VRML file"));
   write_text(files.cube(), "");
-  EXPECT_THAT(complaint(files.cube()), HasSubstr("expected an Open Inventor or VRML file"));
+  EXPECT_THAT(complaint(files.cube()), HasSubstr("found an empty file"));
   EXPECT_THAT(complaint(files.folder() / "absent.iv"), HasSubstr("no such file"));
 }
 

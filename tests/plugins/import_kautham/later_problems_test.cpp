@@ -106,7 +106,8 @@ TEST_F(LaterProblem, FindsItsModelsTwoFoldersAbove) {
 }
 
 TEST_F(LaterProblem, HasMeshesOfInventorAndVrmlInItsUrdf) {
-  const RobotModel& model = *read()->robots.front().model;
+  const auto scene = read();
+  const RobotModel& model = *scene->robots.front().model;
   for (int link = 0; link < 2; ++link) {
     const geometric::TriangleMesh mesh = geometric::collision_mesh(model.link(link));
     ASSERT_FALSE(mesh.empty());
