@@ -298,7 +298,7 @@ TEST_F(Handway, NamesLineAndColumnOfABrokenPath) {
   line_.write("path.csv", header + "0,-0.4,0,0,0\n1,0,0,0,0,0\n");
   expect_refusal("check post.yaml path.csv", "path.csv:2", "5 values");
   line_.write("path.csv", "time,a,b\n0,-0.4,0\n1,0.4,0\n");
-  expect_refusal("check post.yaml path.csv", "path.csv", "shoulder");
+  expect_refusal("check post.yaml path.csv", "path.csv:1", "column \"a\"");
 }
 
 constexpr const char* kTray =

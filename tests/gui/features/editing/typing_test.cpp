@@ -108,7 +108,7 @@ TEST_F(TypingWhileTheRobotMoves, ANameIsEntered) {
 
 TEST_F(TypingWhileTheRobotMoves, AJointIsEntered) {
   play();
-  show_dock("joints");
+  window().workbench().show_panel("joints");
   auto& elbow = *part<QWidget>("elbow").findChild<QAbstractSpinBox*>();
   type_slowly(elbow, QStringLiteral("12.5"));
   QTest::keyClick(&elbow, Qt::Key_Return);
@@ -136,7 +136,7 @@ TEST_F(TypingWhileTheRobotMoves, NoPanelWritesOverIt) {
     editor().select(item);
     count += type_into_all(part<QDockWidget>("properties"));
   }
-  for (const char* dock : {"plan", "joints", "hand", "glove", "devices"}) {
+  for (const char* dock : {"control"}) {
     auto* found = window().findChild<QDockWidget*>(QLatin1String(dock));
     ASSERT_TRUE(found) << dock;
     show_dock(dock);

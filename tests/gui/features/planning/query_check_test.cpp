@@ -94,7 +94,7 @@ TEST_F(GoalDoctor, OffersToLetAnAttachedObjectTouchTheRobot) {
   geometric::SceneObject cup;
   cup.name = "cup";
   cup.shape = geometric::Box{{0.2, 0.02, 0.02}};  // from the palm into the lower arm
-  cup.attachment = geometric::Attachment{"arm", "palm", {}};
+  cup.attachment = geometric::Attachment{held.robots.front().name, "palm", {}};
   held.objects.push_back(cup);
   window().document().set_state(
       {std::make_shared<const geometric::Scene>(held), window().document().loaded().basis});
