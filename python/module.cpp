@@ -3,6 +3,7 @@
 #include "scene_questions.h"
 
 #include <chrono>
+#include <cstring>
 #include <exception>
 #include <future>
 #include <utility>
@@ -61,6 +62,39 @@ void run_interruptible(const std::function<void(std::stop_token)>& work) {
 
 namespace {
 
+// Bound member functions take None for their object, as a null pointer, unless they are told not
+// to.
+void refuse_none_as_self(py::handle function) {
+  if (PyInstanceMethod_Check(function.ptr())) {
+    function = PyInstanceMethod_GET_FUNCTION(function.ptr());
+  }
+  if (!PyCFunction_Check(function.ptr())) {
+    return;
+  }
+  PyObject* const capsule = PyCFunction_GET_SELF(function.ptr());
+  if (capsule == nullptr || !PyCapsule_CheckExact(capsule)) {
+    return;
+  }
+  auto* record = static_cast<py::detail::function_record*>(
+      PyCapsule_GetPointer(capsule, PyCapsule_GetName(capsule)));
+  for (; record != nullptr; record = record->next) {
+    if (record->is_method && record->args.empty()) {
+      record->args.emplace_back(::strdup("self"), nullptr, py::handle(), true, false);
+    }
+  }
+}
+
+void refuse_none_as_self_of(const py::handle& type) {
+  for (const auto& [name, member] : py::dict(type.attr("__dict__"))) {
+    if (py::isinstance(member, py::handle(reinterpret_cast<PyObject*>(&PyProperty_Type)))) {
+      refuse_none_as_self(py::object(member.attr("fget")));
+      refuse_none_as_self(py::object(member.attr("fset")));
+    } else {
+      refuse_none_as_self(member);
+    }
+  }
+}
+
 // An instance that was made by __new__ alone holds nothing. pybind11 would give it memory of any
 // content when it is first used as an argument.
 void refuse_uninitialised_instances(const py::module_& module) {
@@ -70,6 +104,7 @@ void refuse_uninitialised_instances(const py::module_& module) {
     }
     if (py::detail::type_info* info =
             py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(object.ptr()))) {
+      refuse_none_as_self_of(object);
       info->operator_new = [](std::size_t) -> void* {
         throw py::type_error("the object has not been initialised: its __init__ has not run");
       };
