@@ -93,15 +93,15 @@ TEST_F(GoalDoctor, OffersToLetAnAttachedObjectTouchTheRobot) {
   geometric::Scene held = scene();
   geometric::SceneObject cup;
   cup.name = "cup";
-  cup.shape = geometric::Box{{0.2, 0.02, 0.02}};  // from the palm into the lower arm
-  cup.attachment = geometric::Attachment{held.robots.front().name, "palm", {}};
+  cup.shape = geometric::Box{{0.2, 0.02, 0.02}};  // about the elbow, into the upper arm
+  cup.attachment = geometric::Attachment{held.robots.front().name, "lower", {}};
   held.objects.push_back(cup);
   window().document().set_state(
       {std::make_shared<const geometric::Scene>(held), window().document().loaded().basis});
   wait_for_diagnosis();
-  EXPECT_THAT(said(), AllOf(HasSubstr("<b>cup</b> is attached"), HasSubstr("<b>lower</b>")));
+  EXPECT_THAT(said(), AllOf(HasSubstr("<b>cup</b> is attached"), HasSubstr("<b>upper</b>")));
   click("doctor_mend");
-  EXPECT_THAT(object("cup").attachment->touching, ::testing::Contains("lower"));
+  EXPECT_THAT(object("cup").attachment->touching, ::testing::Contains("upper"));
   EXPECT_THAT(editor().undo_stack().undoText().toStdString(), HasSubstr("Let cup touch"));
 }
 
