@@ -97,9 +97,11 @@ TEST_F(CalibrationGuide, TakesTheLengthOfTheHandThatIsTyped) {
   }
   EXPECT_THAT(quality(), HasSubstr("No posture was read"));
   auto& length = part<QDoubleSpinBox>("hand_length");
+  length.setFocus();
   length.selectAll();
   QTest::keyClicks(&length, QStringLiteral("170\t"));
   auto& bone = part<QDoubleSpinBox>("bone_4_3");
+  bone.setFocus();
   bone.selectAll();
   QTest::keyClicks(&bone, QStringLiteral("21.5\t"));
   const std::filesystem::path file = cell().folder() / "ann.yaml";

@@ -130,13 +130,15 @@ TEST_F(TypedInput, StaysInCountsAndNames) {
 
   gui::show_text(*name_, "bowl");
   QStringList entered;
-  QObject::connect(name_, &QLineEdit::editingFinished, name_, [&] { entered << name_->text(); });
+  const auto listening = QObject::connect(name_, &QLineEdit::editingFinished, name_,
+                                          [&] { entered << name_->text(); });
   type_while(*name_, "cup", [&](int frame) { gui::show_text(*name_, QString::number(frame)); });
   EXPECT_EQ(name_->text(), "cup");
   QTest::keyClick(name_, Qt::Key_Return);
   EXPECT_EQ(entered, QStringList{"cup"});
   gui::show_text(*name_, "mug");
   EXPECT_EQ(name_->text(), "mug");
+  QObject::disconnect(listening);  // before what it writes to is gone
 }
 
 TEST_F(TypedInput, KeepsASliderThatIsHeld) {
@@ -228,6 +230,7 @@ TEST_F(TypedInput, StaysInTheScaleOfAMesh) {
   gui::ShapeForm form;
   geometric::Mesh mesh;
   mesh.file = "cup.stl";
+  mesh.triangles = geometric::tessellate(geometric::Box{{0.1, 0.1, 0.1}});
   form.show_shape(mesh);
   form.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&form));
