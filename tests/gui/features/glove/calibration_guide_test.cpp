@@ -99,11 +99,13 @@ TEST_F(CalibrationGuide, TakesTheLengthOfTheHandThatIsTyped) {
   auto& length = part<QDoubleSpinBox>("hand_length");
   length.setFocus();
   length.selectAll();
-  QTest::keyClicks(&length, QStringLiteral("170\t"));
+  QTest::keyClicks(&length, QStringLiteral("170"));
+  QTest::keyClick(&length, Qt::Key_Return);
   auto& bone = part<QDoubleSpinBox>("bone_4_3");
   bone.setFocus();
   bone.selectAll();
-  QTest::keyClicks(&bone, QStringLiteral("21.5\t"));
+  QTest::keyClicks(&bone, QStringLiteral("21.5"));
+  QTest::keyClick(&bone, Qt::Key_Return);
   const std::filesystem::path file = cell().folder() / "ann.yaml";
   guide().save(file);
   const auto bones = device::read_calibration(file).bones;
