@@ -30,15 +30,6 @@ class FreshState : public WindowTest {
   }
 };
 
-TEST_F(FreshState, ASceneAfterARecoveredOneIsNotModified) {
-  open(cell().post());
-  editor().undo_stack().resetClean();  // as recovery does
-  EXPECT_TRUE(editor().is_modified());
-  open(cell().post_aside());
-  EXPECT_FALSE(editor().is_modified());
-  EXPECT_FALSE(window().isWindowModified());
-}
-
 TEST_F(FreshState, TheCollisionCardGoesWithItsScene) {
   open(cell().goal_in_wall());
   const gui::DoctorCard& card = tool<gui::QueryCheck>().card();

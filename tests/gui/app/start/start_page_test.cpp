@@ -81,7 +81,7 @@ TEST_F(StartingTheWindow, BeginsANewSceneWithARobotOfTheLibrary) {
   click("new tx90_sah");
   wait_for_scene();
   EXPECT_TRUE(window().document().file().empty());
-  EXPECT_TRUE(window().document().scene()->objects.empty());
+  EXPECT_LE(window().document().scene()->objects.size(), 1U) << "what the robot stands on";
   EXPECT_TRUE(window().document().loaded().basis) << "fits the hand";
   EXPECT_FALSE(part<QPushButton>("plan").isEnabled()) << "no start and goal yet";
   run_command("set start");
@@ -91,7 +91,7 @@ TEST_F(StartingTheWindow, BeginsANewSceneWithARobotOfTheLibrary) {
   run_command("add box");
   EXPECT_TRUE(geometric::find_object(*window().document().scene(), "box"));
   run_command("undo");
-  EXPECT_TRUE(window().document().scene()->objects.empty());
+  EXPECT_LE(window().document().scene()->objects.size(), 1U) << "what the robot stands on";
   window().editor().undo_stack().setClean();
 }
 
