@@ -111,7 +111,8 @@ class Surroundings {
     }
   }
 
-  // The normal at a place of a face with the given one.
+  // The normal at a place of a face with the given one: of the faces there that lie within the
+  // crease angle of it, or of the nearest one, as a coarse mesh has faces unlike all around.
   [[nodiscard]] Eigen::Vector3d normal_at(Index place, const Eigen::Vector3d& normal,
                                           double crease_angle) const {
     const auto found = around_.find(place);
@@ -120,13 +121,17 @@ class Surroundings {
     }
     const double smooth = std::cos(crease_angle);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    const Face* nearest = &faces_[found->second.front().face];
     for (const Corner& corner : found->second) {
       const Face& face = faces_[corner.face];
+      if (face.normal.dot(normal) > nearest->normal.dot(normal)) {
+        nearest = &face;
+      }
       if (face.normal.dot(normal) >= smooth) {
         sum += face.angles.at(corner.corner) * face.normal;
       }
     }
-    return sum.norm() > 0.0 ? sum.normalized() : normal;
+    return sum.norm() > 0.0 ? sum.normalized() : nearest->normal;
   }
 
  private:

@@ -12,6 +12,13 @@ namespace {
 
 constexpr std::uint64_t kFirstSeed = 1;
 
+bool is_set_alike(planning::Planner& a, planning::Planner& b) {
+  const auto text = [](const planning::Parameter& parameter) {
+    return planning::to_text(parameter);
+  };
+  return a.name() == b.name() && std::ranges::equal(a.parameters(), b.parameters(), {}, text, text);
+}
+
 }  // namespace
 
 PlanSettings::PlanSettings(const planning::PlannerRegistry& registry, QObject* parent)
@@ -58,11 +65,15 @@ void PlanSettings::apply(const geometric::PlannerRequest& choice) {
   if (!planner_) {
     return;
   }
-  use_planner(choice.name.empty() ? usual_planner_ : choice.name);
+  std::shared_ptr<planning::Planner> chosen =
+      registry_.create(choice.name.empty() ? usual_planner_ : choice.name);
   for (const auto& [key, value] : choice.settings) {
-    planner_->set_parameter(key, value);
+    chosen->set_parameter(key, value);
   }
-  emit planner_changed(true);
+  if (!is_set_alike(*planner_, *chosen)) {
+    planner_ = std::move(chosen);
+    emit planner_changed(true);
+  }
 }
 
 void PlanSettings::use_planner(const std::string& name) {

@@ -133,8 +133,7 @@ std::vector<int> holding_variables(const geometric::Scene& scene) {
     std::ranges::copy(object.holding, std::back_inserter(holding));
   }
   std::ranges::sort(holding);
-  const auto repeated = std::ranges::unique(holding);
-  holding.erase(repeated.begin(), repeated.end());
+  holding.erase(std::unique(holding.begin(), holding.end()), holding.end());
   return holding;
 }
 

@@ -52,6 +52,7 @@ PathOptimizer::PathOptimizer(PlanningContext& context, const ObjectiveWeights& w
 Path PathOptimizer::path() const {
   Path path;
   std::ranges::transform(points_, std::back_inserter(path.waypoints), &Point::q);
+  path.waypoints = context_.problem().model().in_half_turns(path.waypoints);
   return path;
 }
 

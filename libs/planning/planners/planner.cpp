@@ -307,12 +307,8 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
     throw std::invalid_argument(
         "planning needs a thread, a resolution above 0 and a margin of 0 or more");
   }
-  if (capabilities().needs_basis && !problem.basis) {
-    throw geometric::InputError(
-        {problem.scene->file.string(), "hand_basis", "nothing", "a PMD basis for planner " + name(),
-         problem.scene->group.empty() ? "Name one in the scene, or choose another planner"
-                                      : "Let the whole hand move by the scene's group, or choose "
-                                        "another planner"});
+  if (capabilities().needs_basis) {
+    require_directions(problem, "planner " + name());
   }
   log_problem(*this, problem, request);
   if (std::string fault = problem.goal_fault.empty() ? group_fault(problem) : problem.goal_fault;
@@ -403,6 +399,7 @@ PlanResult Planner::plan_to_goal(const PlanningProblem& problem, const PlanReque
     result.time_s = context.elapsed_s() - result.smoothing_s;
     if (result.solved()) {
       require_ends(problem, result.path, name());
+      result.path.waypoints = problem.model().in_half_turns(result.path.waypoints);
       optimize(context, result);
     } else {
       result.reach = reach_of(problem, recorder.roadmap());

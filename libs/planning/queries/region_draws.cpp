@@ -100,9 +100,8 @@ std::vector<SamplingRegion> first_regions(Planner& planner, int directions) {
 
 RegionDraws draw_region(const PlanningProblem& problem, int palm, const SamplingRegion& region,
                         int configurations, const std::stop_token& stop) {
-  if (region.hand == HandSpace::kPrincipalDirections && !problem.basis) {
-    throw geometric::InputError({problem.scene->file.string(), "hand_basis", "nothing",
-                                 "a PMD basis", "Name one in the scene"});
+  if (region.hand == HandSpace::kPrincipalDirections) {
+    require_directions(problem, "sampling regions");
   }
   const HandArmRegion hand_arm(problem, region.hand, region.corridor);
   const CorridorSpace& space = hand_arm.space();

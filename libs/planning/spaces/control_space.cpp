@@ -128,8 +128,9 @@ class ControlSpace final : public StateSpace {
 
 std::unique_ptr<StateSpace> make_control_space(const PlanningProblem& problem, int most_pmds,
                                                double half_width) {
-  return std::make_unique<ControlSpace>(problem, with_directions(*problem.basis, most_pmds),
-                                        half_width);
+  return std::make_unique<ControlSpace>(
+      problem, with_directions(hand_basis(problem, HandSpace::kPrincipalDirections), most_pmds),
+      half_width);
 }
 
 }  // namespace handway::planning

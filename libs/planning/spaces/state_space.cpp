@@ -5,6 +5,7 @@
 #include "handway/geometric/robot/arm_inverse_kinematics.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/robot/robot_state.h"
+#include "handway/planning/core/carried_objects.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -168,6 +169,19 @@ class ToolSpace final : public CorridorSpace {
   Eigen::Quaterniond q_BM_;  ///< Midway.
 };
 
+}  // namespace
+
+void require_directions(const PlanningProblem& problem, const std::string& user) {
+  if (problem.basis || !holding_variables(*problem.scene).empty()) {
+    return;
+  }
+  throw geometric::InputError(
+      {problem.scene->file.string(), "hand_basis", "nothing", "a PMD basis for " + user,
+       problem.scene->group.empty() ? "Name one in the scene, or choose another planner"
+                                    : "Let the whole hand move by the scene's group, or choose "
+                                      "another planner"});
+}
+
 sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space) {
   if (space == HandSpace::kPrincipalDirections && problem.basis) {
     return *problem.basis;
@@ -179,8 +193,6 @@ sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space) {
   }
   return sampling::full_joint_basis(problem.model().name(), std::move(joints));
 }
-
-}  // namespace
 
 StateSpace::StateSpace(const PlanningProblem& problem) : problem_(problem), arm_(problem.arm) {
   for (const int v : planned_variables(problem)) {

@@ -33,7 +33,7 @@ class Tutorial : public HandsOn {
  protected:
   void follow_all_steps() const;
   void step_1_a_robot() const;
-  void step_2_a_table_and_a_can() const;
+  void step_2_a_stand_and_a_can() const;
   void step_3_where_the_robot_starts() const;
   void step_4_how_to_grasp_the_can() const;
   void step_5_plan() const;
@@ -52,28 +52,31 @@ void Tutorial::step_1_a_robot() const {
   picture("new_2_robot");
 }
 
-void Tutorial::step_2_a_table_and_a_can() const {
+void Tutorial::step_2_a_stand_and_a_can() const {
   choose("Add", "Box");
-  type_into("size_x", "600");
-  type_into("size_y", "0.8 m");
-  type_into("size_z", "40");
+  type_into("size_x", "300");
+  type_into("size_y", "0.3 m");
+  type_into("size_z", "200");
   type_into("position_x", "750");
-  type_into("position_y", "0");
-  type_into("position_z", "380");
-  type_into("object_name", "table");
+  type_into("position_y", "120");
+  type_into("position_z", "900");
+  type_into("object_name", "stand");
+  press(Qt::Key_End);
   choose("Add", "Cylinder");
   type_into("size_radius", "33");
   type_into("size_length", "122");
   type_into("position_x", "750");
   type_into("position_y", "120");
-  type_into("position_z", "600");
+  type_into("position_z", "1100");
   type_into("object_name", "can");
   press(Qt::Key_End);
-  const Eigen::Vector3d table = object("table").X_PO.translation();
+  const double top = 0.72 + gui::kRestingGap + 0.2;
+  const Eigen::Vector3d stand = object("stand").X_PO.translation();
   const Eigen::Vector3d can = object("can").X_PO.translation();
-  EXPECT_TRUE(table.isApprox(Eigen::Vector3d(0.75, 0.0, 0.38), 1e-9)) << table;
-  EXPECT_TRUE(can.isApprox(Eigen::Vector3d(0.75, 0.12, 0.461 + gui::kRestingGap), 1e-6)) << can;
-  picture("new_3_table_and_can");
+  EXPECT_TRUE(stand.isApprox(Eigen::Vector3d(0.75, 0.12, top - 0.1), 1e-6)) << stand;
+  EXPECT_TRUE(can.isApprox(Eigen::Vector3d(0.75, 0.12, top + gui::kRestingGap + 0.061), 1e-6))
+      << can;
+  picture("new_3_stand_and_can");
 }
 
 void Tutorial::step_3_where_the_robot_starts() const {
@@ -184,7 +187,7 @@ void Tutorial::save_as(const QString& name) const {
 
 void Tutorial::follow_all_steps() const {
   for (const auto& step :
-       {&Tutorial::step_1_a_robot, &Tutorial::step_2_a_table_and_a_can,
+       {&Tutorial::step_1_a_robot, &Tutorial::step_2_a_stand_and_a_can,
         &Tutorial::step_3_where_the_robot_starts, &Tutorial::step_4_how_to_grasp_the_can,
         &Tutorial::step_5_plan, &Tutorial::step_6_play, &Tutorial::step_7_export}) {
     ASSERT_NO_FATAL_FAILURE((this->*step)());
@@ -196,7 +199,7 @@ TEST_F(Tutorial, IsDoneWithMouseAndKeysAsItIsWritten) {
   const std::filesystem::path file = folder_.path() / "tutorial.yaml";
   save_as(QString::fromStdString(file.string()));
   ASSERT_TRUE(wait_for([&] { return std::filesystem::exists(file); }));
-  EXPECT_EQ(geometric::read_scene(file).objects.size(), 2U);
+  EXPECT_EQ(geometric::read_scene(file).objects.size(), 3U);
   const std::string done = written();
 
   activate();
@@ -205,7 +208,8 @@ TEST_F(Tutorial, IsDoneWithMouseAndKeysAsItIsWritten) {
     press(Qt::Key_Z, Qt::ControlModifier);
     ASSERT_EQ(history.index(), left);
   }
-  EXPECT_TRUE(scene().objects.empty() && !scene().start && !scene().goal);
+  EXPECT_EQ(scene().objects.size(), 1U) << "the table that a new scene has";
+  EXPECT_TRUE(!scene().start && !scene().goal);
   picture("new_10_undone");
   while (history.canRedo()) {
     const int done_before = history.index();

@@ -247,6 +247,11 @@ std::vector<DialogCase> StopInDialogs::cases() const {
       {"app/file_commands.cpp", "picture", trigger("Save picture…")},
       {"app/file_commands.cpp", "unsaved changes",
        [this] { (void)only<gui::FileCommands>().may_discard(); }},
+      {"app/file_commands.cpp", "changed by another program",
+       [this] {
+         std::ofstream(window().workbench().document.file(), std::ios::app) << "\n";
+         (void)only<gui::FileCommands>().save();
+       }},
       {"features/devices/device_session.cpp", "leave", [this] { window().close(); }},
       {"features/postures/posture_panels.h", "save a posture", trigger("Save posture…")},
       {"features/export/export_dialog.h", "export", trigger("Export the path…")},

@@ -110,6 +110,25 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT bool has_closed_form_kinematics(
     const PlanningProblem& problem);
 
+/// Which hand postures a planner draws from.
+enum class HandSpace {
+  kPrincipalDirections,  ///< SC^h: free joints and principal motion directions (the paper's
+                         ///< method).
+  kAllJoints,            ///< C^h: every joint over its range (its comparison, section 6.2).
+};
+
+/// Fails if a hand has principal motion directions to choose and the problem has no basis that
+/// names them. A hand that holds an object has none to choose.
+/// @param user who needs the basis, for the message, as "planner pmd-prm".
+/// @throws InputError
+HANDWAY_PLANNING_EXPORT void require_directions(const PlanningProblem& problem,
+                                                const std::string& user);
+
+/// The axes of a space of hand postures: the problem's basis, or one of all joints of the hand,
+/// which it also is where a hand holds an object and few of its joints are left to move.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT sampling::PmdBasis hand_basis(const PlanningProblem& problem,
+                                                                    HandSpace space);
+
 /// The controls of the paper's method: along the arm's straight motion and across it up to
 /// `half_width` (section 5.1), the hand's free joints and principal motion directions (section
 /// 4.2). Two more coordinates lead from the subspace of the hand to the postures at start and goal,
@@ -117,16 +136,9 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
 ///
 /// Coordinates are lengths in joints normalised to [0, 1], so that distances are nearly those of
 /// the joints; joints that get beyond their limits are moved onto them.
-/// @param most_pmds principal directions that are used. @pre the problem has a basis.
+/// @param most_pmds principal directions that are used.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<StateSpace> make_control_space(
     const PlanningProblem& problem, int most_pmds, double half_width);
-
-/// Which hand postures a planner draws from.
-enum class HandSpace {
-  kPrincipalDirections,  ///< SC^h: free joints and principal motion directions (the paper's
-                         ///< method).
-  kAllJoints,            ///< C^h: every joint over its range (its comparison, section 6.2).
-};
 
 /// The paper's sampling regions (section 5.1): the arm in a corridor around its straight motion,
 /// the hand in the box of its axes.
