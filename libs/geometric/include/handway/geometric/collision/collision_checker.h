@@ -15,12 +15,12 @@
 
 namespace handway::geometric {
 
-/// How many questions of each kind a checker has answered.
+/// Number of queries of each kind that a checker has answered.
 struct CheckCounts {
   std::uint64_t configurations = 0;   ///< Placed configurations.
   std::uint64_t pair_collisions = 0;  ///< Pairs asked "do they touch?".
   std::uint64_t pair_distances = 0;   ///< Pairs asked "how far apart?".
-  std::uint64_t exact_tests = 0;      ///< Of these, answered on triangles.
+  std::uint64_t exact_tests = 0;      ///< Pair queries answered on triangles.
 
   CheckCounts& operator+=(const CheckCounts& other) {
     configurations += other.configurations;
@@ -48,10 +48,10 @@ enum class Closeness {
 struct Enclosed {
   int inner = -1;  ///< Index of the body, …
   int outer = -1;  ///< … and of that around it.
-  int piece = 0;   ///< Of the inner body's surfaces.
-  int shell = 0;   ///< Of the outer body's hollow shapes.
+  int piece = 0;   ///< Piece of the inner body's surfaces.
+  int shell = 0;   ///< Hollow shape of the outer body.
 
-  /// What they are ordered by.
+  /// Returns the key of the order.
   [[nodiscard]] std::tuple<int, int, int, int> key() const { return {inner, outer, piece, shell}; }
 };
 
@@ -79,7 +79,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// @throws std::invalid_argument if the shape is wrong or a value is not finite.
   void place(const Configuration& q);
 
-  /// Of the links as placed, in the robot's base frame. Shape [link_count].
+  /// Poses of the placed links in the robot's base frame. Shape [link_count].
   [[nodiscard]] const std::vector<Pose>& link_poses() const { return X_BL_; }
 
   /// Do the two bodies of world().pairs()[pair] touch, as placed? Questions about one pair take
@@ -139,12 +139,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// free.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q);
 
-  /// The same, asking constraints, `hint`, and then in a fixed order: which is found
-  /// depends on nothing but the arguments. @pre 0 ≤ hint < checks, if there are any.
+  /// Tests constraints, then `hint`, then all pairs in a fixed order: the result depends on the
+  /// arguments alone. @pre 0 ≤ hint < checks, if there are any.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q, int hint);
 
-  /// What lies inside of hollow closed shapes (objects that are not `solid`) in `q`, in order. As
-  /// long as nothing touches, this stays as it is: configurations in which it differs are in
+  /// Returns the pieces inside of hollow closed shapes (objects that are not `solid`) in `q`, in
+  /// order. As long nothing touches, this stays as it is: configurations in which it differs are in
   /// different components of the free space.
   /// @pre nothing touches in `q`.
   [[nodiscard]] std::vector<Enclosed> enclosed(const Configuration& q);
@@ -159,7 +159,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
 
   [[nodiscard]] const std::vector<Pose>& body_poses() const { return X_WBody_; }
   [[nodiscard]] const Configuration& configuration() const { return q_; }
-  /// Whether a piece of either of the pair's bodies is inside of the other.
+  /// Returns whether a piece of either of the pair's bodies is inside of the other.
   /// @pre their surfaces do not touch.
   [[nodiscard]] bool pair_is_contained(int pair) const;
   void count_pair_collision() { ++counts_.pair_collisions; }
@@ -206,14 +206,14 @@ struct NamedPair {
 /// "a with b", or "constraint a".
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const NamedPair& pair);
 
-/// What is wrong with `q` in a few words, of a pair or constraint that first_collision() found:
-/// "is in collision: a with b", or "violates constraint a: …".
+/// Describes the conflict of `q` with a pair or constraint that first_collision() returned: "is in
+/// collision: a with b", or "violates constraint a: …".
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string describe_conflict(CollisionChecker& checker,
                                                                      int pair,
                                                                      const Configuration& q);
 
-/// Of each constraint that is violated in `q`: "constraint can upright: the axis of can is 12° off,
-/// at most 10° are allowed".
+/// Describes each constraint that is violated in `q`: "constraint can upright: the axis of can is
+/// 12° off, at most 10° are allowed".
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> violated_constraints(
     CollisionChecker& checker, const Configuration& q);
 

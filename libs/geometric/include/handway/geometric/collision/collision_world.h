@@ -16,8 +16,8 @@ namespace handway::geometric {
 
 struct BodySolids;
 
-/// How far from the origin anything may be, m: any point of a robot's or an object's frame, of a
-/// joint in its parent's, of a vertex in its mesh's. Up to there checkers agree on what touches
+/// Largest distance of anything from the origin, m: any point of a robot's or an object's frame, of
+/// a joint in its parent's, of a vertex in its mesh's. Up to there checkers agree on what touches
 /// beyond 1 µm of contact, and distances are right within 1 µm.
 inline constexpr double kFarthestPoint = 1e6;
 
@@ -35,11 +35,11 @@ struct CollisionBody {
   /// The distance (m) that the body keeps from what stands still, or, standing still itself, from
   /// what moves. Of a pair the paddings of both bodies add up.
   double padding = 0.0;
-  std::vector<std::string> touching = {};  ///< Of a carried object: bodies that it may touch.
+  std::vector<std::string> touching = {};  ///< Names of bodies that a carried object may touch.
   /// Its closed shapes, inside of which nothing may be; never null.
   std::shared_ptr<const BodySolids> solids = nullptr;
-  /// Of B in the link's or the object's frame, along its axes, m: other than 0 for a mesh that is
-  /// far from the origin of that frame. Links and objects are at X_FB but for this.
+  /// Centre of B in the link's or the object's frame, along its axes, m: other than 0 for a mesh
+  /// that is far from the origin of that frame. Links and objects are at X_FB but for this.
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
 
   [[nodiscard]] bool moves() const { return link >= 0; }
@@ -96,12 +96,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   [[nodiscard]] double padding(int pair) const {
     return paddings_.empty() ? 0.0 : paddings_[static_cast<std::size_t>(pair)];
   }
-  /// Whether any pair has padding.
+  /// Returns whether any pair has padding.
   [[nodiscard]] bool has_padding() const { return !paddings_.empty(); }
 
-  /// What else has to hold along a path. Checkers count constraints after the pairs: index
-  /// pairs().size() + c is constraint c, its distance is its slack (rad or m), and it "touches"
-  /// where it is violated.
+  /// Constraints on every configuration of a path. Checkers count constraints after the pairs:
+  /// index pairs().size() + c is constraint c, its distance is its slack (rad or m), and it
+  /// "touches" where it is violated.
   [[nodiscard]] const std::vector<LinkConstraint>& constraints() const { return constraints_; }
   /// Pairs and constraints.
   [[nodiscard]] int check_count() const {
@@ -116,7 +116,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   /// Poses of all bodies in the world. @param[out] X_WBody shape [bodies().size()].
   void place(const Configuration& q, std::vector<Pose>& X_BL, std::vector<Pose>& X_WBody) const;
 
-  /// The same of the bodies that move alone: the others stay as they are.
+  /// Updates the poses of the moving bodies alone: the others stay as they are.
   void place_moving(const Configuration& q, std::vector<Pose>& X_BL,
                     std::vector<Pose>& X_WBody) const;
 
@@ -149,7 +149,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   std::vector<BodyPair> pairs_;
   std::vector<double> paddings_;  ///< Per pair, m; empty if all are 0.
   std::vector<LinkConstraint> constraints_;
-  std::map<AllowedCollisions::Pair, bool> may_touch_;  ///< As the scene's.
+  std::map<AllowedCollisions::Pair, bool> may_touch_;  ///< Allowed collisions of the scene.
 };
 
 /// The triangles of all collision shapes of a link, in the link's frame; may be empty.

@@ -25,7 +25,7 @@ class HANDWAY_GEOMETRIC_EXPORT LinkConstraint {
 
   [[nodiscard]] const std::string& name() const { return constraint_.name; }
   [[nodiscard]] int link() const { return link_; }
-  /// Whether it is about a direction (and not a point) of the link.
+  /// Returns whether the constraint is about a direction (and not a point) of the link.
   [[nodiscard]] bool is_orientation() const {
     return std::holds_alternative<OrientationConstraint>(constraint_.what);
   }
@@ -44,12 +44,12 @@ class HANDWAY_GEOMETRIC_EXPORT LinkConstraint {
     Eigen::Vector3d linear;
     Eigen::Vector3d angular;
   };
-  /// What is beyond the constraint made narrower by `inset`, a share of its angle or half size: the
-  /// angle, or each side of the box that the point is beyond.
+  /// Adds the excess over the constraint made narrower by `inset`, a share of its angle or half
+  /// size: the angle, or each side of the box that the point is beyond.
   void add_excess(const std::vector<Pose>& X_BL, double inset, std::vector<Excess>& list) const;
 
-  /// What is found and what is allowed, to follow a name: "the axis of can is 12.3° off, at most
-  /// 10° are allowed".
+  /// Describes the actual and the allowed value, to follow a name: "the axis of can is 12.3° off,
+  /// at most 10° are allowed".
   [[nodiscard]] std::string description(const std::vector<Pose>& X_BL) const;
 
  private:

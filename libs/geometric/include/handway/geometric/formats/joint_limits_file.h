@@ -11,7 +11,7 @@
 
 namespace handway::geometric {
 
-/// What a file says of one joint; SI units, rates above 0. Nothing: it says nothing.
+/// Limits that a file gives for one joint; SI units, rates above 0. Empty: not given.
 struct FiledJointLimits {
   std::string joint;
   std::optional<double> velocity;

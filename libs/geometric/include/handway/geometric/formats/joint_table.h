@@ -29,16 +29,16 @@ struct JointTable {
     std::string text;
   };
 
-  std::vector<double> times;        ///< As the file has them; NaN: not there. For settle_times().
+  std::vector<double> times;        ///< Times in the file; NaN: missing. For settle_times().
   std::optional<double> time_unit;  ///< The named unit of times, s.
   bool times_are_spelled = false;   ///< They are dates or clock times.
   std::vector<Eigen::VectorXd> values;  ///< rad, m, or what the file has; NaN: not there.
-  std::vector<std::size_t> lines;       ///< Of each row; empty for messages.
+  std::vector<std::size_t> lines;       ///< Line of each row; empty for messages.
   std::set<std::string> others;         ///< Columns and joints that are none of those asked for.
-  std::vector<int> columns;             ///< How many each joint has.
+  std::vector<int> columns;             ///< Number of columns of each joint.
   std::optional<BadCell> bad_cell;      ///< The first one.
   bool units_are_named = false;         ///< Columns say degrees or radians; degrees were turned.
-  bool holds = false;                   ///< What a row lacks stays where it was.
+  bool holds = false;                   ///< Missing values repeat the row before.
   bool is_cut_off = false;              ///< The last row or message was no whole one.
 };
 
@@ -61,7 +61,7 @@ read_joint_table(const std::filesystem::path& file, const JointLookup& lookup, i
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<int> joint_of_column(const JointLookup& lookup,
                                                                           std::string_view column);
 
-/// Whether a file that begins so has ROS messages of a robot's joints, as YAML or JSON.
+/// Returns whether a file with the beginning `head` has ROS joint states, as YAML or JSON.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool has_joint_messages(std::string_view head);
 
 }  // namespace handway::geometric

@@ -16,7 +16,7 @@ namespace handway::geometric {
 /// A mesh as its file has it: neither joined nor cleaned.
 struct ImportedMesh {
   TriangleMesh triangles;       ///< All parts in the file's root frame.
-  Color color;                  ///< Of the first triangle (Inventor files only).
+  Color color;                  ///< Colour of the first triangle (Inventor files only).
   bool includes_files = false;  ///< Parts of it come from other files.
   /// The largest coordinate on the way from the file's numbers to the root frame, in the units of
   /// `triangles`: the libraries read in single precision, which rounds by up to 6e-8 of it.
@@ -44,7 +44,7 @@ struct ImportedMesh {
                                                                 MeshFormat format,
                                                                 double scale = 1.0);
 
-/// What is wrong with a mesh if single precision has rounded it by more than 10 µm, without a
+/// Returns the problem of a mesh that single precision has rounded by more than 10 µm, without a
 /// source; nothing if it has not. @param largest coordinate (m), see ImportedMesh.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<InputProblem> rounding_problem(double largest);
 

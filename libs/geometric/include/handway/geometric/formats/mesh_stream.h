@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <type_traits>
 
-/// What the library and its program handway-mesh-reader say to each other, as these structures'
-/// bytes: both are of one build on one machine.
+/// Messages between the library and its program handway-mesh-reader, as these structures' bytes:
+/// both are of one build on one machine.
 ///
 /// The library sends, over a socket of type SOCK_SEQPACKET that the program has as descriptor 3, a
 /// MeshRequest and behind it the file's path; with it goes, as SCM_RIGHTS, the writing end of a
@@ -14,7 +14,7 @@
 /// that process is gone, whatever became of it, a MeshReadingEnd comes back over the socket.
 namespace handway::geometric {
 
-/// Which library reads the file.
+/// Library that reads the file.
 enum class MeshFormat : std::uint32_t {
   kAssimp,    ///< STL, OBJ, DAE, PLY, glTF, …: whatever assimp knows.
   kInventor,  ///< Open Inventor and VRML, by Coin.
@@ -28,10 +28,10 @@ inline constexpr std::size_t kLongestMeshText = 65536;
 struct MeshRequest {
   std::uint32_t mark = kMeshStreamMark;
   MeshFormat format = MeshFormat::kAssimp;
-  double scale = 1.0;               ///< Of Inventor files, from their lengths to mm.
-  double seconds = 0.0;             ///< Of processor time, at most.
+  double scale = 1.0;               ///< Scale from the lengths of Inventor files to mm.
+  double seconds = 0.0;             ///< Limit of processor time.
   std::uint64_t memory = 0;         ///< Bytes of address space, at most.
-  std::uint64_t most_vertices = 0;  ///< And as many triangles.
+  std::uint64_t most_vertices = 0;  ///< Limit of vertices, and of triangles.
 };
 
 enum class MeshReplyKind : std::uint32_t {
@@ -44,7 +44,7 @@ enum class MeshReplyKind : std::uint32_t {
 struct MeshReply {
   std::uint32_t mark = kMeshStreamMark;
   MeshReplyKind kind = MeshReplyKind::kMesh;
-  float color[4] = {0.7F, 0.7F, 0.7F, 1.0F};  ///< Of the first triangle, if the format has it.
+  float color[4] = {0.7F, 0.7F, 0.7F, 1.0F};  ///< Colour of the first triangle, if given.
   std::uint32_t includes_files = 0;           ///< 1 if parts come from other files.
   std::uint32_t text_bytes = 0;
   std::uint64_t vertices = 0;

@@ -22,7 +22,7 @@ struct RobotReader {
 /// From now on load_robot() takes files of this format, too. May be called from any thread.
 HANDWAY_GEOMETRIC_EXPORT void register_robot_reader(RobotReader reader);
 
-/// Whether load_robot() takes the file: URDF, xacro, or a format that is registered.
+/// Returns whether load_robot() reads the file: URDF, xacro, or a format that is registered.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_robot_file(const std::filesystem::path& file);
 
 /// Reads a robot file (`.urdf`, with the `.srdf` beside it) and makes the model. A `.xacro` file is

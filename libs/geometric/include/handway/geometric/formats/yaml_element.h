@@ -34,7 +34,7 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   [[nodiscard]] std::string where() const;
   [[noreturn]] void refuse(const std::string& found, const std::string& expected,
                            const std::string& advice = "") const;
-  /// What is there, in short: `"abc"`, `a list of 3`, `nothing`, …
+  /// Describes the value in short: `"abc"`, `a list of 3`, `nothing`, …
   [[nodiscard]] std::string found() const;
 
   [[nodiscard]] bool is_map() const;
@@ -50,7 +50,7 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   /// The value of a key; nothing if the key is absent or its value empty.
   [[nodiscard]] std::optional<YamlElement> find(const std::string& key) const;
   [[nodiscard]] YamlElement need(const std::string& key) const;
-  /// What is under a key, or `otherwise` if the key is absent or its value empty.
+  /// Returns the text under a key, or `otherwise` if the key is absent or its value empty.
   [[nodiscard]] std::string text_or(const std::string& key, const std::string& otherwise) const;
   [[nodiscard]] bool flag_or(const std::string& key, bool otherwise) const;
   [[nodiscard]] double number_or(const std::string& key, double otherwise) const;
@@ -77,7 +77,7 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
 
   YamlElement(std::shared_ptr<const Document> document, std::shared_ptr<const Node> node,
               std::string name);
-  // As refuse(), of a map's key: where the key is, not its value, which may be lines further down.
+  // Refuses a map's key, as refuse(), at the key's position: its value may be lines further down.
   [[noreturn]] void refuse_key(const std::string& key, const std::string& found,
                                const std::string& expected, const std::string& advice) const;
   [[nodiscard]] YamlElement child(const Node& node, const std::string& suffix) const;

@@ -47,7 +47,7 @@ class HANDWAY_GEOMETRIC_EXPORT DiskCache {
 
   [[nodiscard]] std::optional<std::string> read(const CacheKey& key) const;
 
-  /// What `decode` makes of the entry's bytes; nothing if there is none or `decode` throws.
+  /// Returns the entry's bytes, decoded by `decode`; nothing if absent or if `decode` throws.
   template <typename Decode>
   [[nodiscard]] auto read_as(const CacheKey& key, const Decode& decode) const
       -> std::optional<std::invoke_result_t<Decode, const std::string&>> {

@@ -20,11 +20,11 @@ namespace handway::geometric {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::filesystem::path existing_file(
     const std::filesystem::path& path);
 
-/// Whether `found`, which existing_file() gave for `written`, has other letters.
+/// Returns whether `found`, the result of existing_file() for `written`, differs in case.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool differs_in_case(const std::filesystem::path& written,
                                                             const std::filesystem::path& found);
 
-/// Whether the file's name ends like this, in whatever letters.
+/// Returns whether the file's name ends with `extension`, in any case.
 /// @param extension in small letters, with its dot: ".urdf".
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool has_extension(const std::filesystem::path& file,
                                                           std::string_view extension);

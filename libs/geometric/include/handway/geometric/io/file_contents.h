@@ -8,14 +8,14 @@
 
 namespace handway::geometric {
 
-/// What a file really is that stands in the place of another.
+/// Real kind of a file that replaces the expected one.
 struct StandIn {
   std::string found;   ///< "a Git LFS pointer (…)", for InputProblem.
-  std::string advice;  ///< What to do about it.
+  std::string advice;  ///< Advice to the user.
 };
 
-/// What stands in the place of a file that begins like this: a pointer of Git LFS or git-annex, a
-/// web page, an archive or compressed file. Nothing for anything else.
+/// Recognizes a file that replaces the expected one by its beginning: a pointer of Git LFS or
+/// git-annex, a web page, an archive or compressed file. Nothing for anything else.
 /// @param head the first bytes of the file.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<StandIn> stand_in(std::string_view head);
 

@@ -12,14 +12,14 @@
 
 namespace handway::geometric {
 
-/// Why an input (a file, an option, a configuration) was refused. Every field
-/// is a piece of one sentence for the person who wrote the input.
+/// Reason why an input (a file, an option, a configuration) was refused. Every field is a piece of
+/// one sentence for the user who wrote the input.
 struct InputProblem {
   std::string source;    ///< File (with ":line" where known) or option.
   std::string element;   ///< Key, XML element or joint; may be empty.
-  std::string found;     ///< What is there.
-  std::string expected;  ///< What should be there; may be empty.
-  std::string advice;    ///< What to do about it; may be empty.
+  std::string found;     ///< The value found.
+  std::string expected;  ///< The value expected; may be empty.
+  std::string advice;    ///< Advice on how to fix it; may be empty.
 };
 
 /// Thrown for input that can't be read or makes no sense; tools exit with code 3.

@@ -25,7 +25,7 @@ struct SpelledTime {
 /// ("12:00:00.5", "12:00:00,5", "1:00:00 PM").
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<SpelledTime> parse_time(std::string_view cell);
 
-/// What the name of a column says of times.
+/// Unit and kind of times that a column's name gives.
 struct TimeName {
   enum class Kind { kTime, kDate, kSeconds, kNanoseconds };
   Kind kind = Kind::kTime;     ///< The last two are the halves of a stamp of ROS.
@@ -33,8 +33,8 @@ struct TimeName {
   bool plain = true;           ///< It says nothing else.
 };
 
-/// Nothing if the column is not one of times by its name. Names may be German, French, Spanish or
-/// Italian, too.
+/// Returns nothing if the column is not one of times by its name. Names may be German, French,
+/// Spanish or Italian, too.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<TimeName> time_name(std::string_view column);
 
 /// The columns whose sum is the time of a row: one, a date and a clock time, or the two halves of
@@ -42,7 +42,7 @@ struct TimeName {
 struct TimeColumns {
   struct Part {
     std::size_t column = 0;
-    double unit = 1.0;  ///< What numbers are multiplied by; dates and clock times are in s.
+    double unit = 1.0;  ///< Factor of numbers; dates and clock times are in s.
   };
   std::vector<Part> parts;     ///< Empty: there are no times.
   std::optional<double> unit;  ///< The named one of a single column, s.
@@ -50,7 +50,7 @@ struct TimeColumns {
   [[nodiscard]] bool has(std::size_t column) const;
 };
 
-/// What the cells of a column are.
+/// Kind of a column's cells.
 enum class CellContent { kOther, kNumbers, kDates, kClocks, kDatesAndClocks };
 
 /// The content of a column with such a cell.
@@ -67,8 +67,8 @@ time_columns(const std::vector<std::string>& names, const std::vector<CellConten
 ///     (of times since 1970) and their steps tell: rows are less than 5 s apart.
 ///   - Times since 1970 begin at 0.
 ///   - A clock without a date that passes midnight runs on.
-///   - Where time runs back, the clock was set: times run on from there by a usual step. A few rows
-///     that come too late get the time of the one before.
+/// - If time runs back, the clock was set: times run on from there by a usual step. A few rows
+///   that come too late get the time of the one before.
 /// @param times in the order of rows; those that are not finite stay.
 /// @param unit the named one, s.
 /// @param spelled whether they are dates or clock times, in s.

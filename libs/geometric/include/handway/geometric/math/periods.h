@@ -7,14 +7,14 @@
 
 namespace handway::geometric {
 
-/// Which coordinates of a vector come round again, as an angle does after a whole turn: values that
-/// differ by whole periods in them are the same place.
+/// Periods of a vector's coordinates, as 2π of an angle: values that differ by whole periods in
+/// them are the same place.
 ///
 /// Vectors stay plain numbers. What moves from one place to another goes to the value next to where
 /// it is, so that straight motions take the shorter arc.
 class Periods {
  public:
-  /// None do.
+  /// Makes periods of no coordinate.
   Periods() = default;
   /// @param periods > 0; 0 of a coordinate that doesn't come round. Shape [dimension].
   explicit Periods(Eigen::VectorXd periods)
@@ -53,8 +53,8 @@ class Periods {
   }
 
  private:
-  // What to take off `way`. Half a period stays what it is, up to roundings: so it leads the same
-  // way round however often it is asked for.
+  // Returns the whole periods in `way`. Half a period stays as it is, up to roundings: so the
+  // direction of rotation is the same however often it is called.
   [[nodiscard]] double whole(Eigen::Index i, double way) const {
     constexpr double kTie = 0.5 + 1e-9;
     const double period = periods_[i];

@@ -49,7 +49,7 @@ struct Cone {
 
 /// Triangles from a file, or from a program when `file` is empty.
 struct Mesh {
-  std::filesystem::path file;                       ///< As loaded; absolute.
+  std::filesystem::path file;                       ///< Mesh file; absolute.
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< Already applied to `triangles`.
   std::shared_ptr<const TriangleMesh> triangles;    ///< Never null in a loaded scene.
 };
@@ -68,8 +68,8 @@ inline constexpr double kRoundTolerance = 1e-4;
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const TriangleMesh> tessellate(
     const Shape& shape);
 
-/// How much larger a shape is taken than it is, as MoveIt's link scale and padding: its size times
-/// `scale` (see scaled()), and everything nearer to its surface than `distance` (m).
+/// Enlargement of a shape for collision checking, as MoveIt's link scale and padding: its size
+/// times `scale` (see scaled()), and everything nearer to its surface than `distance` (m).
 struct Padding {
   double scale = 1.0;
   double distance = 0.0;
@@ -81,7 +81,7 @@ struct Padding {
 /// vertices.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Shape scaled(const Shape& shape, double scale);
 
-/// Whether the shape has an inside: primitives do, and meshes whose surface is_closed().
+/// Returns whether the shape has an inside: primitives do, and meshes whose surface is_closed().
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const Shape& shape);
 
 // Shapes of other programs in terms of our own.

@@ -30,7 +30,7 @@ make_arm_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int 
 
 /// A ball that the origin of a link does not leave, in the robot's base frame.
 struct ReachBall {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< Of the first of the arm's joints, m.
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< The arm's first joint, m.
   double radius = 0.0;  ///< m; larger than the reach by what bends between the joints cost.
 
   [[nodiscard]] bool contains(const Eigen::Vector3d& p_B) const {
@@ -38,7 +38,7 @@ struct ReachBall {
   }
 };
 
-/// Where the arm may bring a link, whatever its joints do within their limits.
+/// Returns a ball that contains every position to which the arm can bring a link within its limits.
 /// @param q joints that are not the arm's, shape [variable_count].
 /// @throws InputError if no variable of the arm moves the link.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT ReachBall reach_ball(const RobotModel& model, int link,

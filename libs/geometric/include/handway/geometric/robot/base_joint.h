@@ -11,15 +11,15 @@
 
 namespace handway::geometric {
 
-/// How far a base goes each way where neither its file nor a scene says it, m.
+/// Default range of a base each way if neither its file nor a scene gives one, m.
 inline constexpr double kDefaultBaseReach = 2.0;
 
-/// Where a base joint is, as Joint::parent, Joint::child and Joint::X_PJ.
+/// Place of a base joint, as Joint::parent, Joint::child and Joint::X_PJ.
 struct BasePlace {
   std::string parent;
   std::string child;
   Pose X_PJ = Pose::Identity();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Of the plane, in the joint's frame.
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Plane's normal, in the joint's frame.
 };
 
 /// Appends a planar or floating joint as a chain of slides and turns, with links without shape

@@ -14,14 +14,14 @@
 
 namespace handway::geometric {
 
-/// One of the robots that are mounted on each other to make a composed robot: an arm, a hand, a
-/// tool, a camera, a fixture.
+/// Part of a composed robot, in which robots are mounted on each other: an arm, a hand, a tool, a
+/// camera, a fixture.
 struct RobotPart {
   std::string name;                         ///< Unique in the scene.
-  std::filesystem::path file;               ///< As RobotInstance::file.
-  std::shared_ptr<const RobotModel> model;  ///< Of this part alone, with its own names.
+  std::filesystem::path file;               ///< Model file, see RobotInstance::file.
+  std::shared_ptr<const RobotModel> model;  ///< Model of this part alone, with its own names.
   int carrier = -1;  ///< Index of the part that carries it, before its own; -1 for the first.
-  std::string link;  ///< Of the carrier, by the carrier's own name; empty for the first.
+  std::string link;  ///< Link of the carrier, by the carrier's own name; empty for the first.
   Pose X_LB = Pose::Identity();  ///< Base (root link) of this part in that link.
   /// Names in the composed robot by own names; set by compose_robots().
   std::map<std::string, std::string> links = {};

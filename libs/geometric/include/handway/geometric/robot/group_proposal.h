@@ -9,22 +9,22 @@
 
 namespace handway::geometric {
 
-/// What the tree leaves open, and what to do about it.
+/// Question that the tree leaves open, with advice.
 struct GroupQuestion {
   std::string open;
   std::string mend;
 };
 
-/// What parts of a robot seem to be its arm and its hand. Joints in the robot's order, fixed ones
-/// left out.
+/// Proposed arm and hand of a robot. Joints in the robot's order, without fixed
+/// ones.
 struct GroupProposal {
   std::vector<std::string> arm;
-  std::vector<std::string> hand;         ///< Of the fingers, without `wrist`.
+  std::vector<std::string> hand;         ///< Joints of the fingers, without `wrist`.
   std::vector<std::string> wrist;        ///< Up to three joints between the root and the palm.
   std::string palm;                      ///< The link that carries the fingers; empty without hand.
   std::vector<std::string> fingertips;   ///< The last link of each finger; bars beside it are none.
-  std::string tip;                       ///< Of an arm without a hand: the last link.
-  std::vector<GroupQuestion> questions;  ///< What only a person can decide.
+  std::string tip;                       ///< Last link of an arm without a hand.
+  std::vector<GroupQuestion> questions;  ///< Questions that the user has to decide.
 
   /// `hand`, and `wrist`, which comes with the hand unless somebody says that the arm has it.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> hand_with_wrist() const;
@@ -39,7 +39,7 @@ struct GroupProposal {
 /// there by up to three joints is a neck, whatever is on its head, beside arms of more joints. A
 /// robot that does not branch is an arm.
 ///
-/// Of several hands, `palm` is the first one's.
+/// If there are several hands, `palm` is the first one's.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal propose_groups(const RobotModel& model);
 
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool has_group(const RobotDescription& robot,

@@ -33,13 +33,13 @@ struct ArmBranch {
 /// One configuration that reaches a pose.
 struct IkSolution {
   Configuration q;                  ///< Shape [variables().size()], in that order; rad or m.
-  std::optional<ArmBranch> branch;  ///< Of solvers that know branches.
+  std::optional<ArmBranch> branch;  ///< Branch, of solvers that know branches.
 };
 
-/// What inverse kinematics found.
+/// Result of inverse kinematics.
 struct IkResult {
   std::vector<IkSolution> solutions;  ///< Nearest to the reference first; may be empty.
-  std::string reason;                 ///< Why there is none; empty if there is one.
+  std::string reason;                 ///< Reason of a failure; empty on success.
 };
 
 /// Finds configurations of a chain's variables that bring a tip link to a pose.

@@ -25,7 +25,7 @@ using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 point_jacobian(const RobotModel& model, std::span<const Pose> X_BL, int link,
                const Eigen::Vector3d& p_LQ = Eigen::Vector3d::Zero());
 
-/// The same, measured and expressed in the world frame W.
+/// Returns the Jacobian of a point Q of `link`, measured and expressed in the world frame W.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Jacobian point_jacobian(
     const RobotState& state, int link, const Eigen::Vector3d& p_LQ = Eigen::Vector3d::Zero());
 

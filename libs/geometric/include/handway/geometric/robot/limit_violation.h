@@ -11,12 +11,12 @@
 
 namespace handway::geometric {
 
-/// Why `q` is no configuration of the robot, whatever its limits: "has 5 values where the robot has
-/// 7 variables", or "has no number for joint J"; empty if it is one.
+/// Describes why `q` is not a configuration of the robot, whatever its limits: "has 5 values where
+/// the robot has 7 variables", or "has no number for joint J"; empty if it is one.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string configuration_fault(const RobotModel& model,
                                                                        const Configuration& q);
 
-/// How far (rad or m) a joint may be beyond a limit and count as being at it: encoders and files
+/// Tolerance (rad or m) within which a joint beyond a limit counts as at it: encoders and files
 /// round. A limit is also met by what single precision makes of it.
 [[nodiscard]] inline double limit_tolerance(double limit) {
   constexpr double kTolerance = 1e-6;

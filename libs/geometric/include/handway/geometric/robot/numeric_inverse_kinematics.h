@@ -18,41 +18,41 @@ struct NumericIkOptions {
   Pose X_LT = Pose::Identity();
   /// Leaves the orientation open; only T's origin counts.
   bool position_only = false;
-  /// How far T may be from the target along each of the target's axes, m: errors within count as
-  /// none. Each ≥ 0.
+  /// Allowed distance of T from the target along each of the target's axes, m: errors within count
+  /// as none. Each ≥ 0.
   Eigen::Vector3d position_slack = Eigen::Vector3d::Zero();
-  /// The same of each component of the rotation vector from the target to T, rad; π: that axis is
-  /// free. Each ≥ 0.
+  /// Allowed size of each component of the rotation vector from the target to T, rad; π: that axis
+  /// is free. Each ≥ 0.
   Eigen::Vector3d rotation_slack = Eigen::Vector3d::Zero();
   double position_tolerance = 1e-6;     ///< m, beyond the slack
   double orientation_tolerance = 1e-6;  ///< rad, beyond the slack
-  /// How many metres one radian counts as when both are weighed, m/rad.
+  /// Weight of orientation errors against position errors, m/rad.
   double orientation_weight = 0.3;
-  int max_iterations = 100;  ///< Of each start; ≥ 1.
+  int max_iterations = 100;  ///< Limit of each start; ≥ 1.
   int max_restarts = 100;    ///< Random starts after the reference; ≥ 0.
   /// Wall clock over all starts. A finite limit makes failures depend on the
   /// machine's speed; without one the result has the same bits on every run.
   double time_limit_s = std::numeric_limits<double>::infinity();
-  std::uint64_t seed = 1;  ///< Of the random starts.
+  std::uint64_t seed = 1;  ///< Seed of the random starts.
   /// Moves a solution in the chain's null space, and within the slack, nearer to the reference.
   /// Without it a redundant arm stays in the posture that the iterations happen upon.
   bool stay_near = false;
 };
 
-/// Whether a configuration of the whole robot, shape [variable_count], will do: free of collision,
-/// for example.
+/// Predicate on a configuration of the whole robot, shape [variable_count]: true if acceptable, for
+/// example free of collision.
 using ConfigurationPredicate = std::function<bool(const Configuration&)>;
 
 /// The best posture found, whether it reaches the pose or not.
 struct NumericIkResult {
-  Configuration q;         ///< Of the whole robot, shape [variable_count], within limits.
+  Configuration q;         ///< Whole robot's values, shape [variable_count], within limits.
   bool converged = false;  ///< Both residuals are within the tolerances.
   double position_residual = std::numeric_limits<double>::infinity();     ///< m, beyond the slack
   double orientation_residual = std::numeric_limits<double>::infinity();  ///< rad, the same
   int iterations = 0;                                                     ///< Over all starts.
   int restarts = 0;    ///< Random starts that were needed.
   int refused = 0;     ///< Postures that reached the pose and did not pass the predicate.
-  std::string reason;  ///< Why not converged; empty otherwise.
+  std::string reason;  ///< Reason of a failure; empty on success.
 };
 
 /// Damped least squares for any chain: Levenberg-Marquardt steps on the pose

@@ -70,13 +70,13 @@ struct Link {
   std::vector<LinkGeometry> collision;
 };
 
-/// Why a pair of links need not be checked against each other.
+/// Reason why a pair of links need not be checked against each other.
 enum class AllowedReason {
   kAdjacent,  ///< Joined by a joint: they touch by construction.
   kAlways,    ///< In collision in every sampled configuration.
   kNever,     ///< In collision in no sampled configuration.
   kDefault,   ///< In collision at the neutral posture and at most others: the shapes overlap.
-  kUser,      ///< Somebody said so.
+  kUser,      ///< Set by the user.
 };
 
 /// The word in SRDF files: "Adjacent", "Always", "Never", "Default", "User".
@@ -105,7 +105,7 @@ struct JointGroup {
   std::vector<std::string> joints;
 };
 
-/// What an arm carries to work with (SRDF's `end_effector`).
+/// Link that an arm carries to work with (SRDF's `end_effector`).
 struct EndEffector {
   std::string name;
   std::string group;         ///< Its joints.
@@ -140,7 +140,7 @@ struct JointCoupling {
   bool of_scene = false;                              ///< A scene says so; the robot's files don't.
 };
 
-/// What a robot file says, before it is checked: the input of RobotModel.
+/// Contents of a robot file before they are checked: the input of RobotModel.
 struct RobotDescription {
   std::string name;
   std::filesystem::path file;  ///< For messages; may be empty.
@@ -149,11 +149,11 @@ struct RobotDescription {
   std::vector<JointGroup> groups;
   std::vector<EndEffector> end_effectors;
   std::vector<BaseJoint> base_joints;
-  std::vector<BaseJoint> virtual_joints;  ///< Of the SRDF; they don't move unless a scene says so.
+  std::vector<BaseJoint> virtual_joints;  ///< From the SRDF; fixed unless a scene says otherwise.
   std::vector<JointCoupling> couplings;   ///< That couple_joint() has made.
   std::vector<NamedPosture> postures;
   AllowedCollisions allowed_collisions;
-  std::vector<std::string> warnings;  ///< What the reader noticed but could live with.
+  std::vector<std::string> warnings;  ///< Warnings of the reader.
 };
 
 /// Narrows the limits of a joint of `robot` to those that `source` has beside the joint's own. What

@@ -16,9 +16,9 @@
 
 namespace handway::geometric {
 
-/// What forward kinematics needs of one joint, without names and in one piece
-/// of memory: X_BL = X_BP * X_PJ * motion(value), value = multiplier *
-/// q[variable] + offset.
+/// Data of one joint that forward kinematics needs, without names and in one piece of
+/// memory: X_BL = X_BP * X_PJ * motion(value), value = multiplier * q[variable] +
+/// offset.
 struct ForwardKinematicsStep {
   enum class Motion : std::uint8_t {
     kFixed,
@@ -51,8 +51,8 @@ struct ForwardKinematicsStep {
 /// fixed nor coupled. A Configuration lists them in link order.
 class HANDWAY_GEOMETRIC_EXPORT RobotModel {
  public:
-  /// How a joint's value follows from a configuration:
-  /// q_joint = multiplier * q[variable] + offset; variable < 0 for a fixed joint.
+  /// Mapping from a configuration to a joint's value: q_joint = multiplier * q[variable] + offset;
+  /// variable < 0 for a fixed joint.
   struct MimicMapping {
     int variable = -1;
     double multiplier = 1.0;
@@ -105,12 +105,12 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
                                                  const Configuration& to) const {
     return from.size() == to.size() ? turns_.nearest(from, to) : to;
   }
-  /// The same waypoints, each as nearest_equivalent() to the one before, the first to `start`: the
-  /// values that hardware needs, without jumps.
+  /// Returns the waypoints, each as nearest_equivalent() to the one before, the first to `start`:
+  /// the values that hardware needs, without jumps.
   [[nodiscard]] std::vector<Configuration> unwrapped(std::vector<Configuration> waypoints,
                                                      const Configuration& start) const;
-  /// The same path with waypoints between where a continuous joint turns by more than half a turn
-  /// at once: so nearest_equivalent() of each to the one before is itself.
+  /// Returns the path with extra waypoints wherever a continuous joint turns by more than half a
+  /// turn at once: so nearest_equivalent() of each to the one before is itself.
   [[nodiscard]] std::vector<Configuration> in_half_turns(
       const std::vector<Configuration>& waypoints) const;
   /// Within all limits.

@@ -14,13 +14,13 @@ namespace handway::geometric {
 ///
 /// G is the frame that the tool frame T, fixed to the link L, is brought to.
 struct PoseGoal {
-  std::string link;              ///< Of robots[0].
-  Pose X_WG = Pose::Identity();  ///< Where T has to be in the world.
+  std::string link;              ///< Link of robots[0].
+  Pose X_WG = Pose::Identity();  ///< Target pose of T in the world.
   Pose X_LT = Pose::Identity();  ///< T in the link's frame.
-  /// How far T may be from G along each of G's axes, m; each ≥ 0.
+  /// Allowed distance of T from G along each of G's axes, m; each ≥ 0.
   Eigen::Vector3d position_tolerance = Eigen::Vector3d::Constant(metres(0.1));
-  /// How far T may be turned against G: of each component of the rotation vector from G to T, in
-  /// G's axes, rad; each ≥ 0. From π on that axis is free.
+  /// Allowed rotation of T against G: each component of the rotation vector from G to T, in G's
+  /// axes, rad; each ≥ 0. From π on that axis is free.
   Eigen::Vector3d rotation_tolerance = Eigen::Vector3d::Constant(radians(0.1));
 
   friend bool operator==(const PoseGoal& a, const PoseGoal& b) {
@@ -30,7 +30,7 @@ struct PoseGoal {
   }
 };
 
-/// How a tool frame misses a goal, both along or about the goal's axes.
+/// Error of a tool frame against a goal, along and about the goal's axes.
 struct PoseGoalMiss {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< From G to T, m.
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< Rotation vector from G to T, rad.
@@ -39,7 +39,7 @@ struct PoseGoalMiss {
 /// @param X_WL where the goal's link is in the world.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT PoseGoalMiss miss_of(const PoseGoal& goal, const Pose& X_WL);
 
-/// Whether each component of `miss` is within the goal's tolerance and `slack` (m and rad).
+/// Returns whether `miss` is within the goal's tolerance plus `slack` (m and rad) per component.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_within_tolerance(const PoseGoal& goal,
                                                                 const PoseGoalMiss& miss,
                                                                 double slack);

@@ -23,8 +23,8 @@
 
 namespace handway::geometric {
 
-/// Which planner a scene asks for, as its file says it; the planning layer gives the words a
-/// meaning.
+/// Planner that a scene requests, as written in its file; the planning layer interprets the
+/// words.
 struct PlannerRequest {
   std::string name;                                           ///< Empty: the default planner.
   std::vector<std::pair<std::string, std::string>> settings;  ///< Key and value as written.
@@ -42,7 +42,7 @@ struct OrientationConstraint {
 /// A point of the body stays in a box.
 struct PositionConstraint {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< In the body's frame, m.
-  Eigen::Vector3d size = Eigen::Vector3d::Ones();   ///< Of the box, m; each above 0.
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();   ///< Size of the box, m; each above 0.
   Pose X_WR = Pose::Identity();                     ///< The box's middle and axes in the world.
 
   friend bool operator==(const PositionConstraint& a, const PositionConstraint& b) {
@@ -50,7 +50,7 @@ struct PositionConstraint {
   }
 };
 
-/// What has to hold at every configuration of a path, besides that nothing collides.
+/// Condition on every configuration of a path, besides being free of collisions.
 struct PathConstraint {
   std::string name;  ///< Unique among the scene's constraints.
   std::string body;  ///< An object on a link of the planned robot, or one of its links.
@@ -62,10 +62,10 @@ struct PathConstraint {
 /// A robot placed in the world.
 struct RobotInstance {
   std::string name;
-  std::filesystem::path file;  ///< Where the model came from, as the scene names it.
+  std::filesystem::path file;  ///< File of the model, as the scene names it.
   std::shared_ptr<const RobotModel> model;
   Pose X_WB = Pose::Identity();  ///< Base (root link) in the world.
-  Configuration configuration;   ///< Where the robot stands; shape [variable_count].
+  Configuration configuration;   ///< Current configuration; shape [variable_count].
   /// The robots that are mounted on each other to make `model`, the one that stands in the world
   /// first: it has the `name` and `file` of this robot. Empty for a robot of one file.
   std::vector<RobotPart> parts = {};
@@ -74,7 +74,7 @@ struct RobotInstance {
   std::map<std::string, Padding> padding = {};
 };
 
-/// What an object is fixed to when it is not fixed to the world.
+/// Link to which an object is fixed when it is not fixed to the world.
 struct Attachment {
   std::string robot;
   std::string link;
@@ -88,7 +88,7 @@ struct SceneObject {
   Pose X_PO = Pose::Identity();  ///< In the world, or in the link it is attached to.
   Color color;
   std::optional<Attachment> attachment;
-  /// Whether a closed shape is filled. False: its surface alone counts, as of a room or a cell.
+  /// True if a closed shape is filled. False: its surface alone counts, as of a room or a cell.
   bool solid = true;
 };
 
@@ -99,23 +99,23 @@ struct Scene {
   std::filesystem::path file;  ///< Empty for a scene not saved yet.
   std::vector<RobotInstance> robots;
   std::vector<SceneObject> objects;
-  /// What moves of robots[0], by names of groups, parts and joints (named_variables()); its other
-  /// joints stay at the start's values. Empty: all move.
+  /// Moving joints of robots[0], by names of groups, parts and joints (named_variables()); its
+  /// other joints stay at the start's values. Empty: all move.
   std::vector<std::string> group;
-  std::optional<Configuration> start;  ///< Of robots[0]; without one it is where the robot stands.
-  /// Of robots[0]. With goal poses: where the joints that do not move their links go, and where the
-  /// inverse kinematics begins; the start if there is none.
+  std::optional<Configuration> start;  ///< Start of robots[0]; empty: its current configuration.
+  /// Goal of robots[0]. With goal poses: values of joints that do not move their links, and seed of
+  /// the inverse kinematics; the start if empty.
   std::optional<Configuration> goal;
   std::vector<PoseGoal> goal_poses;         ///< Any of them will do; empty: `goal` it is.
-  std::vector<PathConstraint> constraints;  ///< Of paths of robots[0].
+  std::vector<PathConstraint> constraints;  ///< Constraints on paths of robots[0].
   /// Pairs of bodies (links of robots[0], objects, "robot/link" of others) that are never checked
   /// (true), or are though the robot's own matrix leaves them out (false).
   std::map<AllowedCollisions::Pair, bool> may_touch;
-  std::vector<NamedPosture> postures;  ///< Of robots[0] or a part of it; names are unique.
+  std::vector<NamedPosture> postures;  ///< Postures of robots[0] or a part of it; names are unique.
   std::filesystem::path hand_basis;    ///< PMD basis file as the scene names it; may be empty.
   PlannerRequest planner;              ///< For planning alone.
   SceneDisplay display;                ///< For the window alone.
-  std::vector<std::string> warnings;   ///< What the reader noticed but could live with.
+  std::vector<std::string> warnings;   ///< Warnings of the reader.
 };
 
 /// First robot or object of that name; nullptr if there is none.
@@ -128,7 +128,7 @@ struct Scene {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const RobotInstance* find_robot_with_part(
     const Scene& scene, std::string_view name);
 
-/// Whether the object is fixed to a link of the robot.
+/// Returns whether the object is fixed to a link of the robot.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_carried_by(const SceneObject& object,
                                                           const RobotInstance& robot);
 
@@ -136,8 +136,8 @@ struct Scene {
 /// them, whether they may touch, and constraints, unless these are about a link of the same name.
 HANDWAY_GEOMETRIC_EXPORT void remove_objects(Scene& scene, const std::vector<std::string>& names);
 
-/// What a constraint may be about: names of the objects that the first robot carries, then of its
-/// links.
+/// Names of bodies that a constraint may refer to: the objects that the first robot carries, then
+/// its links.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> constrainable_bodies(
     const Scene& scene);
 

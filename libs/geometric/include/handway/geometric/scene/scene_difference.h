@@ -8,18 +8,18 @@
 
 namespace handway::geometric {
 
-/// Of the same kind and size; meshes with the same triangles.
+/// Returns whether both have the same kind and size; meshes also the same triangles.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool same_shape(const Shape& a, const Shape& b);
 
-/// What happens to one object that stands still in the world.
+/// Change of one fixed object in the world.
 struct ObjectChange {
   enum class Kind { kMoved, kRemoved, kAdded };
 
   Kind kind = Kind::kMoved;
-  SceneObject object;  ///< As it is afterwards; as it was, if it is removed.
+  SceneObject object;  ///< The object afterwards, or before if it is removed.
 };
 
-/// How one scene becomes another as far as collisions go, with the same robots and carried objects.
+/// Difference of two scenes as far as collisions go, with the same robots and carried objects.
 struct SceneDifference {
   /// One after the other. An object of another shape is removed, and added at the end.
   std::vector<ObjectChange> changes;
@@ -31,9 +31,9 @@ struct SceneDifference {
   [[nodiscard]] bool empty() const { return changes.empty() && !other_constraints; }
 };
 
-/// What leads from `before` to `after`; nothing if robots, carried objects or
-/// what may touch are different. Where
-/// the first robot stands does not matter.
+/// Returns the difference from `before` to `after`; nothing if robots, carried
+/// objects or allowed collisions differ. The configuration of the first robot does
+/// not matter.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<SceneDifference> scene_difference(
     const Scene& before, const Scene& after);
 

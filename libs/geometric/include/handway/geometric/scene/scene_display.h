@@ -11,7 +11,7 @@
 
 namespace handway::geometric {
 
-/// How the window treats an object.
+/// Display settings of an object.
 struct ObjectDisplay {
   bool hidden = false;     ///< Not drawn; it still counts in planning.
   bool locked = false;     ///< Not to be changed by hand.
@@ -24,19 +24,19 @@ struct ObjectDisplay {
 struct SavedView {
   std::string name;
   Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< In the middle of the picture (world, m).
-  double distance = 1.0;                             ///< Of the camera from it, m; above 0.
-  double azimuth = 0.0;    ///< Of the camera as seen from the target, about +z from +x, rad.
+  double distance = 1.0;                             ///< Distance to the camera, m; above 0.
+  double azimuth = 0.0;    ///< Direction to the camera about +z from +x, rad.
   double elevation = 0.0;  ///< Above the horizon, rad.
 
   friend bool operator==(const SavedView&, const SavedView&) = default;
 };
 
-/// What a scene file says to the window alone: planning and collision checking do without it.
+/// Settings of a scene file for the window alone: planning and collision checking ignore them.
 class SceneDisplay {
  public:
   std::vector<SavedView> views;
 
-  /// Of the object of that name: as set, or ObjectDisplay{}.
+  /// Settings of the object of that name: as set, or ObjectDisplay{}.
   [[nodiscard]] const ObjectDisplay& of(std::string_view object) const {
     static const ObjectDisplay kUsual;
     const auto found = objects_.find(object);

@@ -16,11 +16,11 @@ namespace handway::geometric {
 /// links without geometry stand between them.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT AllowedCollisions adjacent_links(const RobotModel& model);
 
-/// How often two links that are not adjacent were in collision.
+/// Number of collisions of two links that are not adjacent.
 struct SampledPair {
   std::string a;
   std::string b;
-  int collisions = 0;       ///< Of the samples.
+  int collisions = 0;       ///< Number of samples in collision.
   bool at_neutral = false;  ///< In RobotModel::neutral().
   bool at_middle = false;   ///< With every joint in the middle of its range.
   /// One joint moves both, and is at the end of its range at neutral.
@@ -61,8 +61,8 @@ struct SelfCollisionSamples {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT AllowedCollisions
 allowed_collisions(const RobotModel& model, const SelfCollisionSamples& sampled);
 
-/// The same without the pairs that never collide, at a fraction of the time: what makes a robot
-/// usable, and leaves out no pair that may be in collision where it need not be.
+/// Samples without looking for pairs that never collide, in a fraction of the time. The result
+/// makes a robot usable and excludes no pair that may collide unless it always does.
 /// @throws std::invalid_argument if `samples` < 1.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT AllowedCollisions
 sample_overlapping_links(const RobotModel& model, int samples, std::uint64_t seed);

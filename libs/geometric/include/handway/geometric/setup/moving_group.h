@@ -19,13 +19,13 @@ namespace handway::geometric {
 /// @pre the scene has a robot.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> moving_variables(const Scene& scene);
 
-/// What Scene::group may name: groups of the first robot, robots and their parts, joints.
+/// Names that Scene::group may contain: groups of the first robot, robots, their parts, joints.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> movable_names(const Scene& scene);
 
 /// "a group, robot or joint that moves: …", with all movable_names(): what was expected of a name.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string movable_names_text(const Scene& scene);
 
-/// Whether a robot of the scene has something of that name that moves.
+/// Returns whether a robot of the scene has a movable group, part or joint of that name.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_movable(const Scene& scene, std::string_view name);
 
 /// Gives the goal the start's values for what does not move.

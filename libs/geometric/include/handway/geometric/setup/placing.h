@@ -13,17 +13,17 @@
 #include <string_view>
 #include <vector>
 
-/// Where things are in a scene, what they stand on, and where there is room for more.
+/// Positions of things in a scene, their supports, and free space for more.
 namespace handway::geometric {
 
-/// Where a link of a robot is in the world, the first robot standing at `q`.
-/// Nothing if there is no such link.
+/// Pose of a robot's link in the world, with the first robot at `q`. Nothing if there is no such
+/// link.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<Pose> link_pose(const Scene& scene,
                                                                      const Configuration& q,
                                                                      std::string_view robot,
                                                                      std::string_view link);
 
-/// Where an object is in the world, the first robot standing at `q`.
+/// Pose of an object in the world, with the first robot at `q`.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Pose object_pose(const Scene& scene, const Configuration& q,
                                                         const SceneObject& object);
 
@@ -36,12 +36,12 @@ namespace handway::geometric {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Aabb bounds(const Scene& scene, const Configuration& q,
                                                    const std::vector<std::string>& names);
 
-/// How far `upper` can sink along -z until it touches `lower`; both in the world.
-/// Negative if it must be lifted because they overlap. Nothing if they are not
+/// Distance that `upper` can sink along -z until it touches `lower`; both in the
+/// world. Negative if it must be lifted because they overlap. Nothing if they are not
 /// above each other anywhere. Exact for triangles: the least vertical distance is
-/// found at a vertex over a face, a face over a vertex, or where two edges cross
-/// in the view from above. Of `lower`, only what is not higher than the middle of
-/// `upper` counts.
+/// found at a vertex over a face, a face over a vertex, or where two edges cross in
+/// the view from above. Of `lower`, only what is not higher than the middle of `upper`
+/// counts.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<double> vertical_gap(
     const TriangleMesh& upper, const TriangleMesh& lower);
 
@@ -57,19 +57,19 @@ namespace handway::geometric {
 /// Between an object that was put down and what it stands on, m.
 inline constexpr double kRestingGap = 0.5e-3;
 
-/// Where the middle of the underside of a box along the world's axes may stand (world, m) so that
-/// nothing is in it: no object, no robot as it is shown, and not the first one at start or goal.
-/// The nearest such place beside `wanted`, at its height where something is below it there, or else
-/// as low as it falls, at whole 5 mm along x and y. It keeps kRestingGap to what it stands on and
-/// some millimetres to the rest.
+/// Finds a free place (world, m) for the middle of the underside of a box along the world's axes,
+/// so that nothing is in the box: no object, no robot as it is shown, and not the first one at
+/// start or goal. The nearest such place beside `wanted`, at its height where something is below it
+/// there, or else as low as it falls, at whole 5 mm along x and y. It keeps kRestingGap to what it
+/// stands on and some millimetres to the rest.
 /// @param size of the box, m.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Eigen::Vector3d free_foot(const Scene& scene,
                                                                  const Configuration& q,
                                                                  const Eigen::Vector3d& size,
                                                                  const Eigen::Vector3d& wanted);
 
-/// How to move objects that are to be added so that they are in free space as a whole, as
-/// free_foot() has it; where they float they stay at their height.
+/// Returns the motion that brings objects to be added into free space as a whole, as free_foot()
+/// does; floating objects stay at their height.
 /// @param added a scene with them, which may be `scene` itself: then it is beside where they are.
 /// @param names at least one object of `added`.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Pose motion_into_free(const Scene& scene,

@@ -28,14 +28,14 @@ struct RobotFinding {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<RobotFinding> examine_robot(
     const RobotModel& model, const SelfCollisionSamples& sampled, const GroupProposal& groups);
 
-/// What the joints between root and palm belong to, which the tree alone does not say.
+/// Owner of the joints between root and palm, which the tree alone does not determine.
 enum class WristOwner { kUndecided, kArm, kHand };
 
 /// propose_groups(), with the wrist counted to the arm or the hand if somebody has decided that.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal decided_groups(const RobotModel& model,
                                                                     WristOwner wrist);
 
-/// What a person has decided about a robot.
+/// Decisions of the user about a robot.
 struct SetupDecisions {
   WristOwner wrist = WristOwner::kUndecided;
   std::map<AllowedCollisions::Pair, bool> may_touch = {};

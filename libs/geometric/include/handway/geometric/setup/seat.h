@@ -9,9 +9,9 @@
 
 namespace handway::geometric {
 
-/// Where one robot sits on another.
+/// Place of one robot on another.
 struct Seat {
-  std::string link;  ///< Of the carrier.
+  std::string link;  ///< Link of the carrier.
   Pose X_LB;         ///< Root link of the mounted robot in that link.
 };
 

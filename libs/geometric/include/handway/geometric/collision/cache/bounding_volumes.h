@@ -16,10 +16,10 @@ struct CoveringSphere {
   double radius = 0.0;
 };
 
-/// What ExactCollisionChecker asks about a body before it looks at triangles, for people to see; in
-/// the body's frame.
+/// Bounding volumes that ExactCollisionChecker tests before any triangles, for display; in the
+/// body's frame.
 struct BoundingVolumes {
-  /// Of the tree of spheres: together they contain the surface.
+  /// Spheres of the sphere tree: together they contain the surface.
   std::vector<CoveringSphere> spheres;
   /// The convex hull of what may part two bodies, grown if it is flat. The surface is nowhere
   /// farther out than `margin`, m.

@@ -53,22 +53,22 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   /// The closeness of a pair whose bounding volumes don't tell.
   [[nodiscard]] Closeness nearby_closeness(int pair, double tolerance);
 
-  /// The same from the triangles, and from whether one body is inside of the other.
+  /// Tests the triangles, and then whether one body contains the other.
   [[nodiscard]] Closeness exact_closeness(int pair, double tolerance);
 
-  /// Whether a piece of either body is inside of the other, asked after the surfaces, which do not
-  /// touch.
+  /// Returns whether a piece of either body is inside of the other, tested after the surfaces,
+  /// which do not touch.
   [[nodiscard]] bool is_contained(int pair, const NarrowPhaseQuery& surfaces) const;
 
-  /// Whether both bodies move and their boxes are at least `distance` (m) apart. What stands still
-  /// is mostly large and hollow: its box says nothing.
+  /// Returns whether both bodies move and their boxes are at least `distance` (m) apart. Fixed
+  /// bodies are mostly large and hollow, so their boxes are not tested.
   [[nodiscard]] bool boxes_are_apart(int pair, double distance);
 
-  /// The same from what is remembered of the pair or from the boxes.
+  /// Returns whether cached distances or the boxes show that the pair is `distance` (m) apart.
   [[nodiscard]] bool is_separated(int pair, double distance);
 
-  /// Whether the pair touches beyond doubt; if it takes more than the quick test, it joins the
-  /// undecided pairs.
+  /// Returns whether the pair certainly touches; if that takes more than the quick test, the pair
+  /// joins the undecided pairs.
   [[nodiscard]] bool touches_quickly(int pair);
 
   /// A lower bound from the pair's table of distances, if it has one; else 0.

@@ -30,7 +30,7 @@ class HANDWAY_GEOMETRIC_EXPORT FclChecker final : public CollisionChecker {
 /// over those that stand still, OBBRSS trees on the raw triangles behind them. The
 /// baseline that the fast checker is measured against.
 ///
-/// Of several pairs that touch, first_collision() names whichever the trees meet first.
+/// If several pairs touch, first_collision() returns the one that the trees meet first.
 class HANDWAY_GEOMETRIC_EXPORT FclBroadphaseChecker final : public CollisionChecker {
  public:
   explicit FclBroadphaseChecker(std::shared_ptr<const CollisionWorld> world);

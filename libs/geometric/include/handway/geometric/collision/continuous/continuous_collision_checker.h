@@ -15,7 +15,7 @@
 
 namespace handway::geometric {
 
-/// What is known about a straight motion between two configurations.
+/// Result of checking a straight motion between two configurations.
 struct EdgeResult {
   bool free = false;
   /// If not free, and settled: the pair that touches, or comes closer than the resolution, …
@@ -42,7 +42,7 @@ struct EdgeEnd {
 
   /// The nearest pair, if there is one.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const NearPair* nearest() const;
-  /// What edges keep next to the end, m, if they keep `resolution` elsewhere.
+  /// Returns the resolution near the end, m, for edges of resolution `elsewhere`.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT double resolution(double elsewhere) const;
 };
 
@@ -86,10 +86,10 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   /// and once at the beginning of each question. Empty: they never do.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
 
-  /// Where resolutions and the margin shrink, also of edges that only pass by.
+  /// Sets the ends near which resolutions and the margin shrink, also of edges that only pass by.
   void set_ends(std::vector<EdgeEnd> ends);
 
-  /// What the robot keeps from all else, m, ≥ 0.
+  /// Sets the distance of the robot from all else, m, ≥ 0.
   void set_margin(double margin) { margin_ = margin; }
 
   /// From now on pairs keep three fifths of all this. Every piece of an edge that was found free
@@ -107,7 +107,7 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
       const Configuration& from, const Configuration& to,
       std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
 
-  /// The same of some pairs alone, as if there were no others: an edge is free if and only
+  /// Checks the motion of some pairs alone, as if there were no others: an edge is free if and only
   /// if it is for every pair on its own.
   [[nodiscard]] EdgeResult check_among(
       std::span<const int> pairs, const Configuration& from, const Configuration& to,
@@ -131,13 +131,13 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
                                   const std::function<void(std::vector<int>&)>& list_pairs);
   [[nodiscard]] bool is_stopped(std::uint64_t checks) const;
 
-  /// What the pair has to keep (m) where it is not near an end.
+  /// Returns the distance that the pair requires (m) far from the ends.
   [[nodiscard]] double far_from_ends(int pair) const;
-  /// What the pair has to keep (m) around `middle`, up to where it can have moved by `motion` (m).
+  /// Returns the distance (m) required around `middle`, up to where the pair moves by `motion` (m).
   [[nodiscard]] double required(int pair, const Configuration& middle, double motion) const;
 
-  /// Whether no bound of the pair's distance is likely to be that large; of the configuration in
-  /// place, as the next two, where "closer" may be said wrongly of a pair that needs much.
+  /// Returns whether the pair is likely to be farther apart than `distance`, in the configuration
+  /// in place, as the next two. Pairs with large requirements may be reported closer than they are.
   [[nodiscard]] bool is_out_of_reach(int pair, double distance);
   [[nodiscard]] Closeness closeness_of_spheres(int pair);
   /// @param need m, that it can come closer. @param required m, to keep nevertheless.
@@ -146,14 +146,14 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   struct Clearance;  // what clearance() has found so far
   void look_at_waypoint(const Configuration& q, Clearance& found);
   void look_along(const Configuration& from, const Configuration& to, Clearance& found);
-  /// Of the configuration in place, the middle of a stretch of that half length: whether the pair
-  /// is settled on it.
+  /// Returns whether the pair is settled on a stretch of half length `half` whose middle is the
+  /// configuration in place.
   [[nodiscard]] bool settle(int pair, double half, Clearance& found);
 
   struct Stretch {
     double middle;
     double half;
-    std::size_t first;  ///< Of its pairs in the level's list.
+    std::size_t first;  ///< Index of its first pair in the level's list.
     std::size_t count;
   };
 

@@ -10,10 +10,10 @@
 
 namespace handway::geometric {
 
-/// How far two bodies of a pair can move against each other when the joints
-/// move: the farthest that any point of one can travel in the frame of the other
-/// per unit of each variable, over all configurations. Couplings are included. Of a constraint
-/// (see CollisionWorld::constraints()): how far its point can travel, or its axis turn (rad).
+/// Bound of the relative motion of two bodies of a pair as the joints move: the farthest that any
+/// point of one can travel in the frame of the other per unit of each variable, over all
+/// configurations. Couplings are included. Of a constraint (see CollisionWorld::constraints()): how
+/// far its point can travel, or its axis turn (rad).
 ///
 /// Source: Schwarzer, Saha, Latombe, "Adaptive dynamic collision checking for
 /// single and multiple articulated robots in complex environments", IEEE
@@ -40,15 +40,15 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
     return reach_.transpose() * travel;
   }
 
-  /// The same for any point of the robot in the world: the measure of edge
-  /// resolution in millimetres.
+  /// Bounds the motion of any point of the robot in the world: the measure of edge resolution in
+  /// millimetres.
   [[nodiscard]] double any_point(const Eigen::VectorXd& travel) const {
     return farthest_.dot(travel);
   }
 
   [[nodiscard]] const RobotModel& model() const { return *model_; }
 
-  /// Where a pair's motion is measured.
+  /// Frame in which a pair's motion is measured.
   struct PairFrame {
     int a = 0;  ///< Bodies of the pair.
     int b = 0;
@@ -84,12 +84,12 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   Eigen::VectorXd farthest_;  ///< Shape [variable_count].
 };
 
-/// How far the bodies of a pair move against each other on a part of one edge:
-/// MotionBound, sharpened by how they really move in the part's middle.
+/// Bound of the relative motion of a pair's bodies on a part of one edge: MotionBound, sharpened by
+/// how they really move in the part's middle.
 ///
-/// Where several joints turn at once their motions largely cancel out. A point's
-/// velocity in the middle is known; on the way to either end it changes by no
-/// more than the joints turn each other's axes. Both together bound the displacement.
+/// If several joints turn at once, their motions largely cancel out. A point's velocity in the
+/// middle is known; on the way to either end it changes by no more than the joints turn each
+/// other's axes. Both together bound the displacement.
 class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
  public:
   explicit EdgeMotion(std::shared_ptr<const MotionBound> motion);
@@ -111,7 +111,7 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
   [[nodiscard]] double within(int pair, double half) const;
 
  private:
-  /// Of a body against the link `frame`.
+  /// Bounds the displacement of a body relative to the link `frame`.
   [[nodiscard]] double displacement(int body, int frame, double half) const;
 
   std::shared_ptr<const MotionBound> motion_;

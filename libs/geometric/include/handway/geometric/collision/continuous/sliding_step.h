@@ -10,10 +10,10 @@
 
 namespace handway::geometric {
 
-/// How far a robot that somebody leads may go.
+/// Largest collision-free step of a robot that is guided by hand.
 struct FreeStep {
   Configuration q;          ///< Shape [variable_count].
-  std::optional<int> pair;  ///< What touches beyond; nothing if the whole step is free.
+  std::optional<int> pair;  ///< Pair that stops the step; empty if it is free.
 };
 
 /// Goes straight from `from` towards `to`, as far as every configuration is free that is looked at
@@ -26,9 +26,9 @@ struct FreeStep {
                                                               const Configuration& to,
                                                               double resolution = 0.02);
 
-/// The same, but what is stopped slides: first all variables go together as far as they can, then
-/// each group in turn goes on by itself, so that a finger that touches stops while arm and
-/// other fingers move on, then each variable of what is left.
+/// Returns the step with sliding: first all variables go together as far as they can, then each
+/// group in turn goes on by itself, so that a finger that touches stops while arm and other fingers
+/// move on, then each variable of what is left.
 /// @param groups variables that belong together, such as arm and fingers; may be empty.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT FreeStep
 sliding_step(CollisionChecker& checker, const Configuration& from, const Configuration& to,

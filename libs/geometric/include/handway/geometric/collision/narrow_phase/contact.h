@@ -15,7 +15,7 @@
 
 namespace handway::geometric {
 
-/// Where two bodies are closest to each other; world, m.
+/// Closest points of two bodies; world, m.
 struct ClosestPoints {
   Eigen::Vector3d p_WA;  ///< On the first one's surface.
   Eigen::Vector3d p_WB;  ///< On the second one's.
@@ -39,7 +39,7 @@ class HANDWAY_GEOMETRIC_EXPORT ClosestPointFinder {
   std::unique_ptr<Trees> trees_;
 };
 
-/// Where and how far two bodies go into each other.
+/// Place and depth of the intersection of two bodies.
 struct Contact {
   /// Depths are not distinguished beyond this, m.
   static constexpr double kMostDepth = 0.2;
@@ -51,8 +51,8 @@ struct Contact {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
   /// In which `a` gets free: unit vector, world.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-  /// How far `a` has to be shifted along `direction` to be clear of `b`, m, to 0.1 mm. The
-  /// shortest of some thirty directions: an upper bound of the penetration depth; kMostDepth if
+  /// Distance by which `a` has to be shifted along `direction` to be clear of `b`, m, to 0.1 mm.
+  /// The shortest of some thirty directions: an upper bound of the penetration depth; kMostDepth if
   /// none of them gets clear sooner.
   double depth = kMostDepth;
 };

@@ -7,11 +7,11 @@
 
 namespace handway::geometric {
 
-/// How a collision checker is prepared.
+/// Options of preparing a collision checker.
 struct Preparation {
-  /// Nobody wants the checker any more: making it ends with PreparationStopped.
+  /// Cancels the preparation, which then throws PreparationStopped.
   std::stop_token stop = {};
-  /// Whether what takes long to derive of meshes is kept in the user's cache. Not worth it for
+  /// True if volumes that take long to derive from meshes are stored in the user's cache. False for
   /// what is edited right now, such as an object at every size that it is dragged through.
   bool keeps_volumes = true;
 };
