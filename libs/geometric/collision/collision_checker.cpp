@@ -10,7 +10,7 @@
 namespace handway::geometric {
 namespace {
 
-// Of the configuration in place.
+// Describes the constraint's state in the configuration in place.
 std::string description(const LinkConstraint& constraint, const CollisionChecker& checker) {
   return "constraint " + constraint.name() + ": " + constraint.description(checker.link_poses());
 }

@@ -23,7 +23,7 @@ void refuse_if_far(const Eigen::Vector3d& p, const std::filesystem::path& file,
   }
 }
 
-// The same solids in a frame with its origin there.
+// Returns the solids in a frame with its origin at `p`.
 std::shared_ptr<const BodySolids> with_origin_at(const Eigen::Vector3d& p,
                                                  const BodySolids& solids) {
   auto moved = std::make_shared<BodySolids>(solids);

@@ -41,7 +41,8 @@ Eigen::Vector3d across(const Eigen::Vector3d& axis, const Eigen::Vector3d& other
   return normal.norm() > 1e-9 ? normal.normalized() : axis.unitOrthogonal();
 }
 
-// What is exceeded, and its slopes in normalised joints. Shapes [excesses x variables], [excesses].
+// Returns excesses and their slopes in normalised joints. Shapes [excesses x variables],
+// [excesses].
 std::pair<Eigen::MatrixXd, Eigen::VectorXd> excess_of(const RobotModel& model,
                                                       std::span<const LinkConstraint> constraints,
                                                       std::span<const int> variables,

@@ -63,7 +63,7 @@ std::optional<double> either(std::optional<double> a, std::optional<double> b,
 }
 
 FiledJointLimits limits_of(const YamlElement& joint, const std::string& name) {
-  // Of all that ROS has in such files.
+  // Every key that ROS has in such files.
   joint.allow_keys({"has_velocity_limits", "max_velocity", "has_acceleration_limits",
                     "max_acceleration", "has_jerk_limits", "max_jerk", "has_position_limits",
                     "min_position", "max_position", "has_deceleration_limits", "max_deceleration",

@@ -81,7 +81,7 @@ std::optional<int> joint_called(const JointLookup& lookup, std::string_view name
 
 enum class AngleUnit { kUnnamed, kRadians, kDegrees };
 
-// What a column's name says behind the joint's own name.
+// Returns the unit that a column's name has after the joint's own name.
 AngleUnit unit_of_column(std::string_view column) {
   const std::vector<std::string> words = words_of_column(column);
   const std::string last = words.empty() ? "" : words.back();
@@ -125,7 +125,8 @@ bool has_joint_messages(std::string_view head) {
 
 namespace {
 
-/// What `rostopic echo -p` writes: "field.name0" and "field.position0" belong together.
+/// Returns the names in output of `rostopic echo -p`: "field.name0" and "field.position0" belong
+/// together.
 std::map<std::string, std::string> names_in_rows(const std::vector<std::string>& header,
                                                  const std::vector<std::string_view>& row) {
   constexpr std::string_view kName = "field.name";
@@ -345,7 +346,7 @@ class TableOfJoints {
     }
   }
 
-  // As many positions as names.
+  // Appends a row. @pre there are as many positions as names.
   void append(std::span<const std::string_view> names, std::span<const std::string_view> positions,
               double time, std::size_t line) {
     if (names.size() != positions.size()) {
@@ -417,7 +418,7 @@ class TableOfJoints {
   bool ends_in_separator_ = false;
   bool is_begun_ = false;
   std::vector<std::optional<int>> columns_;  ///< The joint of each.
-  std::vector<AngleUnit> units_;             ///< Of each.
+  std::vector<AngleUnit> units_;             ///< Unit of each column.
   TimeColumns time_;
   std::optional<std::size_t> name_list_;
   std::optional<std::size_t> position_list_;

@@ -43,7 +43,7 @@ constexpr auto kAssimpEndings = std::to_array<std::string_view>(
      ".sib",     ".smd",  ".step",  ".stl",  ".stp",  ".ter", ".uc",      ".vta",       ".x",
      ".x3d",     ".x3db", ".xgl",   ".xml",  ".zae",  ".zgl"});
 
-/// What one reading may take.
+/// Limits of one reading.
 struct Limits {
   explicit Limits(std::uint64_t file_size) {
     const double megabytes = static_cast<double>(file_size) / static_cast<double>(kMegabyte);
@@ -94,7 +94,7 @@ std::uint64_t checked_size(const fs::path& file) {
 constexpr std::size_t kStlHeader = 80;
 constexpr std::size_t kStlTriangle = 50;
 
-// Of a binary STL the count of triangles that contradicts the size of the file.
+// Refuses a binary STL file whose count of triangles contradicts the size of the file.
 void refuse_wrong_count(const fs::path& file, std::uint64_t size, std::string_view head) {
   std::string begin(head.substr(0, 5));
   std::ranges::transform(begin, begin.begin(),
@@ -118,7 +118,7 @@ void refuse_wrong_count(const fs::path& file, std::uint64_t size, std::string_vi
   }
 }
 
-// What can be said of a file without reading it by a library of others.
+// Refuses contents that are recognized without a third-party library.
 void refuse_other_contents(const fs::path& file, std::uint64_t size) {
   constexpr std::size_t kHead = 1024;
   const std::string head = head_of(file, kHead);
@@ -156,7 +156,7 @@ class Reading {
     }
     std::unique_ptr<MeshReaderProcess> process = start();
     std::optional<MeshReadingEnd> end = ask(*process, absolute);
-    // One that served before may have been killed since.
+    // Retries with a new process: one that served before may have been killed since.
     while (!end && seconds_left() > 0.0 && process->has_served()) {
       process = start();
       end = ask(*process, absolute);

@@ -61,8 +61,8 @@ std::pair<OwnedDescriptor, OwnedDescriptor> socket_pair() {
   return {OwnedDescriptor(ends[0]), OwnedDescriptor(ends[1])};
 }
 
-// What posix_spawn() does before the program begins: it gets the socket, no output, no other
-// descriptor of ours, a session and the signals of its own.
+// Settings of posix_spawn() for the program: it gets the socket, no output, no other descriptor of
+// ours, a session and the signals of its own.
 class Surroundings {
  public:
   explicit Surroundings(int socket) {

@@ -52,7 +52,7 @@ class MeshReaderProcess {
   /// @returns the pipe that the answer comes through; invalid if the program is gone.
   [[nodiscard]] OwnedDescriptor ask(const MeshRequest& request, const std::filesystem::path& file);
 
-  /// How the reading ended. Nothing if the program is gone, or says nothing for `seconds`.
+  /// Returns the end of the reading. Nothing if the program died or is silent for `seconds`.
   [[nodiscard]] std::optional<MeshReadingEnd> wait_for_end(double seconds);
 
  private:

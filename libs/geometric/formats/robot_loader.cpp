@@ -139,7 +139,7 @@ ExpandedXacro::~ExpandedXacro() {
 constexpr int kSamples = 200;
 constexpr std::uint64_t kSeed = 1;
 
-// What an SRDF would say: which links overlap by construction.
+// Finds links that overlap by construction, as an SRDF would list them.
 void find_allowed_collisions(RobotDescription& robot) {
   const RobotModel model(robot);
   robot.allowed_collisions = sample_overlapping_links(model, kSamples, kSeed);
@@ -173,7 +173,7 @@ void find_groups(RobotDescription& robot) {
   add_groups(proposal, robot);
 }
 
-/// Of other formats, by plugins.
+/// Readers of other formats, from plugins.
 struct Registered {
   std::mutex mutex;
   std::vector<RobotReader> readers;
@@ -207,7 +207,7 @@ void add_srdf_beside(const fs::path& file, RobotDescription& robot) {
   }
 }
 
-// Also one that is called *.xml, by its top element.
+// Returns whether the file is a URDF; *.xml files are recognized by their top element.
 bool is_urdf(const fs::path& file) {
   if (!has_extension(file, ".xml")) {
     return has_extension(file, ".urdf");

@@ -147,7 +147,7 @@ void add_objects(const YamlElement& list, const fs::path& folder, Scene& scene) 
   }
 }
 
-// What collisions are between: links of the robots and objects.
+// Names of bodies that can collide: links of the robots and objects.
 std::vector<std::string> names_of_bodies(const Scene& scene) {
   std::vector<std::string> names;
   for (const RobotInstance& robot : scene.robots) {
@@ -204,7 +204,7 @@ std::optional<Configuration> query_of(const YamlElement& top, const std::string&
   return element ? std::optional(configuration_of(*element, model, defaults)) : std::nullopt;
 }
 
-// Where joints go that a goal does not name: those that do not move stay at the start.
+// Returns the values of joints that a goal does not name: joints that don't move stay at the start.
 Configuration goal_defaults(const Scene& scene) {
   const Configuration& stands = scene.robots.front().configuration;
   Configuration defaults = scene.start.value_or(stands);

@@ -201,7 +201,7 @@ Padding padding_of(const YamlElement& element) {
   return padding;
 }
 
-// Of the robot that stands in the world and what it carries, by each part's own names of links.
+// Reads paddings of the fixed robot and what it carries, by each part's own names of links.
 void read_paddings(const std::vector<Entry>& entries, std::size_t index, RobotInstance& robot) {
   const Entry& entry = entries[index];
   if (const std::optional<YamlElement> list = entry.element.find("padding")) {

@@ -135,7 +135,7 @@ Points corners_of(const Scene& scene) {
   return points;
 }
 
-// Of the slides of `base` that `bounds` do not name, around `points` and the robot's own values.
+// Adds bounds of `base`'s slides that `bounds` lack, around `points` and the robot's own values.
 void add_bounds(const RobotInstance& robot, const BaseJoint& base, const Points& points,
                 const std::vector<Configuration>& values, Bounds& bounds) {
   const RobotModel& model = *robot.model;
@@ -385,7 +385,7 @@ Color color_of(const YamlElement& element) {
   return {parts[0], parts[1], parts[2], parts[3]};
 }
 
-// Of a part of a composed robot, links go by their own names too.
+// Resolves a link's name; links of a part of a composed robot may have their own names too.
 std::string link_of(const YamlElement& element, const RobotModel& model, const RobotPart* part) {
   std::string name = element.text();
   if (part != nullptr && part->links.contains(name)) {

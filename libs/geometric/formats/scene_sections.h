@@ -27,7 +27,7 @@ void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 [[nodiscard]] std::vector<PoseGoal> pose_goals_of(const YamlElement& element,
                                                   const RobotModel& model);
 
-/// The same as text; empty without goals.
+/// Returns the goals as text; empty without goals.
 [[nodiscard]] std::string pose_goals_text(const std::vector<PoseGoal>& goals);
 
 /// `{xyz: […], rpy_deg: […]}`, both optional.
@@ -43,7 +43,7 @@ void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 [[nodiscard]] SceneObject object_of(const YamlElement& element, const Scene& scene,
                                     const std::filesystem::path& folder);
 
-/// What the same entry says to the window.
+/// Reads the display settings from the entry of an object.
 [[nodiscard]] ObjectDisplay display_of(const YamlElement& element);
 
 /// Reads the list `robots` of a scene file, and mounts robots on each other.

@@ -26,15 +26,15 @@
 namespace handway::geometric {
 namespace {
 
-/// How a scene file names a robot's file.
+/// Reference to a robot's file in a scene file.
 struct RobotReference {
   std::filesystem::path file;
   bool is_saved = false;  ///< With its bases, in a file made for the scene.
 };
 
-/// How a scene file names the files that it needs, in the scene's order.
+/// References to all files that the scene needs, in the scene's order.
 struct SceneReferences {
-  std::vector<std::vector<RobotReference>> robots;  ///< Of each robot: of its parts, in order.
+  std::vector<std::vector<RobotReference>> robots;  ///< References of each robot's parts, in order.
   std::vector<std::filesystem::path> meshes;        ///< Empty for objects of other shapes.
   std::vector<bool> is_scaled;                      ///< False: the mesh file already has the scale.
   std::filesystem::path hand_basis;
@@ -62,7 +62,7 @@ std::string posture_text(const NamedPosture& posture) {
   return text;
 }
 
-// Which root moves, and how far bases go.
+// Text about bases: the root that moves, and the bases' ranges.
 std::string bases_text(const RobotModel& model) {
   std::string text;
   std::string bounds;

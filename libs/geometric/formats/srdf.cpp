@@ -27,7 +27,7 @@ class UnknownNames {
  public:
   void add(const XmlDocument& document, const pugi::xml_node& node, const std::string& kind,
            const std::string& name, const std::vector<std::string>& known);
-  /// Whether `name` is known; adds it if it is not.
+  /// Returns whether `name` is known; records it if it is not.
   bool check(const XmlDocument& document, const pugi::xml_node& node, const std::string& kind,
              const std::string& name, const std::vector<std::string>& known);
 
@@ -150,7 +150,7 @@ class GroupReader {
     return {};
   }
 
-  // What `attribute` names, if the robot has it.
+  // Returns the value of `attribute` if the robot has that name.
   [[nodiscard]] std::optional<std::string> known(const pugi::xml_node& node,
                                                  const std::string& kind, const char* attribute,
                                                  const std::vector<std::string>& names) const {
@@ -273,7 +273,7 @@ void add_virtual_joints(const XmlDocument& document, RobotDescription& robot) {
   }
 }
 
-/// What is read of an SRDF file.
+/// Contents of an SRDF file.
 struct Semantics {
   std::vector<JointGroup> groups;
   std::vector<EndEffector> end_effectors;
@@ -356,7 +356,7 @@ class SrdfReader {
     semantics_.postures.push_back(std::move(posture));
   }
 
-  // What `enable_collisions` does not name of it: MoveIt's coarse shapes for self-collisions.
+  // Allows all collisions of a link but those in `enable_collisions`, as of MoveIt's coarse shapes.
   void allow_all_of(const pugi::xml_node& node) {
     const std::string link = document_.need(node, "link");
     const bool is_known = unknown_.check(document_, node, "link", link, links_);

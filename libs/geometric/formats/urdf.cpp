@@ -134,7 +134,7 @@ void add_joints(const XmlDocument& document, const urdf::ModelInterface& model,
   note_joints(rangeless, "joints that can't move, as their limits leave no range", robot);
 }
 
-/// What urdfdom made of a text, and what it said about it.
+/// Result of urdfdom for a text, and its messages.
 struct UrdfdomResult {
   urdf::ModelInterfaceSharedPtr model;  ///< Null if it refused the text.
   std::vector<std::string> messages;    ///< Errors and warnings, in order.

@@ -78,7 +78,7 @@ const XmlVocabulary& vocabulary() {
   return kVocabulary;
 }
 
-// What planning would miss if it stood where nobody looks for it.
+// Elements that planning needs, so that they must not be misplaced.
 const std::vector<std::string> kNeeded = {"link", "joint",  "collision", "geometry",
                                           "box",  "sphere", "cylinder",  "capsule",
                                           "mesh", "limit",  "mimic"};
@@ -153,7 +153,7 @@ class ElementReader {
 
   // The tree's links.
 
-  // Those that no joint connects, where joints make a robot of the others.
+  // Returns links that no joint connects, if the other links form a robot by joints.
   [[nodiscard]] std::set<std::string> links_on_their_own(const pugi::xml_node& robot) const {
     std::set<std::string> parents;
     std::set<std::string> children;
@@ -275,7 +275,7 @@ class ElementReader {
       copy_numbers(origin, element, "rpy", 3, copy);
       return;
     }
-    // Of URDF 1.2, which urdfdom doesn't know yet.
+    // The attribute quat_xyzw is of URDF 1.2, which urdfdom doesn't know yet.
     const std::vector<double> q = numbers(origin, element, "quat_xyzw", 4);
     const Eigen::Quaterniond turn(q[3], q[0], q[1], q[2]);
     if (turn.norm() < 1e-6 || origin.attribute("rpy")) {
@@ -323,7 +323,7 @@ class ElementReader {
     }
   }
 
-  // Whether a shape is a mere point, as converters give to links that are frames.
+  // Returns whether a shape is a mere point, as converters give to links that are frames.
   [[nodiscard]] static bool has_no_size(const pugi::xml_node& collision) {
     const pugi::xml_node geometry = collision.child("geometry");
     const auto zero = [&](const char* shape, const char* attribute) {
@@ -561,7 +561,7 @@ class ElementReader {
     }
   }
 
-  // Whether a limit is so large that it says there is none.
+  // Returns whether a limit is so large that it means "no limit".
   [[nodiscard]] static bool is_beyond(const pugi::xml_node& limit, const char* attribute,
                                       double side = 1.0) {
     const std::string text = limit.attribute(attribute).value();
@@ -605,7 +605,7 @@ class ElementReader {
   const XmlDocument& document_;
   UrdfElements result_;
   pugi::xml_document text_;
-  pugi::xml_node robot_;  ///< Of the text.
+  pugi::xml_node robot_;  ///< The <robot> element of the text.
   std::set<std::string> materials_;
   std::set<std::string> undefined_materials_;
   int unnamed_materials_ = 0;

@@ -10,7 +10,7 @@
 
 namespace handway::geometric {
 
-/// What of a file can't be drawn. Planning does without it: reported in one warning.
+/// Elements that can't be drawn. Planning doesn't need them: they are reported in one warning.
 class DrawingFaults {
  public:
   void add(const InputError& fault);
@@ -23,7 +23,7 @@ class DrawingFaults {
   std::vector<std::string> faults_;
 };
 
-/// What a cylinder of the text is called that stands for a capsule, which urdfdom doesn't know.
+/// Name of a cylinder in the text that stands for a capsule, which urdfdom doesn't know.
 inline constexpr const char* kCapsule = "capsule";
 
 /// The elements of a URDF file, checked.
@@ -31,8 +31,8 @@ struct UrdfElements {
   std::string text;  ///< The file for urdfdom: what is read of it, and no more.
   /// The links of the text, with how many collision elements each has.
   std::map<std::string, std::ptrdiff_t> links;
-  std::vector<std::string> warnings;  ///< What is not read.
-  DrawingFaults drawing;              ///< What of it can't be drawn.
+  std::vector<std::string> warnings;  ///< Elements that are ignored.
+  DrawingFaults drawing;              ///< Elements that can't be drawn.
 };
 
 /// Checks what urdfdom drops without a word or with one for the log: shapes, origins and

@@ -94,7 +94,7 @@ class GeometryReader {
         where_(std::move(referenced_by)),
         files_(files) {}
 
-  // Of a <visual> or <collision>; a capsule is three shapes.
+  // Reads a <visual> or <collision>; a capsule becomes three shapes.
   template <typename Element>
   [[nodiscard]] std::vector<LinkGeometry> read(const Element& element) const {
     if (!element.geometry) {
@@ -142,7 +142,7 @@ class GeometryReader {
     return Mesh{file, scale, read_mesh(file, scale, where_)};
   }
 
-  // Where MuJoCo would look, if the file says so.
+  // Returns the file where MuJoCo would find it, if the URDF names MuJoCo's folder.
   [[nodiscard]] std::optional<fs::path> mesh_of_compiler(const std::string& filename) const {
     if (!files_.compiler) {
       return std::nullopt;
@@ -157,7 +157,7 @@ class GeometryReader {
     return fs::is_regular_file(file, ignored) ? std::optional(std::move(file)) : std::nullopt;
   }
 
-  // Where it is said to be, or else what the package path has of that name.
+  // Returns the file at its given path, or else one of that name from the package path.
   [[nodiscard]] fs::path mesh_file(const std::string& filename) const {
     if (std::optional<fs::path> file = mesh_of_compiler(filename)) {
       files_.by_compiler.insert(filename);

@@ -14,18 +14,18 @@
 
 namespace handway::geometric {
 
-/// Where MuJoCo looks for the meshes of a URDF file: `<mujoco><compiler meshdir="…"
+/// MuJoCo's folder for the meshes of a URDF file: `<mujoco><compiler meshdir="…"
 /// strippath="…"/></mujoco>`.
 struct MujocoCompiler {
   std::filesystem::path mesh_folder;  ///< From the robot's folder.
   bool strips_path = true;            ///< Folders in names of files do not count.
 };
 
-/// What was noticed about the files that links name.
+/// Notes about the files that links name.
 struct LinkFiles {
-  std::optional<MujocoCompiler> compiler;  ///< Of the file, if it has one.
+  std::optional<MujocoCompiler> compiler;  ///< Settings of MuJoCo in the file.
   std::set<std::string> by_compiler;       ///< Meshes that are where it says.
-  DrawingFaults drawing;                   ///< What can't be drawn.
+  DrawingFaults drawing;                   ///< Elements that can't be drawn.
   std::set<std::string> renamed;  ///< Mesh files whose names have other letters than written.
   std::set<std::string> found;    ///< Meshes that were not there, with the files taken instead.
   MissingMeshes missing;          ///< Collision meshes that are nowhere.

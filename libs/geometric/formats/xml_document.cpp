@@ -98,7 +98,8 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-// What xacro itself leaves nothing of. A call of a macro that it did not know stays in its output.
+// Returns whether xacro removes the element. A call of a macro that it did not know stays in its
+// output.
 bool is_of_xacro(std::string_view name) {
   static const std::vector<std::string> kOwn = {
       "xacro:macro", "xacro:include", "xacro:property",     "xacro:arg",

@@ -44,7 +44,7 @@ class XmlDocument {
 /// The text of a document, indented by two blanks, with an XML declaration.
 [[nodiscard]] std::string xml_text(const pugi::xml_document& document);
 
-/// What may stand in an element of a format.
+/// Allowed contents of an element of a format.
 struct XmlElementKind {
   std::vector<std::string> children = {};
   std::vector<std::string> attributes = {};  ///< Empty: any.

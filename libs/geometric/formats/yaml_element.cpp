@@ -317,7 +317,7 @@ class LimitCheck final : public YAML::EventHandler {
   std::unordered_map<YAML::anchor_t, Extent> anchored_;
 };
 
-// Whether a text is fit to be parsed, see read_yaml_text().
+// Checks that a text can be parsed, see read_yaml_text().
 void check_yaml(const std::string& text, const std::string& source, const std::string& what) {
   std::istringstream stream(text);
   int documents = 0;

@@ -43,7 +43,7 @@ bool are_alike(const Words& a, const Words& b) {
   return 10 * common_ends(a, b)[0][0] >= 6 * longer;
 }
 
-// What the second is about: its first word that the first has not there.
+// Returns the subject of the second line: its first word that differs from the first line.
 std::string difference(const Words& a, const Words& b) {
   const auto length = common_ends(a, b);
   std::size_t i = 0;
@@ -65,7 +65,7 @@ struct Kind {
   std::string line;
   Words words;
   std::size_t more = 0;
-  std::vector<std::string> named = {};  ///< Of the others, each once.
+  std::vector<std::string> named = {};  ///< Subjects of further lines, each once.
 };
 
 std::string text_of(const Kind& kind) {

@@ -128,7 +128,7 @@ void append_folders(const char* variable, const char* below, std::vector<fs::pat
   }
 }
 
-// What a person has named, the last first.
+// Returns the folders that the user has named, the last first.
 std::vector<fs::path> package_path() {
   AddedFolders& added = added_folders();
   const std::scoped_lock lock(added.mutex);
@@ -144,7 +144,7 @@ std::vector<fs::path> package_roots() {
   return roots;
 }
 
-// How many parts of the paths are the same, from their ends.
+// Counts equal parts of the paths, from their ends.
 std::ptrdiff_t common_end(const fs::path& a, const fs::path& b) {
   const std::vector<fs::path> one(a.begin(), a.end());
   const std::vector<fs::path> other(b.begin(), b.end());

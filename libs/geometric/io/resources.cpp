@@ -66,7 +66,7 @@ fs::path library_folder(ResourceKind kind) {
   return library ? fs::absolute(*library / kFolders[static_cast<std::size_t>(kind)]) : fs::path();
 }
 
-// Where a name of the library may lie, best first; nowhere without a library.
+// Returns candidate paths of a name of the library, best first; empty without a library.
 std::vector<fs::path> library_places(ResourceKind kind, const fs::path& name) {
   const fs::path folder = library_folder(kind);
   if (folder.empty()) {

@@ -451,7 +451,7 @@ class Breaks {
   [[nodiscard]] std::size_t late() const { return late_; }
 
  private:
-  /// Whether rows go on at `last` soon: then this one only came too late.
+  /// Returns whether later rows soon continue from `last`: then this one only came too late.
   [[nodiscard]] bool is_late(std::size_t row, double last) const {
     constexpr std::size_t kFew = 5;
     for (std::size_t next = row + 1; next < std::min(row + 1 + kFew, times_.size()); ++next) {

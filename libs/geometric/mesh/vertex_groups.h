@@ -72,7 +72,7 @@ class VertexTable {
     return hash;
   }
 
-  // Where the place is, or where it is to be.
+  // Returns the slot of the place, or the free slot for it.
   [[nodiscard]] std::size_t slot_of(const Eigen::Vector3d& p) const {
     std::size_t slot = hash(p) & (slots_.size() - 1);
     while (slots_[slot] != kEmpty && vertices_[slots_[slot]] != p) {

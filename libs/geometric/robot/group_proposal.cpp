@@ -116,8 +116,8 @@ class GroupFinder {
 
   [[nodiscard]] bool is_palm(int link) const { return is_palm_[static_cast<std::size_t>(link)]; }
 
-  // Of the joints that lead from `link`, its own counted, to the palm farthest from it; none where
-  // it leads to none.
+  // Number of joints from `link`, its own counted, to the palm farthest from it; none if it leads
+  // to no palm.
   [[nodiscard]] std::optional<int> joints_to_palm(int link) const {
     return joints_to_palm_[static_cast<std::size_t>(link)];
   }
@@ -131,7 +131,8 @@ class GroupFinder {
     return most + (model_.joint(link).type != JointType::kFixed ? 1 : 0);
   }
 
-  // Whether `link` is a palm, and how far one is, as known of all that it carries.
+  // Decides whether `link` is a palm, and how far the next one is, from the results of its
+  // children.
   void find_palm(int link) {
     const auto i = static_cast<std::size_t>(link);
     const std::vector<int> branches = moving_branches(link);
@@ -150,8 +151,8 @@ class GroupFinder {
     }
   }
 
-  // Whether two of these branches are long enough to touch what is between them: eyes are not.
-  // Where nothing has a shape, nobody knows.
+  // Returns whether two of the branches are long enough to touch an object between them: eyes are
+  // not. True for branches without shapes.
   [[nodiscard]] bool can_meet(const std::vector<int>& branches) const {
     const auto base = [&](int link) { return model_.joint(link).X_PJ.translation(); };
     for (auto one = branches.begin(); one != branches.end(); ++one) {
@@ -183,7 +184,7 @@ class GroupFinder {
     return farthest + (joint.type == JointType::kPrismatic ? joint.limits.range() : 0.0);
   }
 
-  // Whether all of a branch that moves is one joint that turns without end.
+  // Returns whether a branch that moves is a single joint that turns without end.
   [[nodiscard]] bool is_wheel(int link) const {
     const std::vector<int> branches = moving_branches(link);
     const Joint& joint = model_.joint(link);
@@ -206,7 +207,7 @@ class GroupFinder {
     }
   }
 
-  // What a drawing shows; motors and synergies that move fingers are links without.
+  // Returns whether a link has a shape; motors and synergies that move fingers are links without.
   [[nodiscard]] bool has_shape(int link) const {
     return !model_.link(link).visual.empty() || !model_.link(link).collision.empty() ||
            std::ranges::any_of(children_[static_cast<std::size_t>(link)],
@@ -228,7 +229,7 @@ class GroupFinder {
     }
   }
 
-  // Whether a branch is but a bar of the linkage that keeps the tip of a finger in line, as
+  // Returns whether a branch is a bar of the linkage that keeps the tip of a finger parallel, as
   // grippers with parallel jaws have them: it begins beside the finger, turns with it to the same
   // side and has fewer joints.
   [[nodiscard]] bool is_bar_beside(int bar, int finger) const {
@@ -244,7 +245,7 @@ class GroupFinder {
            std::ranges::all_of(of_bar, [&](int variable) { return variable == of_finger.front(); });
   }
 
-  // What moves each joint of a branch.
+  // Variables that move the joints of a branch, one per joint.
   [[nodiscard]] std::vector<int> drives(int link) const {
     std::vector<int> variables;
     if (model_.joint(link).type != JointType::kFixed) {

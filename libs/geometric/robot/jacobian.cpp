@@ -29,7 +29,7 @@ Jacobian point_jacobian(const RobotModel& model, std::span<const Pose> X_BL, int
 }
 
 Jacobian point_jacobian(const RobotState& state, int link, const Eigen::Vector3d& p_LQ) {
-  // Nothing in the algorithm depends on where the base is.
+  // The algorithm is independent of the base's pose.
   return point_jacobian(state.model(), state.link_poses(), link, p_LQ);
 }
 

@@ -27,7 +27,7 @@ class DampedLeastSquares {
   DampedLeastSquares(const RobotModel& model, int tip_link, const std::vector<int>& variables,
                      const NumericIkOptions& options, const Pose& X_BT);
 
-  /// How a configuration misses the target.
+  /// Errors of a configuration against the target.
   struct Miss {
     Eigen::Matrix<double, 6, 1> error;  ///< m, weighted rotation in m; target's frame.
     double position = 0.0;              ///< m, beyond the slack.
@@ -51,8 +51,8 @@ class DampedLeastSquares {
 
  private:
   [[nodiscard]] Miss miss(const Configuration& q);
-  /// Of the configuration that miss() was asked for last. @param error its error: what is within
-  /// the slack is free to move.
+  /// Jacobian of the error in the configuration of the last miss(). @param error its error: what is
+  /// within the slack is free to move.
   [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> error_jacobian(
       const Eigen::Matrix<double, 6, 1>& error) const;
   /// Marks the variables that are free to follow the gradient.
@@ -172,7 +172,7 @@ Eigen::Vector3d beyond(const Eigen::Vector3d& error, const Eigen::Vector3d& slac
   return error - error.cwiseMax(-slack).cwiseMin(slack);
 }
 
-/// How the rotation vector `turn` changes when the frame that it leads to turns, both in the frame
+/// Derivative of the rotation vector `turn` as the frame that it leads to turns, both in the frame
 /// that it begins at: the inverse of SO(3)'s left Jacobian.
 Eigen::Matrix3d rate_of_rotation_vector(const Eigen::Vector3d& turn) {
   constexpr double kSmall = 1e-4;  // rad; the series is exact to rounding below
@@ -329,8 +329,8 @@ std::string failure(const NumericIkResult& result, const NumericIkOptions& optio
   return text;
 }
 
-/// Those of `variables` that may turn by whole turns, as far as limits let them, and leave the
-/// robot where it is: nothing follows them with a gear.
+/// Returns the variables that may move by whole turns, as far as limits let them, without effect on
+/// the robot: no coupled joint follows them.
 std::vector<int> turning_variables(const RobotModel& model, const std::vector<int>& variables) {
   std::vector<int> turning;
   for (const int v : variables) {

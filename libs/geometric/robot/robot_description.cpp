@@ -46,7 +46,7 @@ std::optional<AllowedReason> AllowedCollisions::reason(const std::string& link_a
 
 namespace {
 
-/// Where a coupling is written.
+/// Place in the file where a coupling is written.
 struct Place {
   const std::string& source;
   const std::string& element;
@@ -80,7 +80,7 @@ double neutral_value(const JointLimits& limits) {
   return limits.lower <= 0.0 && limits.upper >= 0.0 ? 0.0 : 0.5 * (limits.lower + limits.upper);
 }
 
-// What the terms add to the sum from their neutral values, at most: down and up.
+// Largest change of the sum by the terms from their neutral values: down and up.
 std::pair<double, double> most_added(const RobotDescription& robot, const JointCoupling& coupling) {
   std::pair<double, double> most(0.0, 0.0);
   for (const auto& [name, multiplier] : coupling.terms) {

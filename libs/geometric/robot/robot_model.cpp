@@ -410,7 +410,7 @@ namespace {
 
 using Motion = ForwardKinematicsStep::Motion;
 
-/// How many joints are treated together: their sines and cosines in one go.
+/// Number of joints that are treated together: their sines and cosines in one go.
 constexpr std::size_t kBlock = 32;
 
 /// Turns the frame X about its own axis A, (A, U, V) being right-handed: only

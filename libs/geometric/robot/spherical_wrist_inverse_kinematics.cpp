@@ -50,8 +50,8 @@ struct Tx90Chain {
   std::array<int, 6> variables;  ///< The model's variable of each joint.
 };
 
-/// How far (m or rad) an axis may miss its place. Wide enough for the rounding
-/// of figures in files, narrow enough that the solution error stays below it.
+/// Tolerance (m or rad) of an axis's place. Wide enough for the rounding of figures in files,
+/// narrow enough that the solution error stays below it.
 constexpr double kStructureTolerance = 1e-6;
 
 /// A joint axis with all joints at 0, in the base frame.
@@ -220,7 +220,7 @@ struct Tx90Posture {
 struct Tx90Postures {
   std::array<Tx90Posture, 8> list;  ///< The first `count` are filled.
   int count = 0;
-  std::string reason;  ///< Why there is none.
+  std::string reason;  ///< Reason of a failure.
 };
 
 using Shoulder = ArmBranch::Shoulder;
@@ -245,7 +245,7 @@ bool same_posture(const Tx90Joints& a, const Tx90Joints& b) {
   return true;
 }
 
-/// Where the wrist centre must be in the arm's plane, relative to axis 2.
+/// Target of the wrist centre in the arm's plane, relative to axis 2.
 struct PlanarTarget {
   double q1;
   double x, z;  ///< m
@@ -257,7 +257,7 @@ class Search {
   Search(const Tx90Geometry& geometry, const Pose& X_BT, const Tx90Joints& reference)
       : g_(geometry), reference_(reference) {
     p_CW_ = g_.X_BC.inverse() * (X_BT * g_.p_TW);
-    // How far, in C, the tip must turn from where it is at zero.
+    // Rotation of the tip from its pose at zero, in C.
     R_turn_ = g_.X_BC.linear().transpose() * X_BT.linear() * g_.R_CT.transpose();
   }
 
@@ -291,7 +291,7 @@ class Search {
     const double longest = g_.upper_arm + g_.forearm;
     const double shortest = std::abs(g_.upper_arm - g_.forearm);
     if (distance > longest + kReachTolerance || distance < shortest - kReachTolerance) {
-      // Of the two shoulders the lefty one, in front, says more to a person.
+      // The message of the lefty shoulder, in front, is the more useful one.
       if (found_.reason.empty()) {
         found_.reason = fmt::format(
             "the wrist centre is {:.1f} mm from axis 2; the arm reaches {:.1f} to {:.1f} mm",
@@ -482,7 +482,7 @@ class Solution : public SphericalWristInverseKinematics {
   Tx90Chain chain_;
   Tx90Geometry geometry_;
   Tx90IkOptions options_;
-  std::array<Eigen::Index, 6> places_;  ///< Of each joint in a solution.
+  std::array<Eigen::Index, 6> places_;  ///< Position of each joint in a solution.
 };
 
 }  // namespace

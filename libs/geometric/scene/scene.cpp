@@ -42,7 +42,7 @@ void remove_objects(Scene& scene, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     scene.display.remove(name);
   }
-  // What is about a body that is gone can't be read from a file.
+  // A file can't refer to a body that is gone.
   std::erase_if(scene.may_touch, [&](const auto& entry) {
     return is_named(entry.first.first) || is_named(entry.first.second);
   });

@@ -58,7 +58,7 @@ Configuration random_configuration(const RobotModel& model, std::mt19937_64& gen
   return q;
 }
 
-// What moves a link against a link above it.
+// Variables that move a link against a link above it.
 std::set<int> variables_between(const RobotModel& model, int link, int above) {
   std::set<int> variables;
   for (; link != above; link = model.parent(link)) {
@@ -76,7 +76,7 @@ int common_ancestor(const RobotModel& model, int a, int b) {
   return a;
 }
 
-// Whether two links are moved by one and the same joint, which can't go on beyond neutral.
+// Returns whether a single joint moves both links and is at a limit at neutral.
 bool are_jaws(const RobotModel& model, const std::string& name_a, const std::string& name_b) {
   const int a = model.find_link(name_a).value();
   const int b = model.find_link(name_b).value();

@@ -145,7 +145,7 @@ struct Renaming {
   }
 };
 
-// Those that are fixed to a link which `after` has; links that it has not can't touch them.
+// Renames links in objects that are fixed to a link of `after`; other links can't touch them.
 void rename_in_objects(Scene& scene, const RobotInstance& before, const RobotInstance& after) {
   const Renaming renaming(before, after);
   for (SceneObject& object : scene.objects) {
@@ -162,7 +162,7 @@ void rename_in_objects(Scene& scene, const RobotInstance& before, const RobotIns
   }
 }
 
-// What is said of the first robot alone. What is about links and joints that `after` has not goes.
+// Renames links and joints in settings of the first robot. Settings of those that `after` lacks go.
 void rename_in_query(Scene& scene, const RobotInstance& before, const RobotInstance& after) {
   const Renaming renaming(before, after);
   std::erase_if(scene.constraints, [&](const PathConstraint& constraint) {
@@ -200,7 +200,7 @@ void rename_in_query(Scene& scene, const RobotInstance& before, const RobotInsta
 /// A link of a part, by the part's own name.
 using LinkOfPart = std::pair<std::string, std::string>;
 
-// As Scene::may_touch names links: those of the first robot by their names alone.
+// Returns links by their names in Scene::may_touch: those of the first robot by their names alone.
 std::map<std::string, LinkOfPart> links_by_body(const Scene& scene) {
   std::map<std::string, LinkOfPart> links;
   for (const RobotInstance& robot : scene.robots) {
@@ -214,8 +214,8 @@ std::map<std::string, LinkOfPart> links_by_body(const Scene& scene) {
   return links;
 }
 
-// Which pairs are checked, with the links' names in the robots of now; pairs of links that are gone
-// go.
+// Transfers the checked pairs, with the links' names in the present robots; pairs of removed links
+// are dropped.
 void keep_collisions(const Scene& before, Scene& scene) {
   const std::map<std::string, LinkOfPart> old_links = links_by_body(before);
   std::map<LinkOfPart, std::string> bodies;
@@ -266,7 +266,7 @@ void keep_paddings(const Scene& before, Scene& scene) {
   }
 }
 
-// What the scene says of links by the names that they had before.
+// Transfers settings of links by the names that they had before.
 void keep_said_of_links(const Scene& before, Scene& scene) {
   keep_collisions(before, scene);
   keep_paddings(before, scene);

@@ -27,7 +27,7 @@ void sort_once(std::vector<int>& variables) {
   variables.erase(std::unique(variables.begin(), variables.end()), variables.end());
 }
 
-// Those of a group or joint by its name in the whole robot.
+// Variables of a group or joint by its name in the whole robot.
 std::vector<int> of_group_or_joint(const RobotModel& model, std::string_view name) {
   std::vector<int> named = model.find_group(name).value_or(std::vector<int>{});
   if (named.empty()) {
@@ -65,7 +65,7 @@ std::vector<int> in_part(const RobotModel& whole, const RobotPart& part, std::st
   return named;
 }
 
-// What `name` has after "OWNER/"; nothing if it does not begin so.
+// Returns the rest of `name` after "OWNER/"; nothing if it does not begin so.
 std::optional<std::string_view> behind(std::string_view name, const std::string& owner) {
   const bool is_its =
       name.size() > owner.size() && name.starts_with(owner) && name[owner.size()] == '/';

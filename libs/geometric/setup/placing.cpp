@@ -108,7 +108,7 @@ void sort(std::vector<Part<N>>& parts) {
   std::ranges::sort(parts, {}, [](const Part<N>& part) { return part.lower.x(); });
 }
 
-// What lies in the region, seen from above.
+// Returns the parts of the mesh in the region, seen from above.
 Parts parts_in(const TriangleMesh& mesh, const Aabb& region) {
   Parts parts;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -285,7 +285,7 @@ bool touches(const Aabb& box, const Corners& triangle) {
   return !apart(edges[0].cross(edges[1]));
 }
 
-// Whether a ray upwards from the point goes through the triangle.
+// Returns whether a ray upwards from the point goes through the triangle.
 bool is_below(const Vector3d& point, const Corners& triangle) {
   const Vector3d a = triangle[0] - point, b = triangle[1] - point, c = triangle[2] - point;
   const auto side = [](const Vector3d& u, const Vector3d& v) {

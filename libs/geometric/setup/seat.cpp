@@ -59,8 +59,8 @@ Vector3d nearest_axis(const Vector3d& direction) {
   return std::copysign(1.0, direction[largest]) * Vector3d::Unit(largest);
 }
 
-// Of the tip: along the last joint's axis away from the arm. Where that turns the tip sideways, as
-// an elbow does, on from the joint that is behind.
+// Direction out of the tip: along the last joint's axis away from the arm. If that axis turns the
+// tip sideways, as an elbow does, the direction from the joint behind.
 Vector3d outward(const Posed& arm, int tip, const std::vector<int>& moving) {
   const auto to_tip = [&](int link) {
     return Vector3d(arm[tip].translation() - arm[link].translation());
@@ -77,7 +77,7 @@ Vector3d outward(const Posed& arm, int tip, const std::vector<int>& moving) {
   return nearest_axis(arm[tip].linear().transpose() * out);
 }
 
-// Of the root: to the fingertips.
+// Direction from the root to the fingertips.
 Vector3d forward(const Posed& mounted) {
   const GroupProposal groups = propose_groups(mounted.model);
   Vector3d sum = Vector3d::Zero();
@@ -87,7 +87,7 @@ Vector3d forward(const Posed& mounted) {
   return groups.fingertips.empty() ? Vector3d::UnitZ() : nearest_axis(sum);
 }
 
-// How far collision geometry reaches behind the root; 0 if all of it is in front.
+// Largest extent of collision geometry behind the root; 0 if all of it is in front.
 double depth_behind(const Posed& mounted, const Vector3d& ahead) {
   double least = 0.0;
   for (int link = 0; link < mounted.model.link_count(); ++link) {

@@ -31,7 +31,7 @@ FloatBox box_from(const Eigen::Vector3d& p_WO, const CollisionBody& body) {
   return box;
 }
 
-// What Eigen's tree asks of a query.
+// Query of Eigen's bounding volume tree.
 struct NearBodies {
   const Eigen::Vector3f& centre;
   float squared;
@@ -110,7 +110,7 @@ void append_found(const std::uint32_t* near, std::span<const int> pairs_of_lanes
   }
 }
 
-// Of each body, among those that move or among the others.
+// Returns the column of each body, counted among the moving or among the fixed ones.
 std::vector<std::size_t> columns(const CollisionWorld& world) {
   std::array<std::size_t, 2> count{};
   std::vector<std::size_t> column;

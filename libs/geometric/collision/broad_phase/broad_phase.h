@@ -28,7 +28,7 @@ class StaticBodies {
                    std::vector<int>& pairs) const;
 
  private:
-  Eigen::KdBVH<float, 3, int> tree_;       ///< Of numbers of still bodies.
+  Eigen::KdBVH<float, 3, int> tree_;       ///< Leaves are numbers of fixed bodies.
   std::vector<std::vector<int>> pair_of_;  ///< Per body and still body: the pair; -1: none.
 };
 
@@ -38,7 +38,7 @@ class StaticBodies {
 /// what that loses, which grows with the coordinates, is taken off.
 class BroadPhase {
  public:
-  /// Where the spheres of one configuration are.
+  /// Positions of the spheres in one configuration.
   struct Placement {
     std::vector<float> x, y, z;       ///< m, from O; shape [moving bodies, to full lanes].
     float rounding = 0.0F;            ///< m: of coordinates that are far from O.
@@ -56,7 +56,7 @@ class BroadPhase {
   /// Sets `pairs` to all that may be nearer than `tolerance` (m), in order.
   void find_near(Placement& placement, double tolerance, std::vector<int>& pairs) const;
 
-  /// Whether neither of the pair's bodies stands still.
+  /// Returns whether both of the pair's bodies move.
   [[nodiscard]] bool both_move(int pair) const {
     return static_cast<std::size_t>(pair) < moving_pairs_;
   }
@@ -69,11 +69,11 @@ class BroadPhase {
     std::size_t row;
     std::size_t column;
   };
-  /// What a body that moves may meet: a row for each of them, a column for each that it may meet.
+  /// Pairs to check of moving bodies: a row for each moving body, a column for each partner.
   struct Table {
     Table(std::size_t row_count, std::size_t column_count);
     void add(int pair, Cell cell, float radius);
-    [[nodiscard]] std::size_t blocks() const;  ///< Of lanes in a row.
+    [[nodiscard]] std::size_t blocks() const;  ///< Lanes in a row.
 
     std::size_t rows;
     std::size_t width;         ///< Columns, to full lanes.
@@ -87,18 +87,18 @@ class BroadPhase {
   /// Sets a bit for every column that is nearer than `within` (m); shape of `near` [rows, blocks].
   void find_near_moving(const Placement& at, float within, std::uint32_t* near) const;
   void find_near_still(const Placement& at, float within, std::uint32_t* near) const;
-  /// The same of many still bodies, which are looked up instead.
+  /// Appends near pairs with many fixed bodies, which are looked up in a tree.
   void append_near_still(Placement& placement, double tolerance, std::vector<int>& pairs) const;
 
   Eigen::Vector3d p_WO_;
   std::vector<BoundingSphere> spheres_;
   std::vector<int> bodies_;       ///< That move.
-  std::vector<Cell> cells_;       ///< Of each pair in the one or the other table.
+  std::vector<Cell> cells_;       ///< Cell of each pair in either table.
   float most_padding_ = 0.0F;     ///< m, of all pairs.
   std::size_t moving_pairs_ = 0;  ///< So many pairs come first in which both move.
-  Table moving_;                  ///< With what moves, …
-  Table still_;                   ///< … and with what stands still.
-  /// Of each still body: R and p of X_BoxO, row by row, half the edges, and what is lost.
+  Table moving_;                  ///< Pairs of two moving bodies.
+  Table still_;                   ///< Pairs of a moving and a fixed body.
+  /// Boxes of the fixed bodies: R and p of X_BoxO, row by row, half the edges, and the rounding.
   std::array<std::vector<float>, 12> X_BoxO_;
   std::array<std::vector<float>, 3> half_;
   std::vector<float> box_rounding_;

@@ -16,7 +16,7 @@ namespace handway::geometric {
 /// tell hardly more, aren't looked at (Gottschalk, Lin and Manocha, "OBBTree", 1996).
 class OrientedBoxes {
  public:
-  /// Of each pair, the axis that separated it last. It changes how long an answer takes, not which.
+  /// Axis that separated each pair last. It affects the time of an answer, not the answer.
   using LastAxes = std::vector<std::uint8_t>;
 
   explicit OrientedBoxes(const CollisionWorld& world);

@@ -104,8 +104,8 @@ namespace {
 
 constexpr std::string_view kLayout = "distances 5";  // to change with what is in the tables
 
-// What a table's distances depend on: the two surfaces, and where they are against
-// each other at both ends and in the middle of the joints' ranges, and at rest.
+// Describes everything that a table's distances depend on: the two surfaces, and where they are
+// against each other at both ends and in the middle of the joints' ranges, and at rest.
 std::string description(const CollisionWorld& world, const BodyPair& pair, const Surface& a,
                         const Surface& b) {
   std::string text(a.key.begin(), a.key.end());

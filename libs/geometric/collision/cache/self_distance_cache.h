@@ -34,11 +34,11 @@ class DistanceTable {
   /// what the motion from there can take; 0 or less if it can't tell.
   [[nodiscard]] double bound(const Configuration& q, const Distance& exact) const;
 
-  /// What is known, shape [cells]; negative where nothing is.
+  /// Returns the known distances, shape [cells]; negative where unknown.
   [[nodiscard]] std::vector<float> cells() const;
   void set_cells(std::span<const float> cells);
   [[nodiscard]] std::size_t cell_count() const { return cells_.size(); }
-  /// Whether anything was learned since set_cells().
+  /// Returns whether any distance was added since set_cells().
   [[nodiscard]] bool has_learned() const { return learned_.load(std::memory_order_relaxed); }
 
  private:
@@ -76,7 +76,7 @@ class SelfDistanceCache {
   SelfDistanceCache(const SelfDistanceCache&) = delete;
   SelfDistanceCache& operator=(const SelfDistanceCache&) = delete;
 
-  /// Of a pair of the world; null where it has none.
+  /// Table of a pair of the world; null if it has none.
   [[nodiscard]] const DistanceTable* table(int pair) const {
     return tables_[static_cast<std::size_t>(pair)].get();
   }

@@ -15,14 +15,14 @@
 
 namespace handway::geometric {
 
-/// What takes long to make of a mesh.
+/// Volumes of a mesh that take long to compute.
 struct MeshVolumes {
   SphereTree cover;
   ConvexCover hull;
   DistanceField field;
 };
 
-/// What changes where the bytes of archived volumes do: a part of their key.
+/// Returns a text that changes with the byte layout of archived volumes: a part of their key.
 [[nodiscard]] std::string archive_layout();
 
 /// Volumes as bytes, for this kind of processor.
@@ -33,7 +33,7 @@ struct MeshVolumes {
 
 /// A mesh with what makes questions about it fast. Immutable, shared.
 struct Surface {
-  CacheKey key;  ///< Of the mesh's content.
+  CacheKey key;  ///< Hash of the mesh's content.
   std::shared_ptr<const TriangleMesh> mesh;
   SphereTree cover;
   DistanceField field;

@@ -92,10 +92,10 @@ struct FclBroadphaseChecker::Managers {
 
 namespace {
 
-// What the managers' callback works on.
+// Data of the managers' callback.
 struct Search {
   const Eigen::MatrixXi& pair_of;
-  std::function<bool(int)> is_contained;  ///< Whether a body of the pair is inside of the other.
+  std::function<bool(int)> is_contained;  ///< Tests whether a body contains the other.
   std::optional<int> found = std::nullopt;
   std::uint64_t tests = 0;
 };

@@ -11,13 +11,13 @@ namespace {
 // an exact distance would be thrown away with the next halving.
 constexpr double kWorthExact = 0.0005;
 
-// Of the size of a pair's bodies: what asking for a bound can be expected to add to that of their
-// enclosing spheres. A pair that needs more waits for shorter stretches.
+// Likely gain of a distance query over the bound of enclosing spheres, as a share of the bodies'
+// size. A pair that needs more waits for shorter stretches.
 constexpr double kLikelyGain = 0.4;
 
 constexpr double kShy = 1.0 - 1e-6;  // of what an answer may be off: the rest is for rounding
 
-// Of a pair's motion from an end: what its resolution gains, and what its margin.
+// Growth of a pair's resolution, and of its margin, per distance moved from an end.
 constexpr double kGrowth = 0.01;
 constexpr double kMarginGrowth = 0.02;
 

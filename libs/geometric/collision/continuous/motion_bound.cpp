@@ -14,7 +14,7 @@ double distance_from_axis(const Eigen::Vector3d& point, const Eigen::Vector3d& a
   return axis.cross(point).norm();
 }
 
-// How far `link`'s origin can be from its parent's beyond |X_PJ.translation|.
+// Largest distance of `link`'s origin from its parent's beyond |X_PJ.translation|.
 double slide(const RobotModel& model, int link) {
   if (model.joint(link).type != JointType::kPrismatic) {
     return 0.0;
@@ -25,7 +25,7 @@ double slide(const RobotModel& model, int link) {
                   std::abs(drive.multiplier * model.upper()[drive.variable] + drive.offset));
 }
 
-// What moves with a link: points in its frame, or a direction.
+// Geometry that moves with a link: points in its frame, or a direction.
 struct Carried {
   int link;
   std::vector<Eigen::Vector3d> points = {};
@@ -82,7 +82,7 @@ double reach(const RobotModel& model, const Carried& carried, int link) {
   return radius;
 }
 
-// What stands still has link -1.
+// Returns whether `link` is `ancestor` or below it. Fixed bodies have link -1.
 bool is_above(const RobotModel& model, int ancestor, int link) {
   while (link > ancestor) {
     link = model.parent(link);
@@ -102,7 +102,7 @@ MotionBound::Ball ball_around(const Carried& carried) {
   return ball;
 }
 
-// What stands still stands like the root, link 0.
+// Returns the closest common ancestor; fixed bodies count as the root, link 0.
 int common_ancestor(const RobotModel& model, int a, int b) {
   a = std::max(a, 0);
   b = std::max(b, 0);

@@ -104,7 +104,7 @@ class PlacedPair {
     return !contain_each_other(a_.solids, X_WA, b_.solids, b_.X_WB);
   }
 
-  // Where one body is inside of the other without a crossing: a point of the inner one; no normal.
+  // Returns a point of the inner body if one body contains the other without a crossing; no normal.
   [[nodiscard]] std::optional<Crossing> containment() const {
     for (const auto& [inner, outer] : {std::pair(&a_, &b_), std::pair(&b_, &a_)}) {
       const Pose X_OI = outer->X_WB.inverse(Eigen::Isometry) * inner->X_WB;

@@ -28,37 +28,37 @@ class NarrowPhaseQuery {
   /// that far apart; 0 where they surely cross. The less is enough, the sooner it ends.
   [[nodiscard]] DistanceRange distance(double enough, double share = 0.0);
 
-  /// Whether the surfaces may be closer than `tolerance` (m), as far as the sphere around A shows.
+  /// Returns whether the sphere around A allows surfaces closer than `tolerance` (m).
   [[nodiscard]] bool may_be_nearer_than(double tolerance);
 
-  /// How far the middle of A's sphere is from B, as far as the field says, as a share of the
-  /// radius. @pre may_be_nearer_than()
+  /// Distance of the middle of A's sphere from B by the field, as a share of the radius. @pre
+  /// may_be_nearer_than()
   [[nodiscard]] float relative_distance() const { return relative_distance_; }
 
   /// Are the surfaces closer than `tolerance` (m)? "Touching" below kTouch.
   [[nodiscard]] Closeness closeness(double tolerance);
 
-  /// Whether the hulls are known to be apart, so that neither surface is inside of the other.
+  /// Returns whether the hulls are known to be separated, so that neither body is in the other.
   [[nodiscard]] bool hulls_are_apart() const { return hull_gap_ > 0.0; }
 
-  /// Whether triangles were found that cross beyond doubt.
+  /// Returns whether triangles were found that certainly intersect.
   [[nodiscard]] bool surely_crosses() const { return least_ <= 0.0; }
 
-  /// Whether triangles had to be looked at.
+  /// Returns whether triangles were compared.
   [[nodiscard]] bool was_exact() const { return exact_; }
 
  private:
   /// Sets out for what is nearer than `least` (m), each distance known to within 1 - `keep` of it.
   void start(double least, double keep = 1.0);
   void found(double distance);
-  /// Whether the sphere around A may be nearer than `reach_`; then X_BA is known.
+  /// Returns whether the sphere around A may be nearer than `reach_`; then X_BA is known.
   [[nodiscard]] bool root_is_near();
   void visit_all();
   void bound_node(std::uint32_t node);
   void visit(std::uint32_t node);
-  /// Whether the hulls are known to be at least `reach_` apart.
+  /// Returns whether the hulls are known to be at least `reach_` apart.
   [[nodiscard]] bool separated_by_plane();
-  /// The same; a plane is looked for once.
+  /// Returns whether the hulls keep `reach_`, searching for a separating plane only once.
   [[nodiscard]] bool hulls_keep_apart();
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
   /// Is a triangle, in B's frame, at least `reach_` away for all that the field knows?
@@ -74,7 +74,7 @@ class NarrowPhaseQuery {
   Pose X_BA_;
   FloatPose moves_;
   double least_ = 0.0;    ///< The least distance known so far, or what is asked for.
-  double reach_ = 0.0;    ///< What is so far away or farther is not looked at.
+  double reach_ = 0.0;    ///< Distances from here up are ignored.
   double keep_ = 1.0;     ///< That much of the least distance found: how precisely it is known.
   double ends_at_ = 0.0;  ///< No need to look further below this.
   int effort_ = 0;

@@ -66,7 +66,7 @@ Eigen::Vector3d nearest_on_edge(const Eigen::Vector3d& a, const Eigen::Vector3d&
   return squared > 0.0 ? Eigen::Vector3d(a + std::clamp(along / squared, 0.0, 1.0) * (b - a)) : a;
 }
 
-// Of a triangle that is as good as a line, or a point.
+// Returns the nearest point on a degenerate triangle's edges.
 Eigen::Vector3d nearest_on_edges(const std::array<Eigen::Vector3d, 3>& triangle,
                                  const Eigen::Vector3d& p) {
   Eigen::Vector3d nearest = triangle[0];

@@ -21,7 +21,7 @@ class BoxTree {
     Eigen::Vector3d centre;
     Eigen::Vector3d half;        ///< Half the edges.
     std::uint32_t right = 0;     ///< The left child follows its parent; 0: a leaf.
-    std::uint32_t triangle = 0;  ///< Of a leaf: index in the mesh.
+    std::uint32_t triangle = 0;  ///< Index in the mesh, in a leaf.
     double size = 0.0;           ///< Half the diagonal.
   };
 

@@ -105,8 +105,8 @@ class CellMaker {
     return (b - a).cross(c - a).normalized();
   }
 
-  // What the bound falls short by in some points of the cube, the more the nearer
-  // they are to the surface.
+  // Returns the largest error of the bound at some points of the cube, weighted more near to the
+  // surface.
   [[nodiscard]] double worth_of_refining(const Cube& cube, const DistanceField::Cell& cell,
                                          const NearestPoint& nearest) const {
     constexpr double kOffset = 0.7;  // of half the cube

@@ -32,7 +32,7 @@ class DistanceFieldGrowth;
 /// the nearest one. Where that is not good enough but a few triangles are all that
 /// matters to a cell, it lists these.
 ///
-/// Of a primitive, distances are known in closed form; there are no cells.
+/// Primitives have distances in closed form, and no cells.
 class DistanceField {
  public:
   /// The larger of front + slope · p and back - slope · p (m, p in the mesh's frame);
@@ -82,7 +82,7 @@ class DistanceField {
   [[nodiscard]] static DistanceField growing(std::shared_ptr<const TriangleMesh> mesh,
                                              OnDemand<TriangleTree> triangles);
 
-  /// Nothing for other meshes.
+  /// Distance function of a primitive; nothing for other meshes.
   [[nodiscard]] const std::optional<PrimitiveDistance>& primitive() const { return primitive_; }
 
   /// The cell that a point is in, null if it is outside the grid.
@@ -95,7 +95,7 @@ class DistanceField {
   /// The bound (m) for a point in the mesh's frame; may be negative near and
   /// within the surface.
   [[nodiscard]] float bound(const Eigen::Vector3f& p) const;
-  /// The same for a point whose place is known.
+  /// Returns the bound (m) of a point whose place is known.
   [[nodiscard]] float bound(const Eigen::Vector3f& p, const Place& place) const;
 
   /// A lower bound (m) of a triangle's distance, if it lies in one cell; else
@@ -106,7 +106,7 @@ class DistanceField {
   [[nodiscard]] const Eigen::Vector3f& centre() const { return centre_; }
   [[nodiscard]] const Eigen::Vector3f& half() const { return half_; }
 
-  /// What a bound may be off by, m: cells and triangles are in single precision.
+  /// Rounding error of a bound, m: cells and triangles are in single precision.
   [[nodiscard]] float rounding() const {
     constexpr float kRounding = 1e-6F;  // of the coordinates
     return kRounding * (centre_.cwiseAbs() + half_).maxCoeff();
@@ -123,7 +123,7 @@ class DistanceField {
   /// @param i coarsest cell. @param u where in it, in cells.
   [[nodiscard]] Place find_grown(const Eigen::Array3i& i, const Eigen::Array3f& u) const;
 
-  /// Of a cell of the grid.
+  /// Returns the index of a cell of the grid.
   [[nodiscard]] std::size_t index_of(const Eigen::Array3i& i) const {
     const Eigen::Array<std::size_t, 3, 1> wide = i.cast<std::size_t>();
     const Eigen::Array<std::size_t, 3, 1> counts = counts_.cast<std::size_t>();

@@ -9,7 +9,7 @@
 
 namespace handway::geometric {
 
-/// What is made when it is first asked for, by any thread. Copies share it.
+/// Value that is made on first access, by any thread. Copies share it.
 template <typename Value>
 class OnDemand {
  public:

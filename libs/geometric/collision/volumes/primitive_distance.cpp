@@ -17,7 +17,7 @@ namespace {
 constexpr double kSamePlace = 1e-9;  // of the size: vertices that are where a primitive has them
 constexpr float kRadiusRounding = 2e-6F;  // of a radius: more than single precision loses
 
-// Which of the box's corners each vertex is, a bit an axis; nothing if one is none.
+// Returns the box corner at each vertex, one bit per axis; nothing if a vertex is not a corner.
 std::optional<std::vector<unsigned>> corner_numbers(const TriangleMesh& mesh, const Aabb& box) {
   std::vector<unsigned> numbers;
   for (const Eigen::Vector3d& p : mesh.vertices) {
@@ -34,7 +34,7 @@ std::optional<std::vector<unsigned>> corner_numbers(const TriangleMesh& mesh, co
   return numbers;
 }
 
-// Whether the triangles cover each face of the box by two that share a diagonal of it.
+// Returns whether the triangles cover each face of the box by two that share a diagonal of it.
 bool is_box(const TriangleMesh& mesh, const Aabb& box) {
   constexpr std::size_t kTriangles = 12;
   constexpr unsigned kAll = 7;  // the bits of all axes
@@ -61,7 +61,7 @@ bool is_box(const TriangleMesh& mesh, const Aabb& box) {
   });
 }
 
-// Whether `mesh` is what `unit`, a primitive of size 1, becomes when it is stretched.
+// Returns whether `mesh` is `unit`, a primitive of size 1, stretched by `by`.
 bool is_stretched(const TriangleMesh& mesh, const TriangleMesh& unit, const Eigen::Vector3d& by) {
   const double tolerance = kSamePlace * by.maxCoeff();
   for (std::size_t i = 0; i < unit.vertices.size(); ++i) {

@@ -36,7 +36,7 @@ class PrimitiveDistance {
   };
   [[nodiscard]] Tangent tangent(const Eigen::Vector3f& p) const;
 
-  /// Whether a point (m) is inside, where that is clear without the mesh.
+  /// Returns whether a point (m) is inside; nothing if that needs the mesh.
   [[nodiscard]] std::optional<bool> contains(const Eigen::Vector3d& p) const;
 
  private:
@@ -58,7 +58,7 @@ class PrimitiveDistance {
   [[nodiscard]] float round_bound(const Eigen::Vector3f& p) const;
   /// From the primitive around a round one to `p`, both outside of it and seen in the section.
   [[nodiscard]] Section offset_from_outer(const Section& p) const;
-  /// How deep (m) `p` is in the primitive within a round one; negative outside of that.
+  /// Depth (m) of `p` in the primitive within a round one; negative outside of that.
   [[nodiscard]] float depth_in_inner(const Section& p) const;
 
   Kind kind_;

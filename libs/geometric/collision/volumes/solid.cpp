@@ -43,7 +43,7 @@ int crossing(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Ve
   return left > 0.0 ? (rises ? 1 : -1) : 0;
 }
 
-// How often the triangle winds around p, seen along z from above, if it lies above p: -1, 0 or 1.
+// Winding of a triangle above p around p, seen along z from above: -1, 0 or 1.
 int winding_above(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                   const Eigen::Vector3d& c) {
   const int winding = crossing(p, a, b) + crossing(p, b, c) + crossing(p, c, a);
@@ -55,8 +55,8 @@ int winding_above(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eige
   return below ? winding : 0;
 }
 
-// Whether the triangles of each piece are wound alike: over every edge as often one way as the
-// other.
+// Returns for each piece whether its triangles are wound alike: every edge is used as often one way
+// as the other.
 std::vector<bool> find_oriented(const TriangleMesh& mesh,
                                 const std::vector<std::uint32_t>& piece_of, std::size_t pieces) {
   struct DirectedEdge {  // from its lower vertex
@@ -93,7 +93,7 @@ std::vector<bool> find_oriented(const TriangleMesh& mesh,
   return oriented;
 }
 
-// What make_body_solids() has to know of the triangles of one shape, in its frame.
+// Data of the triangles of one shape that make_body_solids() needs, in its frame.
 struct ShapeSolid {
   explicit ShapeSolid(const TriangleMesh& mesh) {
     const TriangleMesh whole = welded(mesh);

@@ -24,8 +24,8 @@ class SideGrid {
   /// @param box around the surface.
   SideGrid(const TriangleMesh& surface, const Aabb& box);
 
-  /// Whether `p`, in the box, is inside. @param find says so of any point; asked where the surface
-  /// enters the cell, and the first time in any other one.
+  /// Returns whether `p`, in the box, is inside. @param find decides it for any point; called in
+  /// cells that the surface enters, and once in every other cell.
   [[nodiscard]] bool is_inside(const Eigen::Vector3d& p,
                                const std::function<bool(const Eigen::Vector3d&)>& find) const;
 
@@ -37,7 +37,7 @@ class SideGrid {
   [[nodiscard]] std::size_t number_of(const Index& cell) const;
 
   Eigen::Vector3d lower_;
-  double edge_;  ///< Of a cell, m.
+  double edge_;  ///< Edge of a cell, m.
   Index count_;
   mutable std::vector<std::atomic<Side>> sides_;  ///< Per cell.
 };
@@ -60,7 +60,7 @@ class Solid {
   void prepare() const;
 
  private:
-  /// What rays are counted by.
+  /// Connected pieces that rays are counted by.
   struct Pieces {
     Pieces(const TriangleMesh& surface, const Aabb& box);
 
@@ -80,7 +80,7 @@ class Solid {
   OnDemand<Pieces> pieces_;
 };
 
-/// What the containment of one body in another depends on.
+/// Data of a body that containment tests need.
 struct BodySolids {
   struct Part {
     Pose X_GB;  ///< The body's frame in the solid's.
@@ -88,7 +88,7 @@ struct BodySolids {
   };
   std::vector<Part> parts;              ///< Its closed shapes, if they are filled, …
   std::vector<Part> shells;             ///< … and if they are hollow.
-  std::vector<Eigen::Vector3d> points;  ///< One of each connected piece of its surfaces, m.
+  std::vector<Eigen::Vector3d> points;  ///< One point of each connected piece, m.
   Aabb box;                             ///< Around the parts, m.
 
   /// @param p m, in the body's frame.
@@ -100,12 +100,12 @@ struct BodySolids {
 [[nodiscard]] std::shared_ptr<const BodySolids> make_body_solids(
     std::span<const LinkGeometry> shapes, bool solid = true);
 
-/// Whether a connected piece of `inner` is inside of `outer`.
+/// Returns whether a connected piece of `inner` is inside of `outer`.
 /// @param X_OI pose of the inner body in the outer one's frame.
 /// @pre the surfaces do not touch: so every piece is inside or outside as a whole.
 [[nodiscard]] bool is_inside(const BodySolids& inner, const BodySolids& outer, const Pose& X_OI);
 
-/// Whether a piece of either body is inside of the other. @pre as of is_inside().
+/// Returns whether a piece of either body is inside of the other. @pre as of is_inside().
 [[nodiscard]] bool contain_each_other(const BodySolids& a, const Pose& X_WA, const BodySolids& b,
                                       const Pose& X_WB);
 

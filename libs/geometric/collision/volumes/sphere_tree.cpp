@@ -19,7 +19,7 @@ namespace {
 constexpr double kEdge = 1.5;       // of a leaf's radius: longer edges are cut
 constexpr double kNodeEdge = 0.25;  // of a node's radius: the same, for the spheres below it
 
-// What part of a triangle a sphere is to contain.
+// Part of a triangle that a sphere has to contain.
 struct Piece {
   std::array<Eigen::Vector3d, 3> corners;
   std::uint32_t triangle;
@@ -209,7 +209,7 @@ class SphereTreeGrowth {
   struct Slot {
     explicit Slot(Pieces below) : pieces(std::move(below)) {}
 
-    Pieces pieces;  ///< Of a node that is not made yet.
+    Pieces pieces;  ///< Pieces of a node that is not made yet.
     std::unique_ptr<const SphereTree::Node> node;
     std::atomic<const SphereTree::Node*> made = nullptr;
   };
@@ -287,7 +287,7 @@ class SphereTreeGrowth {
       Part part;
       double radius;
     };
-    // Of what can't be halved, less than of all else.
+    // Negative for parts that can't be halved.
     const auto worth = [this](const Sized& sized) {
       return sized.part.size() == 1 || is_leaf(sized.part, sized.radius) ? -1.0 : sized.radius;
     };
@@ -322,7 +322,7 @@ class SphereTreeGrowth {
   double leaf_radius_;
   Ball root_;
   std::shared_ptr<const TriangleMesh> mesh_;  ///< Until the first node is made of it.
-  std::mutex mutex_;                          ///< Of whoever makes a node.
+  std::mutex mutex_;                          ///< Locked while a node is made.
   tbb::concurrent_vector<Slot> slots_;
   tbb::concurrent_vector<std::vector<std::uint32_t>> leaves_;
 };
@@ -407,7 +407,7 @@ HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereTree::Node& node, const 
   return bits;
 }
 
-// How far a slab with that slope, `bound` away from the centre, is from the disk in a sphere.
+// Distance of a slab with slope `slope`, `bound` away from the centre, from the disk in a sphere.
 float disk_bound(const SphereTree::Node& node, std::size_t k, float bound, const float* slope,
                  const FloatPose& X) {
   const float nx = node.normal_x[k];
@@ -421,7 +421,7 @@ float disk_bound(const SphereTree::Node& node, std::size_t k, float bound, const
   return bound - node.thickness[k] * (std::abs(across) + kRounding) - node.radius[k] * along;
 }
 
-// The same of the field, where the whole sphere is in one cell or the mesh is a primitive.
+// Returns the bound by the field, if the whole sphere is in one cell or the mesh is a primitive.
 float disk_bound(const SphereTree::Node& node, std::size_t k, const DistanceField& field,
                  const DistanceField::Place& place, const FloatPose& X,
                  const Eigen::Vector3f& centre) {

@@ -65,7 +65,7 @@ class SphereTree {
   [[nodiscard]] const Node& node(std::uint32_t index) const {
     return growth_ ? grown_node(index) : nodes_[index];
   }
-  /// Of a complete tree.
+  /// Nodes of a complete tree.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   /// Triangles whose pieces are in a leaf's sphere.
   [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t leaf) const {
@@ -88,8 +88,8 @@ class SphereTree {
   std::shared_ptr<SphereTreeGrowth> growth_;  ///< Null: complete.
 };
 
-/// What a moved point may be off by in single precision, for each metre of its
-/// coordinates: some 30 roundings of 6e-8 each.
+/// Rounding error of a moved point in single precision, per metre of its coordinates: some 30
+/// roundings of 6e-8 each.
 inline constexpr float kMoveRounding = 2e-6F;
 
 /// A rigid transform in single precision, with what its roundings can amount to.
@@ -109,8 +109,8 @@ struct SphereBounds {
   alignas(64) std::array<float, SphereTree::kWidth> bound;  ///< m, of those; negative: overlap.
 };
 
-/// Which spheres of a node may be nearer than `tolerance` (m) to the field's
-/// surface, and lower bounds of their distances.
+/// Returns the spheres of a node that may be nearer than `tolerance` (m) to the field's surface,
+/// and sets lower bounds of their distances.
 /// @param X_BA pose of the spheres' frame in the field's.
 void sphere_bounds(const SphereTree::Node& node, const DistanceField& field, const FloatPose& X_BA,
                    float tolerance, SphereBounds& bounds);

@@ -200,7 +200,7 @@ class TriangleTreeBuilder {
     }
   }
 
-  // Where the longer side is halved, so that as many leaves as can be are full.
+  // Halves the longer side so that as many leaves as possible are full.
   static std::pair<Pieces, Pieces> halves(Pieces pieces) {
     Eigen::Index axis = 0;
     box_of(pieces).size().maxCoeff(&axis);

@@ -31,7 +31,7 @@ class TrianglePlane {
  private:
   Eigen::Vector3d corner_;
   Eigen::Vector3d normal_;  ///< Not of unit length.
-  double length_;           ///< Of the normal.
+  double length_;           ///< Length of the normal.
 };
 
 /// Does an edge of one go through the other, at least kTouch from its borders?
@@ -60,7 +60,7 @@ class TriangleBlock {
   using Vectors = std::array<Lanes, 3>;
 
   alignas(32) std::array<Vectors, 3> corners_{};
-  Vectors normals_{};  ///< Of length 1, or 0 where a triangle has no area.
+  Vectors normals_{};  ///< Unit normals, or 0 for triangles without area.
 };
 
 /// The triangles of a mesh, eight to a leaf, below axis-aligned boxes, eight to a

@@ -29,9 +29,9 @@ struct JointTable {
     std::string text;
   };
 
-  std::vector<double> times;        ///< Times in the file; NaN: missing. For settle_times().
-  std::optional<double> time_unit;  ///< The named unit of times, s.
-  bool times_are_spelled = false;   ///< They are dates or clock times.
+  std::vector<double> times;            ///< Times in the file; NaN: missing. For settle_times().
+  std::optional<double> time_unit;      ///< The named unit of times, s.
+  bool times_are_spelled = false;       ///< They are dates or clock times.
   std::vector<Eigen::VectorXd> values;  ///< rad, m, or what the file has; NaN: not there.
   std::vector<std::size_t> lines;       ///< Line of each row; empty for messages.
   std::set<std::string> others;         ///< Columns and joints that are none of those asked for.
