@@ -51,7 +51,7 @@ struct Sum {
   [[nodiscard]] double mean() const { return count > 0.0 ? sum / count : 0.0; }
 };
 
-/// How far fingertips are off in postures that were reconstructed, m.
+/// Distances of fingertips in reconstructed postures, m.
 struct Misses {
   std::vector<Sum> by_block;
   std::vector<double> all;
@@ -143,7 +143,7 @@ class Study {
     return sum.components(settings_.free_joints);
   }
 
-  /// What is left of a posture by so many directions; free joints stay.
+  /// Reconstructs a posture with `directions` directions; free joints stay.
   [[nodiscard]] Eigen::VectorXd reconstructed(const Eigen::VectorXd& posture,
                                               const PrincipalComponents& basis,
                                               Eigen::Index directions) const {
@@ -167,7 +167,7 @@ class Study {
     return bases;
   }
 
-  /// Of the blocks taken, each reconstructed by its fold's basis.
+  /// Returns the errors in the blocks taken, each reconstructed by its fold's basis.
   template <typename Taken>
   [[nodiscard]] Misses misses_of(const Taken& taken, const std::vector<PrincipalComponents>& bases,
                                  Eigen::Index directions) const {
@@ -200,7 +200,7 @@ class Study {
     }
   }
 
-  /// Of the mean over blocks or persons, by the bootstrap.
+  /// Returns the interval of the mean over blocks or persons, by the bootstrap.
   [[nodiscard]] Interval interval_of(const std::vector<Sum>& sums) const {
     Sum total;
     for (const Sum& sum : sums) {
@@ -299,7 +299,7 @@ BasisStudy study_basis(const std::vector<RecordedHand>& recordings, const Finger
 
 namespace {
 
-/// Where each of `joints` is among `others`.
+/// Returns the index of each of `joints` in `others`.
 std::vector<Eigen::Index> places_of(const std::vector<std::string>& joints,
                                     const std::vector<std::string>& others, const std::string& of) {
   std::vector<Eigen::Index> places;

@@ -14,7 +14,7 @@ bool in_unit_cube(const Eigen::VectorXd& point) {
   return (point.array() >= 0.0 && point.array() <= 1.0).all();
 }
 
-/// What a pair of points leads to: a valid point, or nothing.
+/// Function that makes a valid point from a pair of points, or nothing.
 using TryPair = std::optional<Eigen::VectorXd> (*)(RandomStream& stream, int dimension,
                                                    double sigma, const ValidityPredicate& valid);
 

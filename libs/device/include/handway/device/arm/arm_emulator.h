@@ -13,9 +13,9 @@
 
 namespace handway::device {
 
-/// Of at most kSimpleMessageJoints joints.
+/// Settings of a controller of at most kSimpleMessageJoints joints.
 struct Val3ControllerSettings : EmulatedRobotSettings {
-  std::size_t queue = 10;  ///< How many points it holds.
+  std::size_t queue = 10;  ///< Capacity in points.
   bool powered = true;
   bool automatic = true;
 };
@@ -32,7 +32,7 @@ class HANDWAY_DEVICE_EXPORT Val3Controller final : public EmulatedRobot {
   /// Takes a message from the motion connection. @returns what it answers.
   [[nodiscard]] SimpleMessage receive(const SimpleMessage& message, double now);
 
-  /// What the state connection sends every 20 ms: positions, and every fifth time status.
+  /// Messages of the state connection every 20 ms: positions, and every fifth time status.
   [[nodiscard]] std::vector<SimpleMessage> feedback();
 
   /// Loss of a connection stops the motion.

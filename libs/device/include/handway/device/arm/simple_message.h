@@ -73,7 +73,7 @@ class HANDWAY_DEVICE_EXPORT SimpleMessageParser {
 
  private:
   std::vector<std::uint8_t> bytes_;
-  std::size_t begin_ = 0;  ///< Of what next() has not given yet.
+  std::size_t begin_ = 0;  ///< Start of the bytes not returned by next() yet.
 };
 
 }  // namespace handway::device

@@ -43,7 +43,7 @@ class HANDWAY_DEVICE_EXPORT ByteLink {
   ByteLink(const ByteLink&) = delete;
   ByteLink& operator=(const ByteLink&) = delete;
 
-  /// As the user wrote it.
+  /// Name as the user wrote it.
   [[nodiscard]] const std::string& name() const { return name_; }
 
   /// Waits for bytes and takes those that are there.

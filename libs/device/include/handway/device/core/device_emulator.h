@@ -41,7 +41,7 @@ class HANDWAY_DEVICE_EXPORT DeviceUnit {
 
 class SeededRandom;
 
-/// How likely each fault is for one record, 0 to 1.
+/// Probability of each fault for one record, 0 to 1.
 struct LineFaultSettings {
   double dropout = 0.0;  ///< The record is lost.
   double garbage = 0.0;  ///< The record is damaged: see LineFaults.
@@ -72,7 +72,7 @@ class HANDWAY_DEVICE_EXPORT LineFaults {
 };
 
 struct DeviceEmulatorSettings {
-  LineFaultSettings faults;         ///< Of records that come by themselves; answers arrive whole.
+  LineFaultSettings faults;         ///< Faults of streamed records; answers arrive whole.
   double latency = 0.0;             ///< Delay of everything that the unit sends, s.
   std::optional<double> unplug_at;  ///< DeviceUnit::set_plugged(false) so long after the start, s,
   std::optional<double> replug_at;  ///< and true again.
@@ -99,7 +99,7 @@ class HANDWAY_DEVICE_EXPORT DeviceEmulator {
   DeviceEmulator(const DeviceEmulator&) = delete;
   DeviceEmulator& operator=(const DeviceEmulator&) = delete;
 
-  /// What a driver has to open: "/dev/pts/4" or "localhost:5555"; for UDP the receiver.
+  /// Address for a driver: "/dev/pts/4" or "localhost:5555"; for UDP the receiver.
   [[nodiscard]] const std::string& address() const;
 
   /// See DeviceUnit::set_plugged().

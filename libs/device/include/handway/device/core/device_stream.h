@@ -18,14 +18,14 @@
 
 namespace handway::device {
 
-/// How a device that streams is doing.
+/// State of a streaming device.
 enum class StreamState {
   kConnecting,  ///< For the first time.
   kStreaming,   ///< Samples come.
   kUnplugged,   ///< The unit answers, but has no sensor.
   kLost,        ///< Was connected; tries again and again.
   kEnded,       ///< The recording is over.
-  kStopped,     ///< As asked.
+  kStopped,     ///< Stopped on request.
   kFailed,      ///< Gave up; see the stream's error().
 };
 
@@ -39,7 +39,7 @@ struct StreamSettings {
   std::chrono::milliseconds longest_delay{2000};  ///< up to this.
 };
 
-/// How well a stream of frames runs.
+/// Quality of a stream of frames.
 struct StreamStatistics {
   std::uint64_t frames = 0;
   double rate = 0.0;      ///< Frames a second over the last second, Hz.
@@ -83,8 +83,8 @@ class HANDWAY_DEVICE_EXPORT StreamStatisticsCounter {
 /// A device that samples are read from, as its StreamThread sees it. Used by that thread.
 class StreamSource {
  public:
-  /// Of a connection: samples a second that should come (Hz; 0: unknown), and the time from a
-  /// question to its answer (s; 0: none asked).
+  /// Pace of a connection: expected samples per second (Hz; 0: unknown), and the round-trip time of
+  /// a query (s; 0: no query).
   struct Pace {
     double rate = 0.0;
     double round_trip = 0.0;
@@ -154,8 +154,8 @@ class DeviceStream {
   using Info = typename Device::Info;
   using Sample = typename Device::Sample;
 
-  /// What it reports, all of it on its own thread and one after the other; whoever has to touch a
-  /// window passes it on there. Any may be empty. None may throw.
+  /// Callbacks, all called on the stream's own thread, one after the other; those that touch a
+  /// window have to forward to its thread. Any may be empty. None may throw.
   struct Handlers {
     std::function<void(const Info& info)> on_connected;
     std::function<void(const Sample& sample)> on_sample;
@@ -175,12 +175,12 @@ class DeviceStream {
   bool wait(std::chrono::milliseconds timeout) const { return thread_.wait(timeout); }
 
   [[nodiscard]] StreamState state() const { return thread_.state(); }
-  /// What connect() reported last.
+  /// Result of the last connect().
   [[nodiscard]] Info info() const {
     const std::lock_guard lock(reports_->mutex);
     return reports_->info;
   }
-  /// Why the connection was lost last, or never made; empty if it never was.
+  /// Reason of the last lost or failed connection; empty if there was none.
   [[nodiscard]] std::string error() const { return thread_.error(); }
   [[nodiscard]] StreamStatistics statistics() const { return thread_.statistics(); }
 

@@ -12,10 +12,10 @@
 
 namespace handway::device {
 
-/// How an emulated controller of joints is built, and what goes wrong with it.
+/// Build and faults of an emulated controller of joints.
 struct EmulatedRobotSettings {
   JointRanges joints;
-  Eigen::VectorXd position;  ///< Where the joints are, rad.
+  Eigen::VectorXd position;  ///< Joint positions, rad.
   double lag = 0.01;         ///< Time constant of the servos, s.
   /// Time in which a stop brings a joint down from its full velocity, s.
   double braking_time = 0.25;
@@ -37,7 +37,7 @@ class HANDWAY_DEVICE_EXPORT EmulatedRobot {
   [[nodiscard]] const Eigen::VectorXd& position() const { return position_; }
   /// True if a joint goes faster than 1e-3 rad/s.
   [[nodiscard]] bool moving() const;
-  /// How many stop commands came. Loss of a connection, or silence, is none.
+  /// Number of stop commands received. Lost connections and timeouts don't count.
   [[nodiscard]] int stops() const { return stops_; }
   /// The fault, from when it begins on.
   [[nodiscard]] FaultKind active_fault() const {
@@ -72,7 +72,7 @@ class HANDWAY_DEVICE_EXPORT EmulatedRobot {
 
   /// Commands the joints for kStep, until now(). @returns whether a motion is under way.
   virtual bool do_step() = 0;
-  /// What active_fault() does when it begins.
+  /// Applies active_fault() when it begins.
   virtual void do_fail() = 0;
 
   void follow_command();
@@ -101,12 +101,12 @@ class HANDWAY_DEVICE_EXPORT RobotEmulator {
   RobotEmulator(const RobotEmulator&) = delete;
   RobotEmulator& operator=(const RobotEmulator&) = delete;
 
-  /// What to connect to: "arm://localhost:11000".
+  /// Address for clients: "arm://localhost:11000".
   [[nodiscard]] const std::string& address() const;
-  /// Where the joints are now, rad.
+  /// Present joint positions, rad.
   [[nodiscard]] Eigen::VectorXd position() const;
   [[nodiscard]] bool moving() const;
-  /// As EmulatedRobot::stops().
+  /// Number of stop commands, see EmulatedRobot::stops().
   [[nodiscard]] int stops() const;
 
   class Running;

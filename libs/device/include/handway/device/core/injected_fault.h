@@ -2,13 +2,13 @@
 
 namespace handway::device {
 
-/// What an emulated controller does wrong, once, to order.
+/// Fault that an emulated controller injects once.
 enum class FaultKind {
   kNone,
   kLate,        ///< All that it sends comes 0.6 s late.
   kLost,        ///< The connection breaks.
   kRefused,     ///< It refuses commands.
-  kEstop,       ///< Somebody presses the emergency stop.
+  kEstop,       ///< The emergency stop is pressed.
   kJointLimit,  ///< A joint's range ends where the joint is.
   kSlow,        ///< It moves at half the pace: the monitor speed is at 50 %.
 };

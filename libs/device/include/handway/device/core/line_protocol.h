@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-/// What protocols of lines of ASCII words have in common.
+/// Common parts of protocols of ASCII lines.
 namespace handway::device {
 
 /// A line that is none of the protocol.
@@ -25,8 +25,8 @@ class LineProtocolError : public std::runtime_error {
 /// @throws LineProtocolError if a word is no finite number.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT double number_of(std::string_view word);
 
-/// What somebody else sent, for a message: in quotes, one line, at most 160 characters, what is no
-/// printable ASCII as "?".
+/// Quotes received text for a message: one line, at most 160 characters, non-printable and
+/// non-ASCII characters as "?".
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string quote(std::string_view text);
 
 /// Cuts bytes into lines. Between two calls of add() next() is to be called until it gives nothing:
@@ -39,7 +39,7 @@ class HANDWAY_DEVICE_EXPORT LineBuffer {
 
  private:
   std::string text_;
-  std::size_t begin_ = 0;  ///< Of what next() has not given yet.
+  std::size_t begin_ = 0;  ///< Start of the bytes not returned by next() yet.
 };
 
 }  // namespace handway::device

@@ -8,7 +8,7 @@
 
 namespace handway::device {
 
-/// What a controller says of itself: -1 unknown, 0 no, 1 yes. The fields are those of
+/// Status that a controller reports: -1 unknown, 0 no, 1 yes. The fields are those of
 /// ROS-Industrial's message RobotStatus, in its simple message protocol and in ROS alike.
 struct RobotStatus {
   std::int32_t drives_powered = -1;
@@ -22,7 +22,7 @@ struct RobotStatus {
   bool operator==(const RobotStatus&) const = default;
 };
 
-/// Why a robot does not move, and what to do about it.
+/// Reason why a robot does not move, with advice.
 struct RobotObstacle {
   std::string found;
   std::string advice;

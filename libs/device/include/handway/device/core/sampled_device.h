@@ -37,15 +37,15 @@ class SampleClock {
   Clock::time_point begin_;
 };
 
-/// What came of waiting for a sample.
+/// Result of waiting for a sample.
 enum class SampleEvent {
   kSample,     ///< A sample.
-  kNothing,    ///< None within the time given; ask again.
+  kNothing,    ///< No sample in the time given; call again.
   kUnplugged,  ///< The unit answers, but has no sensor; ask again.
   kEnd,        ///< There are no more: the end of a recording.
 };
 
-/// What went wrong on the line since the device object was made.
+/// Errors on the line since the device object was made.
 struct ReceptionFaults {
   std::uint64_t resynchronisations = 0;  ///< Times that bytes had to be dropped.
   std::uint64_t dropped_bytes = 0;
@@ -64,7 +64,7 @@ class SampledDevice {
   using Sample = SampleType;
   struct Reading {
     SampleEvent event = SampleEvent::kNothing;
-    Sample sample;  ///< Of kSample.
+    Sample sample;  ///< Valid for kSample.
   };
 
   virtual ~SampledDevice() = default;
@@ -124,7 +124,7 @@ class SampledDevice {
   virtual Reading do_next(std::chrono::milliseconds timeout, const std::stop_token& stop) = 0;
   virtual void do_disconnect() noexcept = 0;
   [[nodiscard]] virtual ReceptionFaults do_faults() const { return {}; }
-  /// What every device of the kind keeps to. @throws std::logic_error for one that doesn't.
+  /// Checks rules of every device of this kind. @throws std::logic_error for one that breaks them.
   virtual void check_info(const Info& /*info*/) {}
   virtual void check_sample(const Sample& sample) const = 0;
 

@@ -13,7 +13,7 @@
 
 namespace handway::device {
 
-/// Where a device is with the motion it was given.
+/// State of a device's motion.
 enum class MotionPhase {
   kIdle,     ///< It has none.
   kReady,    ///< Uploaded, not begun.
@@ -24,18 +24,18 @@ enum class MotionPhase {
   kFailed,   ///< Ended by a fault; see TrajectoryClient::fault().
 };
 
-/// What a device said last.
+/// Last measurement of a device.
 struct MeasuredJoints {
   Eigen::VectorXd position;                        ///< rad, [joints]; of size 0: nothing yet.
-  std::uint64_t samples = 0;                       ///< How many came.
+  std::uint64_t samples = 0;                       ///< Number received.
   std::chrono::steady_clock::time_point received;  ///< When the last one did.
 };
 
 /// When a motion may begin, and when it has gone wrong.
 struct MotionTolerances {
-  double start = 0.01;     ///< How far from the first point a joint may stand at the start, rad.
-  double following = 0.2;  ///< How far from where it should be a joint may be under way, rad.
-  double end = 0.01;       ///< How near to the last point counts as arrived, rad.
+  double start = 0.01;     ///< Largest distance of a joint from the first point at the start, rad.
+  double following = 0.2;  ///< Largest following error of a joint during the motion, rad.
+  double end = 0.01;       ///< Distance from the last point that counts as arrived, rad.
 };
 
 /// A connection to a device that moves joints: an arm's or a hand's controller.

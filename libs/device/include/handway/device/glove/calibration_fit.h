@@ -26,7 +26,7 @@
 
 namespace handway::device {
 
-/// What to ask for, and the angles that follow.
+/// Instruction to take a posture, with its angles.
 struct PoseInstruction {
   std::string name;
   std::string instruction;                   ///< One sentence; may be empty.
@@ -63,7 +63,7 @@ struct GuidedPose {
 /// Angles that a hand's joints go through when it moves as far as it can, rad: (least, most).
 using AngleRanges = std::array<std::pair<double, double>, kGloveSensors>;
 
-/// Of adult hands, rounded: what min-max calibration takes if nothing is measured.
+/// Rounded ranges of adult hands: the input of min-max calibration if nothing is measured.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT const AngleRanges& typical_angle_ranges();
 
 /// Lays each sensor's 1st and 99th percentile of a free motion on the ends of its joint's range.
@@ -75,8 +75,8 @@ using AngleRanges = std::array<std::pair<double, double>, kGloveSensors>;
     const Recording& counts, const AngleRanges& ranges, const GloveCalibration& signs,
     const std::string& person, const std::string& date);
 
-/// How far a person's joints went: each sensor's 1st and 99th percentile of a free motion; none of
-/// sensors that moved by less than 5°.
+/// Returns a person's ranges of motion: each sensor's 1st and 99th percentile of a free motion;
+/// none of sensors that moved by less than 5°.
 /// @throws geometric::InputError if the recording holds counts.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT PersonRanges measured_ranges(const Recording& angles);
 

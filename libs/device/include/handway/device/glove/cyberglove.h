@@ -13,7 +13,7 @@ namespace handway::device {
 
 struct CyberGloveSettings {
   double rate = 100.0;  ///< Frames a second to ask for, Hz, 0.5 to 480.
-  int baud = 115200;    ///< Of a serial port, bit/s.
+  int baud = 115200;    ///< Rate of a serial port, bit/s.
   bool polled = false;  ///< Ask for every frame instead of letting the glove stream.
   bool filter = true;   ///< The interface unit's own low-pass filter.
   /// The device is taken for lost after this long without an answer, or without a frame.
@@ -52,7 +52,7 @@ class HANDWAY_DEVICE_EXPORT CyberGlove final : public Glove {
   std::string address_;
   CyberGloveSettings settings_;
   std::unique_ptr<Session> session_;  ///< While connected.
-  ReceptionFaults faults_;            ///< Of former connections.
+  ReceptionFaults faults_;            ///< Faults of former connections.
 };
 
 }  // namespace handway::device

@@ -31,7 +31,7 @@ class HANDWAY_DEVICE_EXPORT CyberGlove3Parser {
   /// Takes the next byte. @returns the record that it completes, if any: always a sample.
   std::optional<CyberGloveRecord> push(std::uint8_t byte);
 
-  /// How many times it lost its place, and the bytes that it dropped then.
+  /// Number of resynchronisations, and the bytes dropped by them.
   [[nodiscard]] std::uint64_t resynchronisations() const { return resynchronisations_; }
   [[nodiscard]] std::uint64_t dropped_bytes() const { return dropped_bytes_; }
 

@@ -11,8 +11,8 @@
 
 namespace handway::device {
 
-/// What a CyberGlove interface unit puts into a binary record:
-/// `G` or `S`, one byte a sensor, optionally five of a time stamp and one of status, 00.
+/// Layout of a binary record of a CyberGlove interface unit: `G` ord: `G` or `S`, one byte a
+/// sensor, optionally five of a time stamp and one of status, 00.
 struct CyberGloveFormat {
   int sensors = kGloveSensors;  ///< 18 or 22.
   bool time_stamp = false;      ///< Flag D of the unit.
@@ -36,8 +36,8 @@ enum class CyberGloveRecordKind {
 /// One record from the wire.
 struct CyberGloveRecord {
   CyberGloveRecordKind kind = CyberGloveRecordKind::kSample;
-  std::array<std::uint16_t, kGloveSensors> counts{};  ///< As in GloveFrame; 0 if no sample.
-  std::uint32_t time_stamp = 0;                       ///< Of the unit; 0 if not in the format.
+  std::array<std::uint16_t, kGloveSensors> counts{};  ///< See GloveFrame; 0 if no sample.
+  std::uint32_t time_stamp = 0;                       ///< The unit's clock; 0 if not in the format.
   std::uint8_t status = 0;  ///< Bit 0 glove plugged in, 1 switch, 2 light; 0 if not in the format.
 };
 
@@ -56,7 +56,7 @@ class HANDWAY_DEVICE_EXPORT CyberGloveParser {
   /// Forgets the beginning of an incomplete record.
   void reset();
 
-  /// How many times it lost its place, and the bytes that it dropped then.
+  /// Number of resynchronisations, and the bytes dropped by them.
   [[nodiscard]] std::uint64_t resynchronisations() const { return resynchronisations_; }
   [[nodiscard]] std::uint64_t dropped_bytes() const { return dropped_bytes_; }
 

@@ -9,7 +9,7 @@
 
 namespace handway::device {
 
-/// What a connected glove reported of itself.
+/// Properties that a connected glove reports.
 struct GloveInfo {
   std::string device;           ///< Port or file, as the user named it.
   std::string model;            ///< "CyberGlove, firmware 1.2".
@@ -18,7 +18,7 @@ struct GloveInfo {
   double rate = 0.0;  ///< Frames a second that it was asked for, Hz.
   double round_trip =
       0.0;  ///< Shortest time from a question to its answer, s; 0 if none was asked.
-  /// Whose frames have angles, of a source that measures angles itself: indices into
+  /// Sensors with angles, of a source that measures angles itself: indices into
   /// cyberglove_sensors(). Empty: a glove of counts.
   std::vector<int> angle_sensors;
 };

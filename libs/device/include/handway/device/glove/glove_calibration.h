@@ -43,8 +43,8 @@ using PersonRanges = std::array<std::optional<std::pair<double, double>>, kGlove
 struct GloveCalibration {
   std::string person;
   std::string date;    ///< ISO 8601; may be empty.
-  std::string source;  ///< How it was made; may be empty.
-  /// Those of cyberglove_sensors() that are calibrated.
+  std::string source;  ///< Method of calibration; may be empty.
+  /// Calibrations of cyberglove_sensors(); empty for uncalibrated sensors.
   std::array<std::optional<SensorCalibration>, kGloveSensors> sensors;
   PersonRanges ranges;
   std::optional<HandBones> bones;

@@ -16,7 +16,7 @@
 
 namespace handway::device {
 
-/// What an emulated glove's sensors read at a time: s, never falling from one call to the next.
+/// Counts of an emulated glove's sensors at a time: s, never falling from call to call.
 using GloveSignal = std::function<std::array<std::uint16_t, kGloveSensors>(double time)>;
 
 struct CyberGloveUnitSettings {
@@ -74,7 +74,7 @@ class HANDWAY_DEVICE_EXPORT CyberGlove3Unit final : public DeviceUnit {
   [[nodiscard]] Bytes receive(std::span<const std::uint8_t> bytes, double now) override;
   [[nodiscard]] std::vector<Bytes> advance(double now) override;
   [[nodiscard]] std::optional<double> next_due() const override;
-  /// Nothing comes while it is pulled off.
+  /// Sets whether the sensor is plugged in; unplugged, it sends nothing.
   void set_plugged(bool plugged) override { plugged_ = plugged; }
 
  private:
@@ -103,7 +103,7 @@ class HANDWAY_DEVICE_EXPORT GloveEmulator {
   /// that make no sense.
   GloveEmulator(const GloveEmulatorSettings& settings, GloveSignal signal);
 
-  /// What a driver has to open: "/dev/pts/4" or "localhost:5555".
+  /// Address for a driver: "/dev/pts/4" or "localhost:5555".
   [[nodiscard]] const std::string& address() const { return emulator_.address(); }
 
   /// Pulls the glove off its unit, or puts it back on.

@@ -10,7 +10,7 @@
 
 namespace handway::device {
 
-/// How many sensors every frame has room for: those of cyberglove_sensors().
+/// Number of sensors in every frame: those of cyberglove_sensors().
 inline constexpr int kGloveSensors = 22;
 
 inline constexpr int kFingers = 5;
@@ -20,15 +20,15 @@ inline constexpr int kFingers = 5;
 /// tip.
 using HandBones = std::array<std::array<double, 4>, kFingers>;
 
-/// What a glove measured at one time. A glove with fewer sensors leaves those it
-/// doesn't have at 0, which no sensor ever reads.
+/// Measurement of a glove at one time. Sensors that the glove lacks stay at 0, which no real sensor
+/// ever reads.
 struct GloveFrame {
   double time = 0.0;  ///< s since the stream began, on a steady clock.
   std::array<std::uint16_t, kGloveSensors> counts{};  ///< Raw, 1 … 255.
   /// rad, flexion positive, NaN where nothing measures, of a source that measures angles itself:
   /// no calibration applies, and the counts are what a typical glove would read.
   std::optional<std::array<double, kGloveSensors>> angles = std::nullopt;
-  /// Of a source that sees the bones.
+  /// Bones, from a source that measures them.
   std::optional<HandBones> bones = std::nullopt;
 };
 
@@ -41,11 +41,11 @@ struct GloveAngles {
 
 /// One bend sensor of a glove.
 struct GloveSensor {
-  std::string_view name;   ///< As its makers and the ROS drivers call it: "ThumbRotate".
+  std::string_view name;   ///< Name used by its makers and the ROS drivers: "ThumbRotate".
   std::string_view label;  ///< For people: "Thumb roll".
-  char letter;             ///< As in the paper's Fig. 3: a to v.
+  char letter;             ///< Letter in the paper's Fig. 3: a to v.
   int slot;                ///< Place in the 24 angles of the VirtualHand order.
-  /// What it measures, and which way is positive: "Knuckle of the index finger, positive bent".
+  /// Measured joint and positive direction: "Knuckle of the index finger, positive bent".
   std::string_view measures;
 };
 

@@ -10,7 +10,7 @@
 
 namespace handway::device {
 
-/// What is done to the readings of emulated sensors.
+/// Errors of the readings of emulated sensors.
 struct SensorFaults {
   double noise = 0.4;  ///< Standard deviation before rounding, counts; real gloves: 0.3 to 0.5.
   std::set<int> saturated;  ///< Sensors that always read 255.
@@ -32,9 +32,9 @@ exploring_hand_signal(std::uint64_t seed, const SensorFaults& faults = {},
 recorded_signal(const Recording& recording, std::uint64_t seed, const SensorFaults& faults,
                 const GloveCalibration& calibration = typical_calibration());
 
-/// What an emulated glove of 22 sensors with the typical calibration would record of a hand that
-/// moves freely (HandExploration): counts with noise, evenly timed from 0. The same arguments
-/// give the same recording; its header names them.
+/// Generates the recording of an emulated glove of 22 sensors with the typical calibration on a
+/// hand that moves freely (HandExploration): counts with noise, evenly timed from 0. The same
+/// arguments give the same recording; its header names them.
 /// @param rows ≥ 1. @param rate Hz, > 0.
 /// @throws std::invalid_argument if there are no rows or no rate.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording generate_recording(std::uint64_t seed, int rows,

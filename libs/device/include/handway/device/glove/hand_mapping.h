@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-/// Which sensor of a glove drives which joint of a robot's hand (paper, section 4.1 and
-/// Table 1), as YAML:
+/// Mapping from a glove's sensors to the joints of a robot hand (paper, section 4.1 and Table 1),
+/// as YAML:
 ///
 ///     hand: sah_right               # in the library, or a file as seen from this one
 ///     source: "where the correspondence comes from"
@@ -29,11 +29,11 @@ namespace handway::device {
 
 /// One point of a curve, rad.
 struct CurvePoint {
-  double angle;  ///< Of the sensor.
+  double angle;  ///< Angle of the sensor.
   double joint;
 };
 
-/// How one joint of the hand gets its value.
+/// Source of the value of one joint of the hand.
 struct JointWire {
   std::string joint;
   int sensor = -1;      ///< Index into cyberglove_sensors(); -1: the joint is fixed.

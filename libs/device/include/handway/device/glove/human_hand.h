@@ -24,20 +24,20 @@ enum class Finger { kThumb, kIndex, kMiddle, kRing, kLittle };
 [[nodiscard]] HANDWAY_DEVICE_EXPORT const std::string& name_of(Finger finger);
 
 inline constexpr int kWristLandmark = 0;
-/// Where a finger begins: the thumb's CMC joint, the others' knuckles.
+/// First landmark of a finger: the thumb's CMC joint, the others' knuckles.
 [[nodiscard]] constexpr int base_landmark(Finger finger) {
   return 1 + 4 * static_cast<int>(finger);
 }
 [[nodiscard]] constexpr int tip_landmark(Finger finger) { return base_landmark(finger) + 3; }
 
-/// Of an adult's hand from wrist to the tip of the middle finger, m.
+/// Length of an adult's hand from wrist to the tip of the middle finger, m.
 inline constexpr double kTypicalHandLength = 0.19;
 
 /// Of an adult's hand of that length (m): shares by B. Buchholz, T. J. Armstrong, S. A. Goldstein,
 /// "Anthropometric data for describing the kinematics of the human hand", Ergonomics 35(3), 1992.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandBones
 typical_bones(double hand_length = kTypicalHandLength);
-/// Of one frame of landmarks, in any frame of reference.
+/// Returns the bones of one frame of landmarks, in any frame of reference.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandBones bones_of(const HandLandmarks& landmarks);
 /// Bone by bone the median of what several frames gave. @pre there is one.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandBones median_bones(std::span<const HandBones> frames);

@@ -57,7 +57,7 @@ class HANDWAY_DEVICE_EXPORT LandmarkGlove final : public Glove {
 /// Angles of a hand at a time (s, never falling).
 using HandSignal = std::function<GloveAngles(double time)>;
 
-/// Those of a recording, again and again. @throws geometric::InputError if it holds counts.
+/// Repeats a recording forever. @throws geometric::InputError if it holds counts.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandSignal recorded_hand(const Recording& recording);
 
 struct LandmarkUnitSettings {
@@ -67,8 +67,8 @@ struct LandmarkUnitSettings {
   std::uint64_t seed = 1;
 };
 
-/// What sends the landmarks of a hand that moves as `signal` and turns about before a camera;
-/// unplugged, it sees no hand. Hears nothing.
+/// Makes a unit that sends the landmarks of a hand that moves as `signal` and rotates before a
+/// camera; unplugged, it sends no hand. It ignores input.
 /// @throws std::invalid_argument for a rate that is not positive.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<DeviceUnit> make_landmark_unit(
     const LandmarkUnitSettings& settings, HandSignal signal);

@@ -17,11 +17,11 @@ struct MappedPostures {
   Eigen::MatrixXd postures;         ///< rad, within limits, shape [samples, joints].
   /// rad, before they were clamped to the limits.
   Eigen::MatrixXd unclamped;
-  /// How many samples of each joint had to be clamped to its limits, shape [joints].
+  /// Number of samples of each joint that had to be clamped to its limits, shape [joints].
   std::vector<Eigen::Index> clamped;
 };
 
-/// What makes postures of a robot's hand from what was measured on a person's.
+/// Maps measurements on a human hand to postures of a robot hand.
 class HANDWAY_DEVICE_EXPORT PostureSource {
  public:
   virtual ~PostureSource() = default;
@@ -32,7 +32,7 @@ class HANDWAY_DEVICE_EXPORT PostureSource {
   [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
   [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
 
-  /// Whether a joint follows the person's hand, and is not fixed, shape [joints].
+  /// True for each joint that follows the human hand, and is not fixed, shape [joints].
   [[nodiscard]] virtual std::vector<bool> driven() const = 0;
   /// The postures for all rows.
   /// @param stop nobody waits for them any more: then rows may be missing at the end.

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-/// What a glove measured over a while, and its files.
+/// Recordings of a glove, and their files.
 ///
 /// A recording file is CSV: lines that begin with `#` tell about it, then a header
 /// and a row for every frame:
@@ -34,7 +34,7 @@
 
 namespace handway::device {
 
-/// What the values of a recording are.
+/// Kind of the values of a recording.
 enum class RecordingKind {
   kCounts,  ///< Raw, as the glove sent them: 1 … 255; 0 where a sensor is missing.
   kAngles,  ///< rad after calibration, flexion and spreading positive.
@@ -43,12 +43,12 @@ enum class RecordingKind {
 /// "counts" or "angles".
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string to_string(RecordingKind kind);
 
-/// What a recording says of itself. Texts are single lines.
+/// Header of a recording. Texts are single lines.
 struct RecordingHeader {
   RecordingKind kind = RecordingKind::kCounts;
   std::string device;        ///< "CyberGlove II, serial 1234"; may be empty.
   std::string date;          ///< When it began, ISO 8601; may be empty.
-  std::string origin;        ///< Where it comes from: person, generator and seed, file.
+  std::string origin;        ///< Origin: person, generator and seed, file.
   std::vector<int> sensors;  ///< Column i is cyberglove_sensors()[sensors[i]].
 };
 
@@ -57,11 +57,11 @@ struct Recording {
   RecordingHeader header;
   Eigen::VectorXd times;              ///< s, never falling, shape [rows].
   Eigen::MatrixXd values;             ///< Counts or rad, finite, shape [rows, sensors].
-  std::vector<std::string> warnings;  ///< Of reading: what was left out or guessed, and where.
+  std::vector<std::string> warnings;  ///< Warnings of the reader about lines left out or guessed.
   std::optional<HandBones> bones = std::nullopt;  ///< The person's, if landmarks were measured.
 };
 
-/// Of a recording of what a glove sends, counts or angles: kind, device and sensors.
+/// Header of a recording of the glove's counts or angles: kind, device and sensors.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RecordingHeader recording_header(const GloveInfo& info);
 
 /// Column of the sensor (index into cyberglove_sensors()), or -1.

@@ -3,7 +3,7 @@
 #include "handway/device/export.h"
 #include "handway/device/glove/recording.h"
 
-/// What may be done to a recording before it is analysed. None changes its input.
+/// Filters for a recording before it is analysed. They don't change their input.
 
 namespace handway::device {
 

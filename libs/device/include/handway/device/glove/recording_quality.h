@@ -10,7 +10,7 @@
 
 namespace handway::device {
 
-/// How one sensor behaved; counts or rad as in the recording.
+/// Quality of one sensor's readings; counts or rad as in the recording.
 struct SensorQuality {
   int sensor = 0;  ///< Index into cyberglove_sensors().
   double least = 0.0;
@@ -26,7 +26,7 @@ struct SensorQuality {
   bool saturated = false;  ///< More than 1 % of rows at an end.
 };
 
-/// How good a recording is.
+/// Quality of a recording.
 struct RecordingQuality {
   Eigen::Index rows = 0;
   double duration = 0.0;               ///< s, from the first row to the last.

@@ -37,7 +37,7 @@ class HANDWAY_DEVICE_EXPORT ReplayGlove final : public Glove {
   std::string name_;
   ReplaySettings settings_;
   int sensors_;
-  std::vector<int> angle_sensors_;  ///< Of a recording of angles.
+  std::vector<int> angle_sensors_;  ///< Sensors of a recording of angles.
   double begin_ = 0.0;              ///< When this round of the recording began, s.
   std::size_t next_ = 0;
 };

@@ -19,7 +19,7 @@ struct HandControllerSettings : EmulatedRobotSettings {
     braking_time = 0.1;
   }
 
-  std::size_t longest = 1000000;  ///< How many points of a trajectory it holds.
+  std::size_t longest = 1000000;  ///< Capacity in points of a trajectory.
 };
 
 /// An emulated hand that speaks hand_protocol.h, without wires. It holds whole trajectories and
@@ -32,7 +32,7 @@ class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
   /// Takes a line of the host's, without its end. @returns what it answers: lines, or nothing.
   [[nodiscard]] std::string receive(const std::string& line, double now);
 
-  /// What it sends every 10 ms; empty before a host has said hello.
+  /// Message sent every 10 ms; empty before a host has sent hello.
   [[nodiscard]] std::string feedback() const;
 
   /// The host is gone: it stops, and waits for another hello.
@@ -59,7 +59,7 @@ class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
   JointTrajectory trajectory_;
   std::size_t expected_ = 0;  ///< Points of the trajectory that is coming in.
   double heard_ = 0.0;        ///< When the host spoke last.
-  double time_ = 0.0;         ///< Of the motion.
+  double time_ = 0.0;         ///< Time of the motion.
   std::optional<double> hold_;
 };
 

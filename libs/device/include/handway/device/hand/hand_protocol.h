@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-/// How Handway talks to a hand: its own protocol, version 1. The SAH's control board is driven by
-/// its maker's library and has no public protocol on a wire: a program beside that library
-/// has to speak this one.
+/// Handway's own protocol for a hand, version 1. The SAH's control board is driven by its maker's
+/// library and has no public protocol on a wire: a program beside that library has to speak this
+/// one.
 ///
 /// Lines of ASCII words over TCP, each ended by a line feed. Angles in rad, times in s.
 ///

@@ -28,7 +28,7 @@ namespace handway::device {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording
 read_joint_recording(const std::filesystem::path& file, const geometric::RobotModel& hand);
 
-/// Whether a file holds what read_joint_recording() reads: messages of ROS, or a table that names
+/// Returns whether read_joint_recording() can read the file: messages of ROS, or a table that names
 /// at least half of the hand's joints.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT bool is_joint_recording(const std::filesystem::path& file,
                                                             const geometric::RobotModel& hand);

@@ -21,12 +21,12 @@ class HANDWAY_DEVICE_EXPORT ToolCurve {
 
   [[nodiscard]] double length() const { return arc_.back(); }
   [[nodiscard]] const std::vector<Eigen::Vector3d>& points() const { return points_; }
-  /// Where each point is; shape [points], not falling.
+  /// Arc length at each point; shape [points], not falling.
   [[nodiscard]] const std::vector<double>& arc_lengths() const { return arc_; }
 
   /// `s` is clamped to the curve.
   [[nodiscard]] Eigen::Vector3d at(double s) const;
-  /// Of length 1, forwards; of zeros if the curve has no length.
+  /// Unit tangent, forwards; zero if the curve has no length.
   [[nodiscard]] Eigen::Vector3d tangent(double s) const;
 
   /// The arc length from `from` to `to` at which the curve is nearest to `point`. A stretch, so
@@ -40,26 +40,26 @@ class HANDWAY_DEVICE_EXPORT ToolCurve {
   std::vector<double> arc_;
 };
 
-/// How a hand is guided. Forces and ways are the hand's, as it feels them.
+/// Settings of the guidance. Forces and distances are those of the hand on the handle.
 struct ForceGuideSettings {
   double scale = 3.0;        ///< Motion of the tool per motion of the hand.
   double tube = 0.003;       ///< So far from the curve nothing pulls, m.
-  double stiffness = 150.0;  ///< Of the spring towards the tube, N/m.
+  double stiffness = 150.0;  ///< Stiffness of the spring towards the tube, N/m.
   double damping = 2.0;      ///< N s/m, in all directions.
   double assistance = 0.8;   ///< Force along the curve, at rest, on the curve, N.
-  double top_speed = 0.1;    ///< Of the hand along the curve: no assistance from there on, m/s.
+  double top_speed = 0.1;    ///< Speed of the hand along the curve without assistance, m/s.
   double lead = 0.01;        ///< So far the hand may be ahead of the robot, m; farther, it is held.
   double strongest = 3.0;    ///< N
-  /// How the device's frame is turned in the base's: its x to the right, y up and z towards the
-  /// user are the base's y, z and x.
+  /// Rotation of the device's frame in the base: its x to the right, y up and z towards the user
+  /// are the base's y, z and x.
   Eigen::Matrix3d R_BD = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
 };
 
-/// What a sample of the handle leads to.
+/// Reaction to a sample of the handle.
 struct GuideStep {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< On the hand, N, in the device's frame.
-  double progress = 0.0;   ///< Where on the curve the hand has led the tool, m of the curve.
-  double deviation = 0.0;  ///< How far the hand is from the curve, m of the hand.
+  double progress = 0.0;   ///< Arc length to which the hand has guided the tool, m of the curve.
+  double deviation = 0.0;  ///< Distance of the hand from the curve, m of the hand.
   bool engaged = false;    ///< The button is held.
   bool arrived = false;    ///< At the curve's end, within 3 mm of the hand.
 };
@@ -82,7 +82,7 @@ class HANDWAY_DEVICE_EXPORT ForceGuide {
   GuideStep update(const HapticSample& sample, double followed);
 
   [[nodiscard]] double progress() const { return progress_; }
-  /// How often the button was pressed.
+  /// Number of times that the button was pressed.
   [[nodiscard]] int grips() const { return grips_; }
 
  private:
@@ -92,7 +92,7 @@ class HANDWAY_DEVICE_EXPORT ForceGuide {
   std::shared_ptr<const ToolCurve> curve_;
   ForceGuideSettings settings_;
   double progress_ = 0.0;
-  /// Where the device's frame is put by the last press of the button: p_BD times the scale.
+  /// Origin of the device's frame, set by the last press of the button: p_BD times the scale.
   std::optional<Eigen::Vector3d> origin_;
   int grips_ = 0;
 };

@@ -25,7 +25,7 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   HapticDevice(const HapticDevice&) = delete;
   HapticDevice& operator=(const HapticDevice&) = delete;
 
-  /// As the user wrote it: "haptic://localhost:11200".
+  /// Name as the user wrote it: "haptic://localhost:11200".
   [[nodiscard]] const std::string& name() const { return name_; }
   /// @pre connected.
   [[nodiscard]] const HapticAbilities& abilities() const { return abilities_; }
@@ -48,7 +48,7 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   void release();
 
  protected:
-  /// What a turn of reading gave.
+  /// Result of one read.
   struct Reading {
     std::optional<HapticSample> newest;
     bool all = true;  ///< Everything that had come was read.

@@ -13,10 +13,10 @@
 namespace handway::device {
 
 struct EmulatedHapticSettings {
-  HapticAbilities abilities{3.3, {0.08, 0.06, 0.035}};  ///< As a Phantom Omni's.
-  double mass = 0.15;                                   ///< Of the handle and the hand on it, kg.
-  double friction = 1.5;                                ///< Of the hand, N s/m.
-  /// How strongly the hand trembles: peak force, N, in directions that turn.
+  HapticAbilities abilities{3.3, {0.08, 0.06, 0.035}};  ///< Abilities of a Phantom Omni.
+  double mass = 0.15;                                   ///< Mass of handle and hand, kg.
+  double friction = 1.5;                                ///< Friction of the hand, N s/m.
+  /// Tremor of the hand: peak force, N, in rotating directions.
   double tremble = 0.3;
   /// kNone, kLate, kLost, kRefused (its motors are too warm) or kEstop.
   InjectedFault fault;
@@ -36,13 +36,13 @@ class HANDWAY_DEVICE_EXPORT EmulatedHaptic {
 
   /// Lets time pass until `now` (s).
   void advance(double now);
-  /// What it sends every 2 ms; empty before a host has said hello.
+  /// Message sent every 2 ms; empty before a host has sent hello.
   [[nodiscard]] std::string feedback() const;
 
   /// The host is gone: no force any more, and another hello is waited for.
   void connection_lost();
 
-  /// What its motors do now, N.
+  /// Present force of the motors, N.
   [[nodiscard]] const Eigen::Vector3d& force() const { return force_; }
   [[nodiscard]] const HapticSample& sample() const { return sample_; }
   /// The fault, from when it begins on.
@@ -82,7 +82,7 @@ class HANDWAY_DEVICE_EXPORT HapticEmulator {
 
   /// "haptic://localhost:11200"
   [[nodiscard]] const std::string& address() const;
-  /// What its motors do now, N.
+  /// Present force of the motors, N.
   [[nodiscard]] Eigen::Vector3d force() const;
 
  private:

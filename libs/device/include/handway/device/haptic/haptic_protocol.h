@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-/// How Handway talks to a haptic device: its own protocol, version 1. Makers' devices are driven
-/// by makers' libraries: a program beside the library has to speak this one.
+/// Handway's own protocol for haptic devices, version 1. Makers' devices are driven by makers'
+/// libraries: a program beside the library has to speak this one.
 ///
 /// Lines of ASCII words over TCP, each ended by a line feed. Metres, newtons, seconds, in the
 /// device's own frame (right-handed, origin in the middle of its workspace).
@@ -29,13 +29,13 @@ inline constexpr std::uint16_t kHapticPort = 11200;
 inline constexpr int kHapticProtocolVersion = 1;
 inline constexpr double kHapticLongestSilence = 0.05;  ///< s without "force"
 
-/// What a device can do.
+/// Abilities of a device.
 struct HapticAbilities {
   double force = 0.0;                                   ///< Strongest, N.
   Eigen::Vector3d workspace = Eigen::Vector3d::Zero();  ///< From the middle to its faces, m.
 };
 
-/// Where its handle is.
+/// State of the handle.
 struct HapticSample {
   double time = 0.0;                                   ///< s, on the device's clock.
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m

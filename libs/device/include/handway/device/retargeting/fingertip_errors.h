@@ -14,8 +14,8 @@
 
 namespace handway::device {
 
-/// How far fingertips are from where FingertipRetargeter::wanted() has them, over all fingers and
-/// postures, m.
+/// Distances of fingertips from FingertipRetargeter::wanted(), over all fingers and postures,
+/// m.
 struct FingertipErrors {
   double mean = 0.0;
   double median = 0.0;
@@ -31,9 +31,9 @@ struct FingertipErrors {
 fingertip_errors(std::span<const GloveAngles> rows, const std::vector<std::string>& joints,
                  const Eigen::MatrixXd& postures, const FingertipRetargeter& hand);
 
-/// Where the fingertips are at a posture of a source's joints, normalised to [0, 1] by their
-/// limits, shape [joints]: in the frame of the hand's palm, m, a column for each finger. Joints as
-/// in fingertip_errors().
+/// Returns a function from a posture of a source's joints, normalised to [0, 1] by their limits,
+/// shape [joints], to the fingertips: in the frame of the hand's palm, m, a column for each finger.
+/// Joints as in fingertip_errors().
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::function<Eigen::Matrix3Xd(const Eigen::VectorXd&)>
 normalised_fingertips(const std::shared_ptr<const FingertipRetargeter>& hand,
                       const PostureSource& source);

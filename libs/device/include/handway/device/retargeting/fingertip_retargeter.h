@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-/// Which robot hand follows a person's by its fingertips, and how, as YAML; all but `hand` may be
-/// left out:
+/// Retargeting of a human hand to a robot hand by fingertips, as YAML; all but `hand` may be left
+/// out:
 ///
 ///     hand: allegro_hand_right.urdf
 ///     retargeting:
@@ -42,7 +42,7 @@ struct RetargetingSettings {
   HandBones bones = typical_bones();         ///< The person's; of no file of retargeting.
 };
 
-/// Whether a YAML file is one of retargeting rather than of a mapping: it has the key.
+/// Returns whether a YAML file is a retargeting rather than a mapping: it has the key.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT bool is_retargeting(const std::filesystem::path& file);
 /// @throws geometric::InputError with file, line and key.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RetargetingSettings
@@ -69,15 +69,15 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   ~FingertipRetargeter() override;
 
   [[nodiscard]] const RobotFingers& fingers() const { return fingers_; }
-  /// Of the person's hand, whose bones the settings have.
+  /// Landmarks of the person's hand, whose bones the settings have.
   [[nodiscard]] HandLandmarks landmarks(const GloveAngles& angles) const {
     return hand_landmarks(angles, settings_.bones);
   }
 
-  /// Where the fingertips are wanted for landmarks of a right hand in its palm's frame (see
-  /// in_palm_frame()); in the frame of the robot's palm, m, a column for each of fingers().
+  /// Wanted fingertips for landmarks of a right hand in its palm's frame (see in_palm_frame()); in
+  /// the frame of the robot's palm, m, a column for each of fingers().
   [[nodiscard]] Eigen::Matrix3Xd wanted(const HandLandmarks& landmarks) const;
-  /// Where they are, the same.
+  /// Actual fingertips at `posture`, in the format of wanted().
   [[nodiscard]] Eigen::Matrix3Xd fingertips(const Eigen::VectorXd& posture) const;
 
   /// @param last the posture before, shape [joints]; the first one's is middle().
@@ -101,7 +101,7 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   [[nodiscard]] Eigen::Vector3d turned(const Eigen::Vector3d& v_H) const;
   [[nodiscard]] Eigen::VectorXd out_of_collision(const Eigen::VectorXd& posture,
                                                  const Eigen::VectorXd& last) const;
-  /// Nothing if `from` is in self-collision.
+  /// Returns the advanced posture; nothing if `from` is in self-collision.
   [[nodiscard]] std::optional<Eigen::VectorXd> advanced(const Eigen::VectorXd& from,
                                                         const Eigen::VectorXd& to) const;
 

@@ -14,23 +14,23 @@ namespace handway::device {
 
 /// One finger of a robot's hand.
 struct RobotFinger {
-  Finger finger = Finger::kThumb;  ///< Which of a person's it takes after.
+  Finger finger = Finger::kThumb;  ///< The corresponding human finger.
   int tip_link = -1;
   Eigen::Vector3d p_LT = Eigen::Vector3d::Zero();  ///< The fingertip in its link's frame, m.
   std::vector<int> variables;  ///< The joints from the palm to the tip that move, as variables.
-  /// Where the variables bring the phalanges in line with each other and the palm, rad: shape
+  /// Values of the variables that align the phalanges with each other and the palm, rad: shape
   /// [variables].
   std::vector<double> straight;
-  /// How far a variable closes the finger, rad per unit: negative if it closes it with falling
-  /// values, 0 if it does not bend it. Shape [variables].
+  /// Flexion of the finger by a variable, rad per unit: negative if falling values close the
+  /// finger, 0 if it does not bend it. Shape [variables].
   std::vector<double> flexion;
-  /// Where its own first joint is, in the palm's frame, m: of one that begins at a part of the palm
-  /// that moves, or that follows another finger, beyond that part.
+  /// Origin of its own first joint, in the palm's frame, m. For a finger that begins at a moving
+  /// part of the palm, or follows another finger, it is the first joint beyond that part.
   Eigen::Vector3d p_PB = Eigen::Vector3d::Zero();
   double reach = 0.0;  ///< From there to the tip of the straight finger, m.
 };
 
-/// How a robot's hand is built, as far as retargeting needs it.
+/// Structure of a robot hand, as far as retargeting needs it.
 struct RobotFingers {
   int palm = 0;  ///< The link that all fingers start from.
   std::vector<RobotFinger> fingers;
@@ -38,7 +38,7 @@ struct RobotFingers {
   Eigen::Matrix3d R_PH = Eigen::Matrix3d::Identity();
   /// The robot's hand is a left one: a person's is mirrored for it.
   bool left = false;
-  /// What the geometry does not tell for certain, as sentences: to which side fingers close.
+  /// Doubts that the geometry leaves, as sentences: the side to which fingers close.
   std::vector<std::string> doubts;
 };
 

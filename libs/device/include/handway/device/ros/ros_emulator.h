@@ -32,16 +32,16 @@ class HANDWAY_DEVICE_EXPORT RosController final : public EmulatedRobot {
   /// Takes a message of `host`. @returns what it answers.
   [[nodiscard]] Messages receive(std::uint64_t host, const std::string& text, double now);
 
-  /// What it sends `host` every 10 ms: what it subscribed to.
+  /// Messages to `host` every 10 ms, of the topics that it subscribed to.
   [[nodiscard]] Messages feedback(std::uint64_t host);
 
  private:
-  /// Where some of the joints are to go.
+  /// Goal of some of the joints.
   struct Goal {
     std::vector<Eigen::Index> joints;
     JointTrajectory motion;
     double begin = 0.0;       ///< s
-    Eigen::VectorXd fastest;  ///< Of the motion, rad/s.
+    Eigen::VectorXd fastest;  ///< Largest speeds of the motion, rad/s.
   };
 
   bool do_step() override;

@@ -13,12 +13,12 @@ namespace handway::device {
 /// Port of rosbridge servers.
 inline constexpr std::uint16_t kRosbridgePort = 9090;
 
-/// Where a robot is to be found.
+/// Address of a robot.
 struct RosAddress {
   std::string host;
   std::uint16_t port = kRosbridgePort;
   RosVersion version = RosVersion::kRos1;
-  /// Of the `trajectory_msgs/JointTrajectory` that its controller takes.
+  /// Topic of the `trajectory_msgs/JointTrajectory` of its controller.
   std::string trajectory_topic = "/joint_trajectory_controller/command";
 };
 

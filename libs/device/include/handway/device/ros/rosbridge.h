@@ -41,11 +41,11 @@ struct RosJointState {
 struct RosbridgeMessage {
   std::string op;     ///< "advertise", "unadvertise", "subscribe", "publish", "status" …
   std::string id;     ///< Empty: none.
-  std::string topic;  ///< Of advertise, subscribe and publish.
-  std::string type;   ///< Of advertise and subscribe.
-  std::string level;  ///< Of status: "error", "warning" …
-  std::string text;   ///< Of status.
-  // Of publish: the one that `msg` has the keys of.
+  std::string topic;  ///< For advertise, subscribe and publish.
+  std::string type;   ///< For advertise and subscribe.
+  std::string level;  ///< For status: "error", "warning" …
+  std::string text;   ///< For status.
+  // For publish: set if `msg` has the keys of a joint state.
   std::optional<RosJointState> joint_state;
   std::optional<RosTrajectory> trajectory;
   std::optional<RobotStatus> robot_status;

@@ -12,7 +12,7 @@
 namespace handway::device {
 
 enum class PolhemusRecordKind {
-  kPose,      ///< Where a station was.
+  kPose,      ///< A station's pose.
   kDoubtful,  ///< A pose that the device marks as bad: distorted, or out of the field.
   kReply,     ///< An answer to another command: a sign of life.
 };
@@ -21,20 +21,20 @@ enum class PolhemusRecordKind {
 struct PolhemusRecord {
   PolhemusRecordKind kind = PolhemusRecordKind::kPose;
   int station = 0;                                     ///< From 1.
-  char command = 0;                                    ///< Of kReply: the command it answers.
-  char error = ' ';                                    ///< Of kDoubtful: the device's letter.
-  geometric::Pose X_ST = geometric::Pose::Identity();  ///< Of kPose: sensor in source frame, m.
-  std::optional<bool> button;                          ///< Of kPose, if in the output list.
-  std::optional<double> unit_time;  ///< Of kPose, if in the output list: the unit's clock, s.
-  std::vector<std::uint8_t> body;   ///< Of kReply.
+  char command = 0;                                    ///< For kReply: the command it answers.
+  char error = ' ';                                    ///< For kDoubtful: the device's letter.
+  geometric::Pose X_ST = geometric::Pose::Identity();  ///< For kPose: sensor in source frame, m.
+  std::optional<bool> button;                          ///< For kPose, if in the output list.
+  std::optional<double> unit_time;  ///< For kPose, if in the output list: the unit's clock, s.
+  std::vector<std::uint8_t> body;   ///< For kReply.
 };
 
-/// What the bytes at a place of a stream are.
+/// Verdict on the bytes at a place of a stream.
 template <typename Record>
 struct ScanVerdict {
   /// Bytes of a whole record; 0: the beginning of one so far; nothing: no record.
   std::optional<std::size_t> length;
-  Record record;  ///< Of a whole record.
+  Record record;  ///< Valid for a whole record.
 };
 
 /// Finds records in a stream of bytes. What is none is dropped byte by byte until one begins, so
@@ -71,7 +71,7 @@ class RecordScanner {
   /// Forgets the beginning of an incomplete record.
   void reset() { pending_.clear(); }
 
-  /// How many times it lost its place, and the bytes that it dropped then.
+  /// Number of resynchronisations, and the bytes dropped by them.
   [[nodiscard]] std::uint64_t resynchronisations() const { return resynchronisations_; }
   [[nodiscard]] std::uint64_t dropped_bytes() const { return dropped_bytes_; }
 
@@ -82,8 +82,8 @@ class RecordScanner {
   bool in_sync_ = true;
 };
 
-/// What a Fastrak puts into a data record: '0', the station's digit, an error letter (blank if
-/// good), then the items of the output list.
+/// Layout of a Fastrak's data record: '0', the station's digit, an error letter (blank if good),
+/// then the items of the output list.
 struct HANDWAY_DEVICE_EXPORT FastrakFormat {
   /// 0 a blank, 1 CR LF, 2 position, 4 azimuth, elevation and roll, 11 quaternion (w x y z),
   /// 16 stylus switch.
@@ -95,7 +95,7 @@ struct HANDWAY_DEVICE_EXPORT FastrakFormat {
   [[nodiscard]] std::size_t record_length() const;
 };
 
-/// What a Liberty puts into the body of a binary data record, after a header of 8 bytes.
+/// Layout of the body of a Liberty's binary data record, after a header of 8 bytes.
 struct HANDWAY_DEVICE_EXPORT LibertyFormat {
   /// 0 a blank, 1 CR LF, 2 or 3 position, 4 azimuth, elevation and roll, 7 quaternion (w x y z),
   /// 8 time stamp (ms), 9 frame count, 10 stylus switch, 11 distortion.
@@ -124,7 +124,7 @@ class HANDWAY_DEVICE_EXPORT PolhemusParser {
   /// Forgets the beginning of an incomplete record.
   void reset() { scanner_.reset(); }
 
-  /// How many times it lost its place, and the bytes that it dropped then.
+  /// Number of resynchronisations, and the bytes dropped by them.
   [[nodiscard]] std::uint64_t resynchronisations() const { return scanner_.resynchronisations(); }
   [[nodiscard]] std::uint64_t dropped_bytes() const { return scanner_.dropped_bytes(); }
 

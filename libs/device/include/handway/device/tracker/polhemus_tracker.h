@@ -12,12 +12,12 @@ namespace handway::device {
 
 enum class PolhemusModel {
   kFastrak,
-  kLiberty,  ///< Also Patriot and Latus.
+  kLiberty,  ///< Includes Patriot and Latus.
 };
 
 struct PolhemusSettings {
   PolhemusModel model = PolhemusModel::kFastrak;
-  int baud = 115200;    ///< Of a serial port, bit/s.
+  int baud = 115200;    ///< Rate of a serial port, bit/s.
   bool ascii = false;   ///< Text records instead of binary ones; Fastrak only.
   bool button = false;  ///< Ask for the switch of a stylus, too.
   /// The device is taken for lost after this long without an answer, or without a record.
@@ -54,7 +54,7 @@ class HANDWAY_DEVICE_EXPORT PolhemusTracker final : public Tracker {
   std::string address_;
   PolhemusSettings settings_;
   std::unique_ptr<Session> session_;  ///< While connected.
-  ReceptionFaults faults_;            ///< Of former connections.
+  ReceptionFaults faults_;            ///< Faults of former connections.
 };
 
 }  // namespace handway::device

@@ -13,7 +13,7 @@
 
 namespace handway::device {
 
-/// Where a tool may go: a box and a ball, both in the robot's base frame B, m. By default
+/// Limits of a tool's position: a box and a ball, both in the robot's base frame B, m. By default
 /// everywhere.
 struct WorkspaceLimits {
   Eigen::AlignedBox3d box{Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity()),
@@ -34,11 +34,11 @@ HANDWAY_DEVICE_EXPORT void check_workspace(const WorkspaceLimits& limits);
 struct ToolFollowerSettings {
   /// Orientation of the tracker's source S in the robot's base B.
   Eigen::Matrix3d R_BS = Eigen::Matrix3d::Identity();
-  double translation_scale = 1.0;  ///< How far the tool goes for 1 m of the hand.
-  bool rotate = true;              ///< Whether the tool turns with the hand.
-  WorkspaceLimits workspace;       ///< Of the tool's origin.
+  double translation_scale = 1.0;  ///< Motion of the tool per motion of the hand.
+  bool rotate = true;              ///< True: the tool turns with the hand.
+  WorkspaceLimits workspace;       ///< Limits of the tool's origin.
   double smoothing = 0.05;         ///< Time constant of the first-order low-pass, s; 0: none.
-  double top_speed = 1.0;  ///< Of every joint, rad/s or m/s; the model's own limits hold, too.
+  double top_speed = 1.0;  ///< Speed limit of every joint, rad/s or m/s, besides the model's.
   /// A posture that differs by more than this from the last one in some joint, rad or m, is one
   /// of another branch: it is not followed.
   double largest_branch_step = 0.8;
@@ -55,10 +55,10 @@ enum class FollowState {
 
 struct FollowStep {
   FollowState state = FollowState::kReleased;
-  geometric::Configuration q;  ///< Where the robot is to be, shape [model().variable_count()].
-  geometric::Pose X_BF = geometric::Pose::Identity();  ///< Where the tool F is wanted.
+  geometric::Configuration q;  ///< Command for the robot, shape [model().variable_count()].
+  geometric::Pose X_BF = geometric::Pose::Identity();  ///< Wanted pose of the tool F.
   bool at_workspace_edge = false;                      ///< The hand wants it farther out.
-  std::string reason;                                  ///< Why the robot stands; else empty.
+  std::string reason;                                  ///< Reason for standing; else empty.
 };
 
 /// Leads an arm's tool by a tracked wrist. While the clutch is closed the tool moves as the sensor
@@ -90,7 +90,7 @@ class HANDWAY_DEVICE_EXPORT ToolFollower {
   [[nodiscard]] geometric::Pose tool_pose() const;
 
  private:
-  /// Where sensor and tool were when the clutch was closed.
+  /// Poses of sensor and tool when the clutch was closed.
   struct Grip {
     geometric::Pose X_ST;
     geometric::Pose X_BF;
@@ -103,8 +103,8 @@ class HANDWAY_DEVICE_EXPORT ToolFollower {
   std::shared_ptr<const geometric::InverseKinematics> ik_;
   ToolFollowerSettings settings_;
   Eigen::VectorXd top_speeds_;                          ///< Shape [ik->variables().size()].
-  geometric::Configuration q_;                          ///< Where the robot is.
-  geometric::Configuration goal_;                       ///< Where it is going.
+  geometric::Configuration q_;                          ///< Present command.
+  geometric::Configuration goal_;                       ///< Present target.
   geometric::Pose X_BF_ = geometric::Pose::Identity();  ///< Smoothed.
   std::optional<Grip> grip_;
   bool engaged_ = false;

@@ -9,16 +9,16 @@
 
 namespace handway::device {
 
-/// Where a sensor of a tracker was.
+/// Pose of a sensor of a tracker.
 struct TrackerSample {
   double time = 0.0;  ///< When it arrived, s since the tracker was first connected.
-  int sensor = 1;     ///< Which of the tracker's; Polhemus stations count from 1.
+  int sensor = 1;     ///< Number of the sensor; Polhemus stations count from 1.
   /// Pose of the sensor's frame T in the frame S of the source (or transmitter), m.
   geometric::Pose X_ST = geometric::Pose::Identity();
-  std::optional<bool> button;  ///< Whether it is pressed; nothing if the sensor has none.
+  std::optional<bool> button;  ///< True if pressed; nothing if the sensor has none.
 };
 
-/// What a connected tracker reported of itself.
+/// Properties that a connected tracker reports.
 struct TrackerInfo {
   std::string device;  ///< Port, as the user named it.
   std::string model;   ///< "Polhemus Fastrak, binary".

@@ -14,11 +14,11 @@ namespace handway::device {
 /// to the next.
 using TrackerSignal = std::function<geometric::Pose(double time, int sensor)>;
 
-/// What is done to the poses of emulated sensors; by default as much as a magnetic tracker's
-/// noise within 75 cm of its source.
+/// Noise of the poses of emulated sensors; by default that of a magnetic tracker within 75 cm of
+/// its source.
 struct TrackerNoise {
   double position = 0.0002;  ///< Standard deviation of each coordinate, m.
-  double angle = 0.0005;     ///< Of each component of a small rotation vector, rad.
+  double angle = 0.0005;     ///< Standard deviation of each rotation-vector component, rad.
 };
 
 /// The poses of a wrist that somebody moves who tries what can be reached: minimum-jerk moves in a

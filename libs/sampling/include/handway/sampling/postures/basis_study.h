@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-/// How good a basis made from recorded postures is: how many principal motion directions (PMDs) are
-/// enough, how long a recording has to be, and how well one basis serves several persons.
+/// Quality of a basis made from recorded postures: the number of principal motion directions (PMDs)
+/// needed, the length of a recording needed, and how well one basis serves several persons.
 
 namespace handway::sampling {
 
@@ -24,7 +24,7 @@ struct RecordedHand {
   double rate = 0.0;        ///< Rows a second, Hz, > 0.
 };
 
-/// Where the fingertips are at a posture of normalised joints, shape [joints]: a column each, m.
+/// Returns the fingertips at a posture of normalised joints, shape [joints]: one column each, m.
 using FingertipsOf = std::function<Eigen::Matrix3Xd(const Eigen::VectorXd& posture)>;
 
 /// For which errors a report says how many directions are enough, m.
@@ -32,11 +32,11 @@ inline constexpr std::array kReportedErrors{0.010, 0.005, 0.002};
 
 struct BasisStudySettings {
   std::vector<int> free_joints;  ///< That keep an axis of their own: see principal_components().
-  int directions = 4;            ///< Of the basis, for stability and persons; ≥ 1.
+  int directions = 4;            ///< Number in the basis, for stability and persons; ≥ 1.
   int folds = 5;                 ///< Parts of each recording that are left out in turn, ≥ 2.
-  int resamples = 1000;          ///< Of the bootstrap, ≥ 1.
+  int resamples = 1000;          ///< Number in the bootstrap, ≥ 1.
   double block = 1.0;  ///< Rows of so many s stay together in it, for they depend on each other.
-  double confidence = 0.95;  ///< Of intervals, 0 to 1.
+  double confidence = 0.95;  ///< Confidence of the intervals, 0 to 1.
   std::uint64_t seed = 1;
 };
 
@@ -47,15 +47,15 @@ struct Interval {
   double high = 0.0;
 };
 
-/// Of postures that the basis was not made from.
+/// Error on postures that were not used to make the basis.
 struct ReconstructionError {
   int directions = 0;     ///< Beside the free joints.
-  Interval fingertip;     ///< How far fingertips are off, mean over fingertips and postures, m.
+  Interval fingertip;     ///< Distance of fingertips, mean over fingertips and postures, m.
   double most = 0.0;      ///< 95 % of the fingertips are nearer, m.
   double variance = 0.0;  ///< Share of the variance of all postures that the directions hold.
 };
 
-/// How far bases from recordings of one length are from that of all of it.
+/// Difference of bases from recordings of one length from the basis of the whole recording.
 struct BasisStability {
   double seconds = 0.0;
   /// Largest principal angle between the spaces of the first 1, 2, … directions, rad; low and high
@@ -63,7 +63,7 @@ struct BasisStability {
   std::vector<Interval> angles;
 };
 
-/// How well a person's postures are reconstructed with the settings' directions.
+/// Error of a person's postures reconstructed with the settings' directions.
 struct PersonFit {
   std::string name;
   Interval own;     ///< By a basis of the rest of the same recording, m.
@@ -84,7 +84,7 @@ struct BasisStudy {
   [[nodiscard]] HANDWAY_SAMPLING_EXPORT int enough_for(double error) const;
 };
 
-/// The same recordings and settings give the same bits.
+/// Studies the basis; the same recordings and settings give bitwise the same result.
 ///
 /// Postures are reconstructed from what others were made into: each recording's folds are left out
 /// in turn. Confidence intervals come from a bootstrap over blocks of rows (Künsch 1989), that of
@@ -101,9 +101,9 @@ study_basis(const std::vector<RecordedHand>& recordings, const FingertipsOf& fin
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd angles_between(const PmdBasis& a,
                                                                      const PmdBasis& b);
 
-/// How well a basis holds postures: what is left of them outside of what it spans.
+/// Postures as a basis represents them: error outside of the space that it spans.
 struct Reconstruction {
-  Eigen::VectorXd rms;  ///< Of each joint of the basis, normalised, shape [joints].
+  Eigen::VectorXd rms;  ///< Error of each joint of the basis, normalised, shape [joints].
   double held = 0.0;    ///< Share of the variance about the postures' mean, at most 1.
 };
 

@@ -32,7 +32,7 @@ struct PrincipalDirection {
 /// Postures are in joint space normalised to [0, 1] per joint.
 struct PmdBasis {
   std::string hand;                            ///< Robot that the joints belong to.
-  std::string source;                          ///< Where the numbers come from.
+  std::string source;                          ///< Source of the numbers.
   std::vector<std::string> joints;             ///< Independent hand joints, in vector order.
   Eigen::VectorXd mean;                        ///< b, shape [joints].
   std::vector<FreeJoint> free_joints;          ///< First axes of SC^h.
@@ -88,7 +88,7 @@ class HANDWAY_SAMPLING_EXPORT PostureSubspace {
   /// From the closest posture of SC^h, limits apart, to `posture`; shape [joints].
   [[nodiscard]] Eigen::VectorXd outside(const Eigen::VectorXd& posture) const;
 
-  /// How far `posture` is from the postures that the human hand was seen to take.
+  /// Distance of `posture` from the recorded postures of the human hand.
   [[nodiscard]] double distance(const Eigen::VectorXd& posture) const;
 
   /// The posture of SC^h closest to `posture`, joints clamped to [0, 1].

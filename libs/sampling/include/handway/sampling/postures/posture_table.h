@@ -15,8 +15,8 @@ namespace handway::sampling {
 /// Postures that a hand was seen to take.
 struct PostureTable {
   std::string hand;                 ///< Robot that the joints belong to.
-  std::string source;               ///< Where the postures come from.
-  std::vector<std::string> joints;  ///< Of the columns.
+  std::string source;               ///< Source of the postures.
+  std::vector<std::string> joints;  ///< Names of the columns.
   Eigen::MatrixXd postures;         ///< Normalised joints, shape [postures, joints].
 };
 
@@ -65,8 +65,8 @@ class HANDWAY_SAMPLING_EXPORT RecordedPostures {
   /// @returns the posture with the free joints of `posture`.
   [[nodiscard]] NearestPosture nearest(const Eigen::VectorXd& posture) const;
 
-  /// How far 19 of 20 postures are at most from what the basis spans: what distance to the PMD
-  /// subspace is still that of a hand like the recorded one.
+  /// Distance to the PMD subspace that 95 % of the postures don't exceed: the usual distance of a
+  /// hand like the recorded one.
   [[nodiscard]] double usual_distance_to_subspace() const { return usual_distance_; }
 
  private:
@@ -83,7 +83,7 @@ class HANDWAY_SAMPLING_EXPORT RecordedPostures {
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT std::shared_ptr<const RecordedPostures>
 load_recorded_postures(const PmdBasis& basis);
 
-/// Those of a file, whatever the basis names. @throws as above.
+/// Loads the postures of `file`, whatever the basis names. @throws as above.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT std::shared_ptr<const RecordedPostures>
 load_recorded_postures(const PmdBasis& basis, const std::filesystem::path& file);
 

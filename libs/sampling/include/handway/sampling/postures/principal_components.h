@@ -12,7 +12,7 @@ namespace handway::sampling {
 
 /// Principal components of a set of postures (paper, section 4.2).
 struct PrincipalComponents {
-  Eigen::VectorXd mean;        ///< Of every joint, shape [joints].
+  Eigen::VectorXd mean;        ///< Mean of every joint, shape [joints].
   Eigen::MatrixXd directions;  ///< One unit column per component, shape [joints, components].
   Eigen::VectorXd variances;   ///< σ_i² along each, falling, shape [components].
   Eigen::VectorXd shares;      ///< variances over their sum; all 0 if nothing varies.
@@ -31,7 +31,7 @@ struct PrincipalComponents {
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PrincipalComponents
 principal_components(const Eigen::MatrixXd& samples, const std::vector<int>& left_out = {});
 
-/// Which axes a basis has, and how long the sides of its box are.
+/// Axes of a basis, and lengths of the sides of its box.
 struct PmdBasisOptions {
   std::vector<int> free_joints;       ///< Axes of their own, over the joint's whole range.
   int directions = 4;                 ///< Most principal directions to take, ≥ 0.
@@ -67,7 +67,7 @@ class HANDWAY_SAMPLING_EXPORT IncrementalComponents {
 
   [[nodiscard]] Eigen::Index count() const { return count_; }
 
-  /// What principal_components() finds for the same postures.
+  /// Returns the result of principal_components() for the same postures.
   /// @throws as that function.
   [[nodiscard]] PrincipalComponents components(const std::vector<int>& left_out = {}) const;
 
@@ -79,7 +79,7 @@ class HANDWAY_SAMPLING_EXPORT IncrementalComponents {
 
 /// Components of the samples that belong together.
 struct RobustComponents {
-  PrincipalComponents components;  ///< Of the samples that were kept.
+  PrincipalComponents components;  ///< Components of the samples that were used.
   std::vector<bool> kept;          ///< False: an outlier, shape [samples].
   Eigen::Index outliers = 0;
 };

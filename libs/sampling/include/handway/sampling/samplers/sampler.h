@@ -34,11 +34,11 @@ class Sampler {
   Points points_;
 };
 
-/// Whether a point of [0,1]^d is valid (free of collision, for planners). Must answer the same for
-/// the same point, and several threads at once if the sampler is shared.
+/// Predicate: true if a point of [0,1]^d is valid (free of collision, for planners). Deterministic,
+/// and thread-safe if the sampler is shared.
 using ValidityPredicate = std::function<bool(const Eigen::VectorXd&)>;
 
-/// How points are chosen.
+/// Method of choosing points.
 enum class SamplerKind {
   kRandom,      ///< Uniform.
   kHalton,      ///< The Halton sequence, its digits permuted by the seed.
@@ -50,7 +50,7 @@ enum class SamplerKind {
 /// The words for them, in the order of SamplerKind: "random", "halton", …
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT const std::vector<std::string>& sampler_names();
 
-/// What the Gaussian sampler and the bridge test look for valid points with.
+/// Options of the Gaussian sampler and the bridge test.
 struct PairOptions {
   double sigma = 0.1;  ///< Standard deviation of the distance of a pair of points. > 0.
   int tries = 20;      ///< Pairs looked at for one point, ≥ 1. After them: a uniform point.

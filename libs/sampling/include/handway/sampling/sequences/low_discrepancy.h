@@ -34,7 +34,7 @@ class HANDWAY_SAMPLING_EXPORT HaltonSequence {
   [[nodiscard]] Eigen::VectorXd point(std::uint64_t index) const;
 
  private:
-  std::vector<std::vector<std::uint32_t>> digits_;  ///< As they are permuted, by base.
+  std::vector<std::vector<std::uint32_t>> digits_;  ///< Permuted digits of each base.
 };
 
 /// The deterministic sampling sequence s_d(k) of Rosell, Roa, Pérez and García,
@@ -56,8 +56,8 @@ class HANDWAY_SAMPLING_EXPORT HaltonSequence {
 ///     T_(p q) = T_p ⊗ T_q, over the prime factors in rising order,
 ///     T_p for a prime p > 3: the first p rows and columns of T_(p+1).
 ///
-/// Where d has no prime factor above 3, no two of the first 2^(d-1) cells of
-/// level 1 differ in one axis only.
+/// If d has no prime factor above 3, any two of the first 2^(d-1) cells of level 1 differ in two
+/// axes or more.
 ///
 /// From index 2^(d M) on the cells repeat.
 class HANDWAY_SAMPLING_EXPORT SdkSequence {
