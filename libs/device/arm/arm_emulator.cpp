@@ -41,7 +41,7 @@ void Val3Controller::do_fail() {
     powered_ = false;
     stop();
   } else if (active_fault() == FaultKind::kJointLimit && !queue_.empty()) {
-    // Of the joint that goes farthest.
+    // Moves a limit of the joint that goes farthest to the joint's present position.
     Eigen::Index joint = 0;
     const Eigen::VectorXd displacement = queue_.back().target - commanded();
     displacement.cwiseAbs().maxCoeff(&joint);

@@ -55,10 +55,10 @@ struct Val3Point {
   SimpleMessage message;
 };
 
-/// How many points are sent ahead of their time: the queue holds ten.
+/// Number of points that are sent ahead of their time: the queue holds ten.
 inline constexpr std::size_t kVal3PointsAhead = 8;
 
-// Nothing that moves less can be sent to an arm (float32), rad.
+// Smallest motion that can be sent to an arm (float32), rad.
 constexpr double kNoMove = 1e-6;
 // The least share of its velocity that the controller takes.
 constexpr double kLeastVelocity = 1e-4;

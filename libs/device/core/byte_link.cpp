@@ -184,7 +184,7 @@ std::unique_ptr<ByteLink> open_serial_link(const std::string& path, int baud) {
   if (error) {
     refuse(path, error);
   }
-  // What was sent to whoever had the port before is nothing to us.
+  // Bytes for the former user of the port are discarded.
   ::tcflush(port.native_handle(), TCIOFLUSH);
   return link;
 }

@@ -66,7 +66,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How long it takes to see that it has to stop, or was unplugged, s.
+// Longest delay until a stop or an unplugging takes effect, s.
 constexpr double kLongestWait = 0.02;
 
 std::unique_ptr<HostPort> open_port(const DeviceEmulatorSettings& settings) {
@@ -142,7 +142,7 @@ void DeviceEmulator::Running::run(const std::stop_token& stop) {
     const std::size_t count = port->read(bytes, wait);
     const double time = now();
     unit->set_plugged(plugged_at(time));
-    // What was due before the host spoke is sent before the answer.
+    // Records that were due before the host's command are sent before the answer.
     for (DeviceUnit::Bytes& record : unit->advance(time)) {
       send(faults.apply(std::move(record)), time);
       ++records;

@@ -18,7 +18,7 @@
 
 namespace handway::device {
 
-/// How late a device with that fault says what it says, s.
+/// Delay of the messages of a device with that fault, s.
 [[nodiscard]] inline double delay_of(FaultKind fault) {
   return fault == FaultKind::kLate ? 0.6 : 0.0;
 }
@@ -44,7 +44,7 @@ class EmulatorThread {
 
   [[nodiscard]] const std::string& address() const { return address_; }
 
-  /// What `question` says of the device, which stands still for that time.
+  /// Returns the result of `question` on the device, which is locked meanwhile.
   template <typename Question>
   [[nodiscard]] auto ask(Question question) const {
     const std::scoped_lock lock(mutex_);
@@ -78,7 +78,7 @@ class EmulatorThread {
     }
   }
 
-  mutable std::mutex mutex_;  ///< Of the device.
+  mutable std::mutex mutex_;  ///< Guards the device.
   Device device_;
   Ports ports_;
   std::string address_;
@@ -86,7 +86,7 @@ class EmulatorThread {
   std::jthread thread_;  ///< Last: it uses all the others.
 };
 
-/// What a RobotEmulator has of its thread.
+/// Interface of a RobotEmulator's thread.
 class RobotEmulator::Running {
  public:
   virtual ~Running() = default;

@@ -17,7 +17,7 @@ namespace handway::device {
                                                       const TcpAddress& address,
                                                       const std::stop_token& stop);
 
-/// What one turn of a device's loop takes from one connection at most: a device that sends without
+/// Limit of what one turn of a device's loop reads from one connection: a device that sends without
 /// pause must keep its host neither from a stop nor from the other devices.
 class ReadBudget {
  public:

@@ -19,7 +19,7 @@
 namespace handway::device {
 namespace {
 
-// How much came; closes a connection that is over.
+// Returns the number of bytes read; closes a connection that is over.
 std::size_t read_connection(FileDescriptor& connection, std::span<std::uint8_t> bytes) {
   const ssize_t count = ::read(connection.get(), bytes.data(), bytes.size());
   if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) {
@@ -46,7 +46,7 @@ void set_up_connection(const FileDescriptor& connection) {
 TcpHostPort::TcpHostPort(std::uint16_t port)
     : listener_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   const int on = 1;
-  // So that an emulator that was killed can be started again on its port.
+  // Lets an emulator that was killed be started again on its port.
   ::setsockopt(listener_.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -129,7 +129,7 @@ class PseudoTerminal final : public HostPort {
   }
 
   void write(std::span<const std::uint8_t> bytes) override {
-    // Nobody reads if it doesn't take them all: what is lost is lost.
+    // Bytes that the port does not take are lost.
     [[maybe_unused]] const ssize_t taken = ::write(master_.get(), bytes.data(), bytes.size());
   }
 
@@ -169,7 +169,7 @@ class UdpSender final : public HostPort {
   }
 
   void write(std::span<const std::uint8_t> bytes) override {
-    // Nobody listens if it fails: what is lost is lost.
+    // Datagrams that can't be sent are lost.
     [[maybe_unused]] const ssize_t sent = ::send(socket_.get(), bytes.data(), bytes.size(), 0);
   }
 

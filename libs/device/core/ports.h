@@ -64,7 +64,7 @@ class HostPort {
   HostPort(const HostPort&) = delete;
   HostPort& operator=(const HostPort&) = delete;
 
-  /// What a host has to open.
+  /// Address for a host to open.
   [[nodiscard]] virtual std::string address() const = 0;
 
   /// Waits for bytes from a host, at most `timeout`. @returns how many there are.
@@ -108,7 +108,7 @@ class TcpHostPort final : public HostPort {
   void write(std::span<const std::uint8_t> bytes) override;
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  /// How many hosts have connected so far.
+  /// Number of hosts that have connected so far.
   [[nodiscard]] int connections() const { return connections_; }
   [[nodiscard]] bool connected() const { return host_.valid(); }
   void disconnect() { host_.close(); }
@@ -141,7 +141,7 @@ class HostWatch {
   bool connected_ = false;
 };
 
-/// What an emulated device sends, kept until its time has come; order is kept too.
+/// Queue of an emulated device's output until it is due, in order.
 class DelayedBytes {
  public:
   /// @param due s, by the clock of send().

@@ -21,7 +21,7 @@ class SeededRandom {
   double uniform() { return static_cast<double>(bits_() >> 11U) * 0x1.0p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// Of mean 0 and standard deviation 1.
+  /// Returns a normal number of mean 0 and standard deviation 1.
   double normal() {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
     return radius * std::cos(2.0 * std::numbers::pi * uniform());
@@ -36,7 +36,7 @@ class SeededRandom {
   std::mt19937_64 bits_;
 };
 
-/// How somebody moves from one target to the next.
+/// Pace of a hand that moves from target to target.
 struct MovePace {
   double reaction = 0.3;       ///< Duration of the smallest move, s.
   double per_unit = 0.3;       ///< More for each unit that the farthest coordinate moves, s.

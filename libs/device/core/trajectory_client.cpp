@@ -21,7 +21,7 @@ constexpr milliseconds kLongestSilence{250};
 constexpr milliseconds kFirstPosition{3000};
 // So long it may take to read what came while nobody did: megabytes, from a sane device.
 constexpr milliseconds kLongestBacklog{500};
-// How long after its time a motion may still be arriving, s.
+// Longest time that a motion may arrive late, s.
 constexpr double kLatestArrival = 2.0;
 
 double seconds(TrajectoryClient::Clock::duration duration) {
@@ -84,7 +84,7 @@ void TrajectoryClient::upload(const JointTrajectory& trajectory, const std::stop
     refuse("a motion under way", "a device at rest", "Stop it first.");
   }
   check_trajectory(trajectory, joints_);
-  // Where the device stands has to be where it is now, whatever came while nobody read.
+  // Reads all pending messages, so that the position is the present one.
   do {
     take_turn(0.0);
   } while (backlog_.any() && !stop.stop_requested());

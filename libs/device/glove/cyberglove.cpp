@@ -21,7 +21,7 @@ namespace {
 // "?G": bit 0 the unit is initialised, bit 1 a glove is plugged in.
 constexpr std::uint8_t kReady = 0x03;
 
-// Whether the glove is on its unit and ready. Nothing if the unit doesn't answer.
+// Returns whether the glove is on its unit and ready. Nothing if the unit doesn't answer.
 std::optional<bool> glove_is_ready(CyberGloveCommands& commands, const std::stop_token& stop) {
   const auto reply = commands.query('G', 1, stop);
   if (!reply) {
@@ -83,7 +83,7 @@ std::optional<GloveInfo> set_up_cyberglove(CyberGloveCommands& commands, const s
     const auto& v = version->data;
     info.model += fmt::format(", firmware {}.{}", v[0] << 8 | v[1], v[2] << 8 | v[3]);
   }
-  // What another program may have left: records would be longer than those to be parsed.
+  // Resets options of other programs: with them records would be longer than the parser expects.
   const std::uint8_t off = 0;
   (void)commands.set('D', {&off, 1}, stop);
   (void)commands.set('U', {&off, 1}, stop);
@@ -100,9 +100,9 @@ std::optional<GloveInfo> set_up_cyberglove(CyberGloveCommands& commands, const s
 using std::chrono::milliseconds;
 
 constexpr milliseconds kSlice{20};
-// Of a CyberGlove III in its native stream, Hz.
+// Rate of a CyberGlove III in its native stream, Hz.
 constexpr double kNativeRate = 90.0;
-// How often the unit is asked whether its glove is back.
+// Period of asking the unit whether its glove is back.
 constexpr milliseconds kUnpluggedPeriod{250};
 
 CyberGloveFormat format_of(int sensors) {
@@ -141,7 +141,7 @@ struct CyberGlove::Session {
   std::unique_ptr<ByteLink> link;
   CyberGloveCommands commands;
   CyberGloveParser parser;
-  std::optional<CyberGlove3Parser> native;  ///< Of a CyberGlove III in its native stream.
+  std::optional<CyberGlove3Parser> native;  ///< Parser of a CyberGlove III's native stream.
   double rate = 0.0;                        ///< Hz.
   std::deque<GloveFrame> frames;            ///< Arrived and not yet taken.
   bool unplugged = false;
@@ -225,7 +225,7 @@ GloveReading CyberGlove::take_frame(milliseconds timeout, const std::stop_token&
     }
     const auto left = std::chrono::ceil<milliseconds>(end - now);
     poll_when_due(now + std::min(left, kSlice));
-    // What is left for the next turn waits until these frames are taken.
+    // The rest of the bytes waits until these frames are taken.
     static_cast<void>(
         read_turn(*session.link, std::min(left, kSlice),
                   [this](std::span<const std::uint8_t> bytes) { take_bytes(bytes); }));

@@ -16,7 +16,7 @@ constexpr std::uint8_t kHighBits = 0x0F;  // Of 12.
 
 static_assert(kEndAt + kEnd.size() == CyberGlove3Parser::kRecordLength);
 
-// Whether the last of these bytes can stand where it does, if those before it can.
+// Returns whether the last of these bytes fits after the others, if those fit.
 bool last_fits(std::span<const std::uint8_t> record) {
   const std::size_t at = record.size() - 1;
   const std::uint8_t byte = record.back();

@@ -19,7 +19,7 @@ constexpr double kBaseRate = 115200.0;
 // Long enough for a unit to finish the record that it was sending.
 constexpr milliseconds kQuiet{100};
 constexpr milliseconds kSlice{50};
-// What an answer may stand behind and still be found: records of a stream that is ending.
+// Bytes that may precede an answer: records of a stream that is ending.
 constexpr std::size_t kLongestAnswer = 4096;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }

@@ -68,7 +68,7 @@ class CyberGloveCommands {
 struct TextCommand {
   bool query = false;
   char letter = 0;                      ///< Upper-case, as of the binary form.
-  std::vector<std::uint8_t> arguments;  ///< As of the binary form: words as two bytes.
+  std::vector<std::uint8_t> arguments;  ///< Binary form: words as two bytes.
 };
 
 /// @param line with its CR. @returns nothing if it is no command.

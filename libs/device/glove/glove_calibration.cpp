@@ -73,7 +73,7 @@ std::optional<int> sensor_of_slot(std::size_t slot) {
   return std::nullopt;
 }
 
-// Whether a line is `angle:counts angle:counts`.
+// Returns whether a line is `angle:counts angle:counts`.
 bool is_point_pair(const TextLine& line) { return point_pair(line).has_value(); }
 
 // 22 lines of two points. @param lines without empty ones.

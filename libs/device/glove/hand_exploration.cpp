@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 
-/// How the sensors of a glove move together when a hand does. All in degrees, sensors in the order
-/// of cyberglove_sensors(); the distal joints follow the medial ones.
+/// Joint motion of a glove's sensors as a hand moves. All in degrees, sensors in the order of
+/// cyberglove_sensors(); the distal joints follow the medial ones.
 
 namespace handway::device {
 namespace {
@@ -19,7 +19,7 @@ inline constexpr int kSynergies = 4;
 
 inline constexpr int kMovedFingers = 4;
 
-/// What joints do on their own: largest deviation, where fingers move by kFingerMove.
+/// Independent motions of joints: largest deviation, where fingers move by kFingerMove.
 inline constexpr int kSmallMoves = 9;
 struct SmallMove {
   int sensor;
@@ -42,8 +42,8 @@ const SensorDegrees kMiddlePosture{
     2.0, 35.0, 38.0, 0.0,
     2.0, 33.0, 36.0, 0.0, 4.0, 10.0, -5.0, 5.0};
 
-// What each synergy at 1 adds to the middle posture: flat fist (at -1: hook), closed (open),
-// thumb in opposition (beside the palm), fingers spread (together).
+// Change of the middle posture by each synergy at 1: flat fist (at -1: hook), closed (open), thumb
+// in opposition (beside the palm), fingers spread (together).
 const std::array<SensorDegrees, kSynergies> kHandSynergies{{
     // Flat fist: proximal joints bent, the others straight; the fingers close up.
     {0.0, -7.0, -9.0, 0.0,
@@ -67,9 +67,9 @@ const std::array<SensorDegrees, kSynergies> kHandSynergies{{
      3.0, 0.0, 0.0, 0.0, 5.0, -2.0, 0.0, 0.0},
 }};
 
-// How much of one finger's own motion the others make with it (row: finger that is meant to
-// move; column: fingers that move; index, middle, ring, little). Medians over 23 people of the
-// NinaPro DB1 recordings (Atzori et al. 2014).
+// Share of one finger's own motion that other fingers follow (row: finger that is meant to move;
+// column: fingers that move; index, middle, ring, little). Medians over 23 people of the NinaPro
+// DB1 recordings (Atzori et al. 2014).
 const std::array<std::array<double, kMovedFingers>, kMovedFingers> kEnslaving{{
     {1.00, 0.20, 0.11, 0.05},
     {0.13, 1.00, 0.35, 0.06},
@@ -79,7 +79,7 @@ const std::array<std::array<double, kMovedFingers>, kMovedFingers> kEnslaving{{
 const std::array<SmallMove, kSmallMoves> kSmallHandMoves{{
     {0, 3.6}, {1, 6.0}, {2, 14.0}, {3, 4.0}, {10, 2.5}, {14, 2.5}, {19, 5.0}, {20, 12.0}, {21, 6.0}}};
 
-// Of proximal and medial joint when a single finger moves at 1.
+// Motion of proximal and medial joint when a single finger moves at 1.
 const std::array<double, 2> kFingerMove{13.5, 15.5};
 
 const std::array<SensorRange, kGloveSensors> kAnatomicRanges{{

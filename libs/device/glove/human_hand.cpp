@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 /// In lengths of the hand.
 struct FingerShape {
   Vector3d base;                  ///< In the palm's frame.
-  std::array<double, 3> lengths;  ///< Of the bones from there on.
+  std::array<double, 3> lengths;  ///< Lengths of the bones from there on.
 };
 
 // Metacarpals end where Buchholz puts the knuckles along the hand; across it they are spread over
@@ -168,7 +168,7 @@ double& angle_of(GloveAngles& angles, const std::string& sensor) {
 /// From one bone to the next in the plane that both bend in, rad, -π to π.
 double turn(double from, double to) { return std::remainder(to - from, 2.0 * std::numbers::pi); }
 
-/// How far a finger points to the thumb's side, rad.
+/// Angle of a finger towards the thumb's side, rad.
 double spread_of(const Vector3d& phalanx) {
   return phalanx.x() > kLeastReach * phalanx.norm() ? std::atan2(phalanx.y(), phalanx.x()) : 0.0;
 }

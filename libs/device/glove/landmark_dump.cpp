@@ -68,7 +68,7 @@ struct Coordinate {
   std::size_t axis = 0;
   std::size_t point = 0;
   bool numbered = false;
-  std::string of;  ///< What else the name says, as whose hand it is.
+  std::string of;  ///< Rest of the name, such as the hand's side.
 };
 
 std::optional<Coordinate> coordinate_of(const std::string& name) {
@@ -338,7 +338,7 @@ class HandFinder {
     return true;
   }
 
-  // Whether an array is of hands, rather than of frames.
+  // Returns whether an array is of hands, rather than of frames.
   static bool is_hands(const Json& value) {
     constexpr std::size_t kMostHands = 2;
     return value.size() <= kMostHands;
@@ -356,7 +356,7 @@ class HandFinder {
     return around;
   }
 
-  // Of an object with several kinds of landmarks of a hand, those in the world.
+  // Searches an object for landmarks; of several kinds for one hand, it takes those in the world.
   void look_into(const Json& object, std::optional<double> time, int depth) {
     const auto is_world = [](const std::string& key) {
       return key.find("world") != std::string::npos || key.find("World") != std::string::npos;

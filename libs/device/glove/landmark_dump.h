@@ -30,8 +30,8 @@ using LandmarkColumns = std::array<std::size_t, 63>;
 [[nodiscard]] std::optional<LandmarkColumns> landmark_columns(
     const std::vector<std::string>& names);
 
-/// How much the fingers bend towards the palm, rad, summed over their middle and outer joints:
-/// below 0 if these are landmarks of the other hand.
+/// Bending of the fingers towards the palm, rad, summed over their middle and outer joints: below 0
+/// if these are landmarks of the other hand.
 [[nodiscard]] double bending(const HandLandmarks& points, bool left);
 
 /// A recording of the angles between landmarks. Coordinates within a picture are taken for those of
@@ -42,7 +42,7 @@ using LandmarkColumns = std::array<std::size_t, 63>;
 [[nodiscard]] Recording recording_of_hands(const std::filesystem::path& file,
                                            const std::vector<SeenHand>& hands);
 
-/// Whether a text is JSON but not of our own landmark lines.
+/// Returns whether a text is JSON but not of Handway's own landmark lines.
 [[nodiscard]] bool is_landmark_document(std::string_view text);
 
 /// Every array of 21 points in a JSON document, or in lines of JSON, is a hand: the first of each

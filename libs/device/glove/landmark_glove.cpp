@@ -54,7 +54,7 @@ bool is_landmark_address(const std::string& address) {
 }
 
 struct LandmarkGlove::Session {
-  std::optional<UdpReceiver> receiver;  ///< Or the link.
+  std::optional<UdpReceiver> receiver;  ///< Receiver of UDP; TCP uses the link.
   std::unique_ptr<ByteLink> link;
   LineBuffer lines;
   GloveCalibration typical = typical_calibration();
@@ -62,9 +62,9 @@ struct LandmarkGlove::Session {
   Watchdog watchdog;
   Clock::duration silence{};
   bool heard = false;          ///< A good line.
-  bool no_hand = false;        ///< As the last line said.
+  bool no_hand = false;        ///< The last line had no hand.
   std::optional<double> sent;  ///< The sender's time of the last frame.
-  std::string problem;         ///< Of the last line that was none.
+  std::string problem;         ///< Problem of the last bad line.
 };
 
 LandmarkGlove::LandmarkGlove(std::string address, const LandmarkGloveSettings& settings)

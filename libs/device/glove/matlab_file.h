@@ -8,7 +8,7 @@
 
 namespace handway::device {
 
-/// Whether a file begins as a MATLAB file does (version 5 or 7.3).
+/// Returns whether a file has the signature of a MATLAB file (version 5 or 7.3).
 [[nodiscard]] bool is_matlab_file(const std::filesystem::path& file);
 
 /// The matrices of real numbers in a MATLAB file (version 5 or 7.3), by name, those of a structure

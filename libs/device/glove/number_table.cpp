@@ -35,7 +35,7 @@ std::vector<std::string_view> cells_of(const TextLine& line, char separator, std
   return parts;
 }
 
-/// Whether a line is words of less than half as many cells as the one below it.
+/// Returns whether a line is words of less than half as many cells as the one below it.
 bool is_title(const TextLine& line, const TextLine& below, char separator) {
   const auto filled = [separator](const TextLine& of) {
     return std::ranges::count_if(cells(of.text, separator),

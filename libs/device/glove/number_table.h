@@ -22,11 +22,11 @@ inline constexpr double kWord = std::numeric_limits<double>::infinity();
 
 /// Numbers in rows, kGap or kWord where there are none.
 struct NumberTable {
-  std::vector<std::string> names;  ///< Of columns; empty without a header.
-  Eigen::MatrixXd values;          ///< Of dates and clock times: s.
+  std::vector<std::string> names;  ///< Names of columns; empty without a header.
+  Eigen::MatrixXd values;          ///< Numbers; dates and clock times in s.
   std::vector<std::size_t> lines;  ///< In the file, of each row; empty: the row's own number.
   std::vector<std::string> warnings;
-  std::vector<geometric::CellContent> contents = {};  ///< Of columns; empty: all numbers.
+  std::vector<geometric::CellContent> contents = {};  ///< Kinds of columns; empty: all numbers.
 
   [[nodiscard]] bool is_spelled(Eigen::Index column) const;
 };

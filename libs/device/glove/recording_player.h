@@ -13,10 +13,10 @@
 
 namespace handway::device {
 
-/// What a sensor without calibration, or one that a recording doesn't have, reads.
+/// Reading of a sensor without calibration, or of one that a recording doesn't have.
 inline constexpr double kMidScale = 128.0;
 
-/// What a sensor reads for an angle (rad), before rounding.
+/// Reading of a sensor for an angle (rad), before rounding.
 [[nodiscard]] inline double counts_of(const std::optional<SensorCalibration>& sensor,
                                       double angle) {
   return sensor ? sensor->zero + angle / sensor->gain : kMidScale;

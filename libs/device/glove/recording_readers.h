@@ -17,7 +17,7 @@ namespace handway::device {
 /// The first line of every recording of Handway.
 inline constexpr const char* kRecordingMark = "# handway glove recording 1";
 
-/// What values may be: counts from 0 to, and angles in rad from minus to, this.
+/// Largest values: counts from 0 to, and angles in rad from minus to, this.
 inline constexpr double kHighestCounts = 255.0;
 inline constexpr double kWidestAngle = 2.0 * std::numbers::pi;
 
@@ -25,21 +25,21 @@ inline constexpr double kWidestAngle = 2.0 * std::numbers::pi;
 [[nodiscard]] Recording read_csv_recording(const std::filesystem::path& file,
                                            const std::vector<TextLine>& lines);
 
-/// Whether a line is a row of a VirtualHand log.
+/// Returns whether a line is a row of a VirtualHand log.
 [[nodiscard]] bool is_virtual_hand_row(const TextLine& line);
 
 /// Rows of date, time, switch and 23 angles.
 [[nodiscard]] Recording read_virtual_hand_log(const std::filesystem::path& file,
                                               const std::vector<TextLine>& lines);
 
-/// Whether a line is a row of landmarks: JSON.
+/// Returns whether a line is a row of landmarks: JSON.
 [[nodiscard]] bool is_landmark_row(const TextLine& line);
 
 /// Rows of 21 landmarks of a hand, as JSON lines; the recording holds the angles between them.
 [[nodiscard]] Recording read_landmark_recording(const std::filesystem::path& file,
                                                 const std::vector<TextLine>& lines);
 
-/// Of the angles between landmarks of a hand that a file holds.
+/// Header for the angles between landmarks of a hand in a file.
 [[nodiscard]] RecordingHeader landmark_header(const std::filesystem::path& file);
 
 /// A row of such a recording: rad, shape [header.sensors].
@@ -72,7 +72,7 @@ class RecordedRows {
   const std::filesystem::path& file_;
   std::size_t columns_;
   std::vector<double> times_;
-  std::vector<std::size_t> lines_;  ///< Of the file, of each row.
+  std::vector<std::size_t> lines_;  ///< Line of each row in the file.
   std::vector<double> values_;      ///< Row by row.
 };
 

@@ -48,7 +48,7 @@ bool has_word(const std::vector<std::string>& words, std::initializer_list<const
 
 namespace {
 
-/// What others call the sensors, in small letters and digits alone.
+/// Other programs' names of the sensors, in small letters and digits alone.
 const std::map<std::string, int>& other_names() {
   static const std::map<std::string, int> kNames = [] {
     std::map<std::string, int> names;

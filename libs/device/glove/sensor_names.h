@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-/// What the sensors of gloves are called, by Handway and by others.
+/// Names of the sensors of gloves, in Handway and in other programs.
 
 namespace handway::device {
 
-/// Of all sensors, for advice on misspelt ones.
+/// Names of all sensors, for advice on misspelt ones.
 [[nodiscard]] std::vector<std::string> sensor_names();
 
 /// Index of the sensor with that name, or with that one letter, which `element` is about.
@@ -24,7 +24,7 @@ namespace handway::device {
 
 /// The words of a column's name: letters and digits, in small letters.
 [[nodiscard]] std::vector<std::string> words_of_name(std::string_view name);
-/// Whether one of `words` is among `any`.
+/// Returns whether one of `words` is among `any`.
 [[nodiscard]] bool has_word(const std::vector<std::string>& words,
                             std::initializer_list<const char*> any);
 

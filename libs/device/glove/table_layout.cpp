@@ -30,7 +30,7 @@ std::string row_name(const std::filesystem::path& file, const NumberTable& table
                              : fmt::format("{}:{}", file.string(), table.lines[index]);
 }
 
-/// Those in which all that is used was measured; a warning says how many were not.
+/// Rows in which all used columns have values; a warning counts the others.
 /// @throws InputError if a used cell is text, or if there are none.
 std::vector<Eigen::Index> rows_without_gaps(const std::filesystem::path& file,
                                             const NumberTable& table, const TableLayout& layout,

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-/// What the columns of a table of postures are, and the recording that they make.
+/// Layout of a table of postures, and the recording made from it.
 
 namespace handway::device {
 
-/// What a column is.
+/// Use of a column.
 struct ColumnUse {
   int sensor = -1;
   Eigen::Index column = 0;
@@ -28,7 +28,7 @@ struct TableLayout {
   std::vector<ColumnUse> times;        ///< Their sum is the time; empty: there are none.
   std::optional<double> time_unit;     ///< The named one, s.
   double rate = 1.0;                   ///< Hz, without times.
-  std::string order;                   ///< Whose order columns without names are in; may be empty.
+  std::string order;                   ///< Order of columns without names; may be empty.
   std::vector<std::string> left_over;  ///< Names of columns that are nothing of the glove's.
 };
 
@@ -70,8 +70,8 @@ void find_times(const NumberTable& table, TableLayout& layout);
 [[nodiscard]] Recording recording_of(const std::filesystem::path& file, const NumberTable& table,
                                      const TableLayout& layout);
 
-/// The same, where counts, rad or degrees, and where bending counts negative, are found by the
-/// numbers; a warning says what they were taken for.
+/// Makes a recording whose unit (counts, rad or degrees) and sign of bending are inferred from the
+/// numbers; a warning reports the inference.
 [[nodiscard]] Recording recording_by_numbers(const std::filesystem::path& file,
                                              const NumberTable& table, TableLayout layout);
 

@@ -15,7 +15,7 @@
 
 /// Pieces of text files with numbers.
 
-/// What this folder's YAML files share.
+/// Common parts of this folder's YAML files.
 
 namespace handway::device {
 
@@ -31,9 +31,9 @@ using geometric::trimmed;
 /// `key: "text"` as a line; nothing for an empty text.
 [[nodiscard]] std::string text_field(const std::string& key, const std::string& text);
 
-/// What to multiply an angle of VirtualHand with to have flexion positive and abduction positive
-/// when the fingers spread. VirtualHand turns all abductions about the same direction: index and
-/// middle finger spread in its negative, ring and little finger in its positive direction.
+/// Factor of an angle of VirtualHand that makes flexion positive, and abduction positive when the
+/// fingers spread. VirtualHand turns all abductions about the same direction: index and middle
+/// finger spread in its negative, ring and little finger in its positive direction.
 [[nodiscard]] inline double virtual_hand_sign(int sensor) {
   constexpr std::array kKept{14, 18};  // RingMiddleAbduct, PinkieRingAbduct
   return std::ranges::find(kKept, sensor) == kKept.end() ? -1.0 : 1.0;

@@ -32,7 +32,7 @@ void HandController::do_fail() {
   } else if (active_fault() == FaultKind::kRefused) {
     fail("motion refused by the drives");
   } else if (active_fault() == FaultKind::kJointLimit) {
-    // Of the joint that has farthest to go.
+    // Fails at a limit of the joint that has farthest to go.
     Eigen::Index joint = 0;
     (trajectory_.at(trajectory_.duration()) - commanded()).cwiseAbs().maxCoeff(&joint);
     fail(fmt::format("joint {} at its limit", joints().names[static_cast<std::size_t>(joint)]));

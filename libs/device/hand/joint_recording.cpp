@@ -147,7 +147,7 @@ void leave_out_absurd_rows(const RobotModel& hand, JointTable& rows,
   }
 }
 
-// Nothing turns by more than a whole turn, so the unit is degrees.
+// No joint turns by more than a whole turn, so the unit is degrees.
 void turn_to_radians(const RobotModel& hand, Eigen::MatrixXd& values,
                      std::vector<std::string>& warnings) {
   std::vector<int> turning;

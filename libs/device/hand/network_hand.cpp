@@ -45,7 +45,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kLongestAnswer{1000};
 // A margin before what the hand takes as silence.
 constexpr std::chrono::duration<double> kAlive{0.5 * kHandAlivePeriod};
-// How long the hand takes to hear of a pause, s.
+// Delay until the hand reacts to a pause, s.
 constexpr double kPauseNotice = 0.02;
 
 }  // namespace

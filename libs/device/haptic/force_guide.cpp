@@ -130,7 +130,7 @@ Eigen::Vector3d ForceGuide::pull(const Eigen::Vector3d& away, const Eigen::Vecto
     force -= settings_.stiffness * outside / distance * away;
   }
   const Eigen::Vector3d tangent = curve_->tangent(progress_);
-  // Where the hand's force can turn the spring, the assistance has gone.
+  // The assistance fades to 0 where the spring's force reaches its limit.
   const double near =
       std::clamp(1.0 - outside * settings_.stiffness / settings_.strongest, 0.0, 1.0);
   const double slow = std::clamp(1.0 - velocity.dot(tangent) / settings_.top_speed, 0.0, 1.0);

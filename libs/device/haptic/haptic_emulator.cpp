@@ -11,7 +11,7 @@ namespace handway::device {
 namespace {
 
 constexpr double kStep = 5e-4;  // s, of the integration
-// Of the hand that brings the handle back, m/s and m.
+// Speed of the hand that returns the handle, m/s, and distance that counts as returned, m.
 constexpr double kReturnSpeed = 0.25;
 constexpr double kReturned = 0.002;
 // A share of the workspace, of each half edge, that it uses.
@@ -19,7 +19,7 @@ constexpr double kEdge = 0.9;
 // A hand at rest for so long, s, slower than that, m/s, presses again.
 constexpr double kRest = 0.8;
 constexpr double kRestSpeed = 0.004;
-// How fast the tremble turns, rad/s, about each axis.
+// Rate of the tremor's rotation, rad/s, about each axis.
 const Eigen::Vector3d kTrembling(7.0, 9.1, 11.7);
 
 }  // namespace

@@ -58,7 +58,7 @@ Vector3d end_of(PalmKinematics& palm, const RobotFinger& finger, const Configura
 /// A joint that turns a finger, at rest.
 struct Turn {
   int variable = 0;
-  double rate = 0.0;  ///< Of the joint per unit of the variable.
+  double rate = 0.0;  ///< Rate of the joint per unit of the variable.
   Vector3d origin;    ///< In the palm's frame, m.
   Vector3d axis;
 };
@@ -152,7 +152,7 @@ std::size_t index_of(const RobotFinger& finger, int variable) {
                                   finger.variables.begin());
 }
 
-/// Where the variables bring the phalanges in line: the best for all that one of them moves.
+/// Finds the variables' values that align the phalanges: the best for all that one variable moves.
 void straighten(const RobotModel& model, const RobotFinger& finger, const std::vector<Bend>& places,
                 FingerBend& bend) {
   const std::size_t count = finger.variables.size();
@@ -181,7 +181,8 @@ void straighten(const RobotModel& model, const RobotFinger& finger, const std::v
   }
 }
 
-/// How far a variable bends the finger from straight, about the axis: at its lower and upper limit.
+/// Range over which a variable bends the finger from straight, about the axis: at its lower and
+/// upper limit.
 std::pair<double, double> reach_of(const RobotModel& model, const RobotFinger& finger,
                                    const FingerBend& bend, std::size_t k) {
   const int v = finger.variables[k];
@@ -233,7 +234,7 @@ double radical_inverse(int i, int base) {
   return result;
 }
 
-/// Where a fingertip gets to, over the whole ranges of its joints.
+/// Sampled positions of a fingertip over the whole ranges of its joints.
 std::vector<Vector3d> workspace(PalmKinematics& palm, const RobotFinger& finger) {
   constexpr std::array<int, 6> kBases{2, 3, 5, 7, 11, 13};
   const RobotModel& model = palm.model();
@@ -260,8 +261,8 @@ double distance_between(const std::vector<Vector3d>& some, const std::vector<Vec
   return least;
 }
 
-/// Whether a finger that bends about its axis comes to these points: in [-1, 1], from on which side
-/// they are and from how near it gets to them, against how near it would get were it mirrored.
+/// Scores, in [-1, 1], whether a finger that bends about its axis approaches these points: by their
+/// side, and by its nearest distance compared with that of the mirrored finger.
 double opposition(PalmKinematics& palm, const RobotFinger& finger, const FingerBend& bend,
                   const std::vector<Vector3d>& points) {
   constexpr double kClear = 2.0;  // half a finger's length is certain
@@ -294,8 +295,8 @@ double opposition(PalmKinematics& palm, const RobotFinger& finger, const FingerB
 
 bool is_thumb(const RobotFinger& finger) { return finger.finger == Finger::kThumb; }
 
-/// Whether the fingers but for the thumb are two or more that lie side by side: then axes of
-/// `bends` are turned to point the same way.
+/// Returns whether the fingers but for the thumb are two or more that lie side by side: then axes
+/// of `bends` are turned to point the same way.
 bool align_side_by_side(PalmKinematics& palm, const std::vector<RobotFinger>& fingers,
                         std::vector<FingerBend>& bends) {
   const FingerBend* first = nullptr;
@@ -339,8 +340,8 @@ std::optional<Vector3d> middle_of_palm(const PalmKinematics& palm) {
   return 0.5 * (lower + upper);
 }
 
-/// Of fingers side by side that are far from in line with the palm when their first joints are at
-/// rest: takes these joints to where they are.
+/// Aligns fingers side by side with the palm by their first joints, if they are far from aligned
+/// with these joints at rest.
 void line_up_with_palm(PalmKinematics& palm, const std::vector<RobotFinger>& fingers,
                        std::vector<FingerBend>& bends) {
   const std::optional<Vector3d> middle = middle_of_palm(palm);
@@ -380,9 +381,9 @@ void line_up_with_palm(PalmKinematics& palm, const std::vector<RobotFinger>& fin
   }
 }
 
-/// What speaks for a finger's closing about its axis, and against it.
+/// Evidence for a finger's closing about its axis (positive), or against it.
 struct Evidence {
-  double ranges = 0.0;      ///< Of its joints, in [-1, 1].
+  double ranges = 0.0;      ///< By its joints, in [-1, 1].
   double opposition = 0.0;  ///< See opposition().
 
   [[nodiscard]] double sum() const { return ranges + opposition; }

@@ -42,19 +42,19 @@ class PalmKinematics {
   std::vector<geometric::Pose> X_BL_;
 };
 
-/// How the joints of a finger bend it, in the palm's frame: those that turn about the axis that
+/// Bending of a finger by its joints, in the palm's frame: by those that turn about the axis that
 /// most of its joints have in common.
 struct FingerBend {
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();     ///< Of length 1; zero: nothing bends it.
-  Eigen::Vector3d knuckle = Eigen::Vector3d::Zero();  ///< Where the first of them is, m.
+  Eigen::Vector3d knuckle = Eigen::Vector3d::Zero();  ///< Position of the first bending joint, m.
   /// The finger's variables where its phalanges are in line, rad: shape [variables].
   std::vector<double> straight;
-  /// How far all phalanges turn about the axis for each variable: shape [variables], 0 for one that
+  /// Rotation of all phalanges about the axis for each variable: shape [variables], 0 for one that
   /// does not bend the finger.
   std::vector<double> rates;
-  std::vector<bool> is_at_knuckle;  ///< Whether a variable bends the finger at its knuckle alone.
-  /// Of the joints' ranges about the axis, seen from the straight finger: 1 if they only bend it
-  /// one way, -1 the other way, 0 both ways alike.
+  std::vector<bool> is_at_knuckle;  ///< True if a variable bends the finger at its knuckle alone.
+  /// Asymmetry of the joints' ranges about the axis, seen from the straight finger: 1 if they only
+  /// bend it one way, -1 the other way, 0 both ways equally.
   double asymmetry = 0.0;
 
   [[nodiscard]] bool bends() const { return !axis.isZero(); }

@@ -35,7 +35,7 @@ class HandPostures {
 
  private:
   Eigen::VectorXd middle_;
-  std::vector<Eigen::Index> places_;  ///< Of each joint in the hand; -1: the hand lacks it.
+  std::vector<Eigen::Index> places_;  ///< Index of each joint in the hand; -1: the hand lacks it.
 };
 
 }  // namespace

@@ -106,13 +106,13 @@ RetargetingSettings read_retargeting(const std::filesystem::path& file) {
   return settings;
 }
 
-/// What NLopt minimises for one posture.
+/// Problem that NLopt minimises for one posture.
 struct FingertipRetargeter::Problem {
   const FingertipRetargeter& self;
   const HandLandmarks& landmarks;
   Eigen::Matrix3Xd wanted;
-  Configuration q;     ///< Of the whole robot.
-  Configuration last;  ///< The same.
+  Configuration q;     ///< Configuration of the whole robot.
+  Configuration last;  ///< Last one of the whole robot.
   std::vector<Pose> X_BL;
   std::vector<geometric::Jacobian> jacobians;
 

@@ -73,7 +73,7 @@ class HandAtRest {
     return model_.joint(model_.variable_link(variable)).type != geometric::JointType::kPrismatic;
   }
 
-  /// Of a joint, as seen in a right hand.
+  /// Axis of a joint, as seen in a right hand.
   [[nodiscard]] Vector3d axis(int variable) const {
     const int link = model_.variable_link(variable);
     const Vector3d a_P = palm().linear().transpose() *
@@ -87,7 +87,7 @@ class HandAtRest {
     return seen(palm().inverse() * X_BL_[static_cast<std::size_t>(link)].translation());
   }
   [[nodiscard]] Vector3d tip(const RobotFinger& finger) const { return tip_at(finger, X_BL_); }
-  /// How far a variable closes the finger, rad per unit; 0: not at all.
+  /// Flexion of the finger by a variable, rad per unit; 0: none.
   [[nodiscard]] static double flexion(const RobotFinger& finger, int variable) {
     const auto found = std::ranges::find(finger.variables, variable);
     return found == finger.variables.end()
@@ -95,7 +95,7 @@ class HandAtRest {
                : finger.flexion[static_cast<std::size_t>(found - finger.variables.begin())];
   }
 
-  /// Where a joint takes the fingertip, per rad: the mean over its range and those of the finger's
+  /// Motion of the fingertip by a joint, per rad: the mean over its range and those of the finger's
   /// other joints.
   /// @param held a variable that stays at a value meanwhile.
   [[nodiscard]] Vector3d tip_motion(const RobotFinger& finger, int variable,
@@ -288,8 +288,8 @@ class MappingProposer {
                 sign > 0.0 ? rest_.lower(variable) : rest_.upper(variable));
   }
 
-  /// Whether the only joint of a finger also bends what follows: then it is a finger that can be
-  /// straight, and no jaw.
+  /// Returns whether the only joint of a finger also bends further links: then it is a finger that
+  /// can be straight, and no jaw.
   [[nodiscard]] bool is_jointed(const RobotFinger& finger) const {
     int moved = 0;
     for (int link = finger.tip_link; link > 0 && link != rest_.hand().palm;
@@ -430,8 +430,8 @@ class MappingProposer {
     return (offset - along.dot(offset) * along).normalized();
   }
 
-  /// Where its range is clearly on one side of the straight finger it bends to that side; else
-  /// towards the palm.
+  /// Returns the sign by which a finger closes: to the side of its larger range if that is clear,
+  /// else towards the palm.
   [[nodiscard]] double closing_sign(const RobotFinger& finger, int variable) const {
     const double up = rest_.upper(variable) - rest_.at_rest(variable);
     const double down = rest_.at_rest(variable) - rest_.lower(variable);
@@ -441,7 +441,7 @@ class MappingProposer {
     return -sign_of(rest_.tip_motion(finger, variable).z());
   }
 
-  /// Where a sensor takes a person's thumb from the middle of its typical posture.
+  /// Motion of a human thumb by a sensor, from the middle of its typical posture.
   /// @param roll share of its roll.
   [[nodiscard]] static Vector3d human_thumb_motion(const std::string& sensor, double roll = 0.5) {
     GloveAngles angles;
@@ -524,7 +524,7 @@ bool is_finger_flexion(int sensor) {
          !cyberglove_sensors()[static_cast<std::size_t>(sensor)].name.starts_with("Thumb");
 }
 
-/// Whether a finger's sensor falls while the others' rise.
+/// Returns whether a finger's sensor falls while the others' rise.
 bool is_reversed(const Recording& recording, int sensor) {
   Eigen::VectorXd others = Eigen::VectorXd::Zero(recording.values.rows());
   std::size_t count = 0;
@@ -565,7 +565,7 @@ void fit_wire(const Span& span, bool reversed, double lower, double upper, Joint
   }
 }
 
-/// How far the fingertips of a mapped hand are from the person's, over a recording.
+/// Distance of a mapped hand's fingertips from the human hand's, over a recording.
 class FingertipMeasure {
  public:
   /// @param recording as it is mapped. @param truth what the person did: with sensors that are

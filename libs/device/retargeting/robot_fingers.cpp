@@ -122,8 +122,8 @@ struct FoundFinger {
   FingerBend bend;
 };
 
-/// How unlike side by side the fingers but one are, m: how far their knuckles are from the line
-/// that fits them best, and how much their axes differ.
+/// Deviation of the fingers but one from a row, m: the distance of their knuckles from the best
+/// line, plus the difference of their axes.
 double disorder(const std::vector<FoundFinger>& fingers, std::size_t left_out, Vector3d& along) {
   constexpr double kOfAxes = 0.02;  // m, of axes at right angles
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(fingers.size()) - 1);
@@ -139,7 +139,8 @@ double disorder(const std::vector<FoundFinger>& fingers, std::size_t left_out, V
     }
   }
   points.colwise() -= Vector3d(points.rowwise().mean());
-  // Of a type with as many rows, its workspace has their size, which two fingers don't fill.
+  // A matrix type with fixed rows would get a workspace of that size, which two fingers don't
+  // fill.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(points, Eigen::ComputeThinU);
   along = svd.matrixU().col(0);
   return (svd.singularValues().size() > 1 ? svd.singularValues()[1] : 0.0) +
@@ -214,7 +215,7 @@ struct Directions {
   }
 };
 
-/// Where a straight finger points, and to which side it closes.
+/// Direction of a straight finger, and the direction to which it closes.
 std::pair<Vector3d, Vector3d> directions_of(PalmKinematics& palm, const FoundFinger& found) {
   const RobotFinger& finger = found.finger;
   if (found.bend.bends()) {
@@ -294,7 +295,8 @@ std::vector<int> variables_of(const RobotModel& model, const std::vector<int>& c
   return variables;
 }
 
-// What a finger merely follows is left to the finger that has the joint, unless it has no other.
+// Returns the variables of a finger without those of other fingers that it follows, unless it has
+// no others.
 std::vector<int> own_variables(const RobotModel& model, const std::vector<std::vector<int>>& chains,
                                const std::vector<int>& chain) {
   const auto has_joint = [&](const std::vector<int>& links, int variable) {

@@ -16,9 +16,9 @@
 namespace handway::device {
 namespace {
 
-/// How much of a motion a device is trusted with at once, s.
+/// Length of motion that is sent to a device at once, s.
 struct WindowLength {
-  double follow = 0.2;  ///< As planned,
+  double follow = 0.2;  ///< Planned motion, …
   double brake = 0.25;  ///< and then evenly slower, to rest.
 };
 
@@ -88,7 +88,7 @@ struct RosRobot::Wire {
   bool watched = false;  ///< A motion is under way, or held.
   bool sending = false;
   Clock::time_point sent;
-  double time = 0.0;  ///< Of the motion, when update() was called last.
+  double time = 0.0;  ///< Time of the motion at the last update().
   Clock::time_point updated;
 
   [[nodiscard]] double time_now() const {

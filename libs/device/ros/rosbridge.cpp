@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 constexpr double kNanosecond = 1e-9;  // s
 
-// What rosbridge made null is a NaN or an infinity.
+// Null stands for a NaN or an infinity, as rosbridge writes them.
 double number(const Json& value) {
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }

@@ -41,8 +41,8 @@ struct WebSocketLink::Stream {
   asio::io_context context{1};
   websocket::stream<tcp::socket> socket;
   boost::beast::flat_buffer incoming;
-  std::optional<std::string> received;  ///< And not yet taken: nothing is read meanwhile.
-  error_code broken;                    ///< Why nothing more will come.
+  std::optional<std::string> received;  ///< Not taken yet: reading waits meanwhile.
+  error_code broken;                    ///< Error that ended the reading.
 
   // Handlers refer to this: none may be left.
   void abandon() {

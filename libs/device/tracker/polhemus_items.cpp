@@ -11,7 +11,7 @@ namespace {
 
 // No magnetic tracker reaches so far, m.
 constexpr double kFarthest = 10.0;
-// What rounding to four decimals leaves of a unit quaternion, and more; no chance for other bytes.
+// Tolerance of a unit quaternion rounded to four decimals; random bytes hardly ever meet it.
 constexpr double kNormTolerance = 1e-3;
 // Angles come rounded: those at the end of their range may be a little beyond it, deg.
 constexpr double kAngleTolerance = 0.01;

@@ -20,7 +20,7 @@
 namespace handway::device {
 namespace {
 
-/// What one model of tracker wants to hear, and how its records are read.
+/// Commands and record parser of one model of tracker.
 class PolhemusProtocol {
  public:
   virtual ~PolhemusProtocol() = default;
@@ -186,7 +186,7 @@ PolhemusTracker::PolhemusTracker(std::string address, const PolhemusSettings& se
 PolhemusTracker::~PolhemusTracker() { disconnect(); }
 
 void PolhemusTracker::take_records(milliseconds timeout) {
-  // What is left for the next turn waits until these samples are taken.
+  // The rest of the bytes waits until these samples are taken.
   static_cast<void>(
       read_turn(*session_->link, timeout, [this](std::span<const std::uint8_t> bytes) {
         const auto arrival = Clock::now();

@@ -57,7 +57,7 @@ using geometric::Configuration;
 using geometric::IkResult;
 using geometric::Pose;
 
-// How exactly a posture counts as reached, rad or m.
+// Tolerance of a reached posture, rad or m.
 constexpr double kArrived = 1e-9;
 constexpr double kRotationTolerance = 1e-6;
 

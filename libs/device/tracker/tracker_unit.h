@@ -6,8 +6,8 @@
 
 namespace handway::device {
 
-/// What emulated trackers have in common: commands that are one letter or a line, and frames of
-/// all sensors at a steady pace.
+/// Common parts of emulated trackers: commands that are one letter or a line, and frames of all
+/// sensors at a steady pace.
 class TrackerUnit : public DeviceUnit {
  public:
   [[nodiscard]] Bytes receive(std::span<const std::uint8_t> bytes, double now) override;
@@ -32,11 +32,11 @@ class TrackerUnit : public DeviceUnit {
   [[nodiscard]] geometric::Pose pose(double time, int sensor) const {
     return signal_(time, sensor);
   }
-  /// Of the first sensor, if it has one.
+  /// State of the first sensor's button, if it has one.
   [[nodiscard]] bool pressed(double time, int sensor) const;
 
  private:
-  /// Whether `command`, the characters since the last one, is whole.
+  /// Returns whether `command`, the characters since the last one, is complete.
   [[nodiscard]] virtual bool is_whole(const std::string& command) const = 0;
   /// @returns the answer.
   virtual Bytes obey(const std::string& command, double now) = 0;

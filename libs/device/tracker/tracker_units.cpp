@@ -65,7 +65,7 @@ TrackerSignal wrist_motion_signal(std::uint64_t seed, const TrackerNoise& noise)
 
 namespace {
 
-// What a unit that was held up makes up for, s.
+// Longest delay that a unit catches up with, s.
 constexpr double kLongestDelay = 0.25;
 // No command is so long: what is, is noise.
 constexpr std::size_t kLongestCommand = 80;

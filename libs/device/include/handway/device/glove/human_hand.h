@@ -33,7 +33,7 @@ inline constexpr int kWristLandmark = 0;
 /// Length of an adult's hand from wrist to the tip of the middle finger, m.
 inline constexpr double kTypicalHandLength = 0.19;
 
-/// Of an adult's hand of that length (m): shares by B. Buchholz, T. J. Armstrong, S. A. Goldstein,
+/// Typical bones of an adult's hand: shares by B. Buchholz, T. J. Armstrong, S. A. Goldstein,
 /// "Anthropometric data for describing the kinematics of the human hand", Ergonomics 35(3), 1992.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandBones
 typical_bones(double hand_length = kTypicalHandLength);

@@ -111,7 +111,7 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   std::vector<double> scales_;  ///< From a person's finger to the robot's, as fingers_.
   std::vector<int> variables_;  ///< That fingers have; the others stay.
   std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: self-collision is not avoided.
-  mutable std::mutex checking_;                           ///< Of checker_: it is for one thread.
+  mutable std::mutex checking_;                           ///< Guards checker_ (one thread).
 };
 
 }  // namespace handway::device
