@@ -1,5 +1,6 @@
 #include "bindings.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/printable.h"
 #include "scene_questions.h"
 
 #include <chrono>
@@ -25,7 +26,7 @@ void bind_input_errors(py::module_& module) {
         std::rethrow_exception(std::move(pointer));
       }
     } catch (const geometric::InputError& error) {
-      py::object value = type(error.what());
+      py::object value = type(geometric::printable(error.what()));
       value.attr("source") = error.problem().source;
       value.attr("element") = error.problem().element;
       value.attr("found") = error.problem().found;

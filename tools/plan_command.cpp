@@ -8,7 +8,7 @@
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
-#include "handway/planning/queries/contact_hints.h"
+#include "handway/planning/queries/collision_remedy.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "numbers.h"
 #include "plan_report.h"
@@ -91,8 +91,8 @@ void print_advice(const planning::PlanningProblem& problem, bool at_start) {
   if (contacts.size() > kMostContacts) {
     print_error("  and {} more\n", contacts.size() - kMostContacts);
   }
-  for (const std::string& hint : planning::contact_hints(problem, q, contacts)) {
-    print_error("  {}\n", hint);
+  for (const planning::CollisionRemedy& remedy : planning::find_remedies(problem, q, contacts)) {
+    print_error("  {}\n", planning::describe_remedy(*problem.scene, remedy));
   }
   const planning::NearestFreeOptions options;
   const planning::NearestFree nearest = find_nearest_free(problem, q, options);

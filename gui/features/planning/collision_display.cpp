@@ -166,19 +166,18 @@ QString words(const std::vector<std::string>& names) {
   return all.join(QStringLiteral(", "));
 }
 
-QString remedy_text(const EndRemedy& remedy) {
-  switch (remedy.kind) {
-    case EndRemedy::Kind::kHollow:
-      return QObject::tr(
-                 "The robot is inside of %1, which is taken as filled. If it is a cell or "
-                 "a room, make it hollow: its walls alone count then.")
-          .arg(words(remedy.objects));
-    case EndRemedy::Kind::kTouchLinks:
-      return QObject::tr("%1 is attached and touches %2. If it is held there, allow the contact.")
-          .arg(words(remedy.objects), words(remedy.links));
-    default:
-      return {};
-  }
+bool is_hollow(const planning::CollisionRemedy& remedy) {
+  return remedy.kind == planning::CollisionRemedy::Kind::kHollow;
+}
+
+QString remedy_text(const planning::CollisionRemedy& remedy) {
+  return is_hollow(remedy)
+             ? QObject::tr(
+                   "The robot is inside of %1, which is taken as filled. If it is a cell or "
+                   "a room, make it hollow: its walls alone count then.")
+                   .arg(words(remedy.objects))
+             : QObject::tr("%1 is attached and touches %2. If it is held there, allow the contact.")
+                   .arg(words(remedy.objects), words(remedy.links));
 }
 
 }  // namespace
@@ -203,8 +202,8 @@ QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& e
     lines << (others == 1 ? QObject::tr("and one more pair")
                           : QObject::tr("and %1 more pairs").arg(others));
   }
-  if (const QString hint = remedy_text(end.remedy); !hint.isEmpty()) {
-    lines << hint;
+  if (end.remedy) {
+    lines << remedy_text(*end.remedy);
   }
   if (end.nearest.q) {
     lines << QObject::tr("Nearest free posture: %1")
@@ -238,7 +237,7 @@ DoctorCard::DoctorCard(QWidget* host, std::function<std::vector<QPoint>()> to_be
   area_->setWidget(text_);
   area_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   connect(close_, &QToolButton::clicked, this, &QWidget::hide);
-  connect(mend_, &QPushButton::clicked, this, [this] { emit remedied(end_.remedy); });
+  connect(mend_, &QPushButton::clicked, this, [this] { emit remedied(*end_.remedy); });
   connect(show_, &QPushButton::clicked, this, [this] { emit shown(*end_.nearest.q); });
   connect(use_, &QPushButton::clicked, this,
           [this] { emit accepted(end_.is_start, *end_.nearest.q); });
@@ -265,10 +264,9 @@ void DoctorCard::show_diagnoses(const std::shared_ptr<const geometric::RobotMode
     button->setVisible(end_.nearest.q.has_value());
     button->setEnabled(true);
   }
-  mend_->setVisible(end_.remedy.kind != EndRemedy::Kind::kNone);
+  mend_->setVisible(end_.remedy.has_value());
   mend_->setEnabled(true);
-  mend_->setText(end_.remedy.kind == EndRemedy::Kind::kHollow ? tr("Make hollow")
-                                                              : tr("Allow contact"));
+  mend_->setText(end_.remedy && is_hollow(*end_.remedy) ? tr("Make hollow") : tr("Allow contact"));
   appear();
 }
 
@@ -329,15 +327,18 @@ QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, 
     }
   });
   connect(&doctor_, &QueryDoctor::diagnosed, this, &QueryCheck::take);
+  connect(&doctor_, &QueryDoctor::warned, this, &QueryCheck::warned);
   connect(card_, &DoctorCard::shown, &posing, &Posing::set);
-  connect(card_, &DoctorCard::remedied, &editor, [&editor](const EndRemedy& remedy) {
-    SceneState next = editor.state();
-    next.scene = std::make_shared<const geometric::Scene>(remedied(*next.scene, remedy));
-    const QString what = SceneEditor::words_for(remedy.objects);
-    editor.apply(remedy.kind == EndRemedy::Kind::kHollow ? tr("Make %1 hollow").arg(what)
-                                                         : tr("Let %1 touch the robot").arg(what),
-                 std::move(next), remedy.objects);
-  });
+  connect(card_, &DoctorCard::remedied, &editor,
+          [&editor](const planning::CollisionRemedy& remedy) {
+            SceneState next = editor.state();
+            next.scene =
+                std::make_shared<const geometric::Scene>(planning::remedied(*next.scene, remedy));
+            const QString what = SceneEditor::words_for(remedy.objects);
+            editor.apply(is_hollow(remedy) ? tr("Make %1 hollow").arg(what)
+                                           : tr("Let %1 touch the robot").arg(what),
+                         std::move(next), remedy.objects);
+          });
   connect(card_, &DoctorCard::accepted, &editor, [&editor](bool is_start, const auto& q) {
     is_start ? editor.set_start(q) : editor.set_goal(q);
   });

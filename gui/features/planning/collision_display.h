@@ -99,7 +99,7 @@ class DoctorCard : public FloatingCard {
   /// A click on Use it.
   void accepted(bool is_start, const Eigen::VectorXd& q);
   /// A click on what mends the scene.
-  void remedied(const handway::gui::EndRemedy& remedy);
+  void remedied(const handway::planning::CollisionRemedy& remedy);
 
  private:
   void place() override;
@@ -130,6 +130,10 @@ class QueryCheck : public QObject {
 
   [[nodiscard]] bool is_busy() const { return doctor_.is_busy(); }
   [[nodiscard]] const DoctorCard& card() const { return *card_; }
+
+ signals:
+  /// New warnings of the planning problem, as that an end was moved onto a limit.
+  void warned(const QStringList& warnings);
 
  private:
   void examine();

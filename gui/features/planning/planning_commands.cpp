@@ -189,6 +189,11 @@ void add_planning(Workbench& workbench) {
   auto& query = workbench.own<QueryCheck>(workbench.document, workbench.editor, workbench.posing,
                                           workbench.view);
   workbench.add_work([&query] { return query.is_busy(); });
+  QObject::connect(&query, &QueryCheck::warned, &workbench, [&workbench](const QStringList& all) {
+    for (const QString& warning : all) {
+      workbench.log.add(LogPanel::Level::kWarning, warning);
+    }
+  });
 }
 
 }  // namespace handway::gui

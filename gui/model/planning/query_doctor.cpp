@@ -10,10 +10,11 @@
 namespace handway::gui {
 namespace {
 
-std::vector<std::string> joints_beyond_limits(const geometric::RobotModel& model,
+std::vector<std::string> joints_beyond_limits(const planning::PlanningProblem& problem,
                                               const geometric::Configuration& q) {
   std::vector<std::string> names;
-  for (const geometric::LimitViolation& violation : geometric::limit_violations(model, q)) {
+  for (const geometric::LimitViolation& violation :
+       geometric::limit_violations(problem.model(), q, planning::fixed_variables(problem))) {
     names.push_back(violation.joint);
   }
   return names;
@@ -33,83 +34,30 @@ void QueryDoctor::examine(const std::shared_ptr<const geometric::Scene>& scene,
   job_.run([this, problem, has_start = scene->start.has_value(),
             has_goal = scene->goal.has_value()](const std::stop_token& stop) -> LatestJob::Answer {
     std::vector<EndDiagnosis> ends;
+    std::vector<std::string> warnings;
     try {
       if (const PreparedProblem::Problem prepared = problem->wait(stop)) {
         ends = diagnose(*prepared, has_start, has_goal, stop);
+        warnings = prepared->warnings;
       }
     } catch (const std::exception&) {
       return nullptr;  // the collision display says why the scene can't be checked
     }
-    return [this, ends = std::move(ends)] { emit diagnosed(ends); };
+    return [this, ends = std::move(ends), warnings = std::move(warnings)] {
+      report(warnings);
+      emit diagnosed(ends);
+    };
   });
 }
 
-namespace {
-
-using geometric::SceneObject;
-
-void add_once(std::vector<std::string>& names, const std::string& name) {
-  if (std::ranges::find(names, name) == names.end()) {
-    names.push_back(name);
+void QueryDoctor::report(const std::vector<std::string>& warnings) {
+  QStringList list;
+  for (const std::string& warning : warnings) {
+    list << QString::fromStdString(warning);
   }
-}
-
-/// Contacts that are left in a changed scene.
-std::size_t collisions_in(const planning::PlanningProblem& before, geometric::Scene scene,
-                          const geometric::Configuration& q) {
-  const planning::PlanningProblem problem = planning::updated_problem(
-      before, std::make_shared<const geometric::Scene>(std::move(scene)), before.basis);
-  const auto checker = problem.checker->clone();
-  return geometric::touching_pairs(*checker, q).size();
-}
-
-}  // namespace
-
-geometric::Scene remedied(const geometric::Scene& scene, const EndRemedy& remedy) {
-  geometric::Scene mended = scene;
-  for (SceneObject& object : mended.objects) {
-    if (std::ranges::find(remedy.objects, object.name) == remedy.objects.end()) {
-      continue;
-    }
-    if (remedy.kind == EndRemedy::Kind::kHollow) {
-      object.solid = false;
-    } else if (remedy.kind == EndRemedy::Kind::kTouchLinks && object.attachment) {
-      for (const std::string& link : remedy.links) {
-        add_once(object.attachment->touching, link);
-      }
-    }
+  if (list != std::exchange(reported_, list) && !list.isEmpty()) {
+    emit warned(list);
   }
-  return mended;
-}
-
-EndRemedy find_remedy(const planning::PlanningProblem& problem,
-                      const std::vector<geometric::Contact>& contacts,
-                      const geometric::Configuration& q) {
-  const geometric::Scene& scene = *problem.scene;
-  EndRemedy hollow{EndRemedy::Kind::kHollow, {}, {}};
-  EndRemedy touch{EndRemedy::Kind::kTouchLinks, {}, {}};
-  for (const geometric::Contact& contact : contacts) {
-    for (const auto& [name, other] :
-         {std::pair(contact.a, contact.b), std::pair(contact.b, contact.a)}) {
-      const SceneObject* object = geometric::find_object(scene, name);
-      if (!object) {
-        continue;
-      }
-      if (!object->attachment && object->solid) {
-        add_once(hollow.objects, name);
-      } else if (object->attachment && problem.model().find_link(other)) {
-        add_once(touch.objects, name);
-        add_once(touch.links, other);
-      }
-    }
-  }
-  for (const EndRemedy& remedy : {hollow, touch}) {
-    if (!remedy.objects.empty() &&
-        collisions_in(problem, remedied(scene, remedy), q) < contacts.size()) {
-      return remedy;
-    }
-  }
-  return {};
 }
 
 std::vector<EndDiagnosis> diagnose(const planning::PlanningProblem& problem, bool has_start,
@@ -123,7 +71,7 @@ std::vector<EndDiagnosis> diagnose(const planning::PlanningProblem& problem, boo
     EndDiagnosis end;
     end.is_start = is_start;
     end.q = is_start ? problem.start : problem.goal;
-    end.beyond_limits = joints_beyond_limits(problem.model(), end.q);
+    end.beyond_limits = joints_beyond_limits(problem, end.q);
     const bool refused = checker->first_collision(end.q).has_value();
     if (!refused && end.beyond_limits.empty()) {
       continue;
@@ -131,7 +79,8 @@ std::vector<EndDiagnosis> diagnose(const planning::PlanningProblem& problem, boo
     if (refused) {
       end.contacts = geometric::find_contacts(*checker, end.q);
       end.violated = geometric::violated_constraints(*checker, end.q);
-      end.remedy = find_remedy(problem, end.contacts, end.q);
+      const auto remedies = planning::find_remedies(problem, end.q, end.contacts);
+      end.remedy = remedies.empty() ? std::nullopt : std::optional(remedies.front());
     }
     end.nearest = planning::find_nearest_free(problem, end.q, {}, stop);
     ends.push_back(std::move(end));
