@@ -3,6 +3,7 @@
 #include "core/links.h"
 #include "core/ports.h"
 #include "core/random_moves.h"
+#include "glove/landmark_dump.h"
 #include "glove/recording_player.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/core/line_protocol.h"
@@ -13,6 +14,7 @@
 #include "handway/geometric/io/input_error.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <array>
@@ -53,6 +55,35 @@ bool is_landmark_address(const std::string& address) {
   return address.starts_with(kUdp) || address.starts_with(kTcp);
 }
 
+/// Tells from how the fingers bend which hand is seen, whatever the sender calls it: of the wrong
+/// hand they would bend backwards.
+class SeenSide {
+ public:
+  /// @param named_left the hand that the sender names. @returns whether it is a left hand.
+  bool is_left(const HandLandmarks& landmarks, bool named_left) {
+    evidence_ =
+        kKept * evidence_ + bending(landmarks, !named_left) - bending(landmarks, named_left);
+    if (const bool swapped = is_swapped_ ? evidence_ > -kSure : evidence_ > kSure;
+        swapped != is_swapped_) {
+      is_swapped_ = swapped;
+      spdlog::warn("The hand landmarks are called those of a {} hand, and {}.",
+                   named_left ? "left" : "right",
+                   swapped ? "bend as the other's: they are taken for that"
+                           : "bend as such: they are taken for that again");
+    }
+    return named_left != is_swapped_;
+  }
+
+ private:
+  static constexpr double kKept = 0.98;  // of the evidence, from frame to frame
+  static constexpr double kSure = 30.0;  // rad, of a few frames with bent fingers
+
+  /// Decaying sum of how much more the fingers bend as the other hand's than as the named one's,
+  /// rad.
+  double evidence_ = 0.0;
+  bool is_swapped_ = false;
+};
+
 struct LandmarkGlove::Session {
   std::optional<UdpReceiver> receiver;  ///< Receiver of UDP; TCP uses the link.
   std::unique_ptr<ByteLink> link;
@@ -61,8 +92,9 @@ struct LandmarkGlove::Session {
   std::deque<GloveFrame> frames;  ///< Arrived and not yet taken.
   Watchdog watchdog;
   Clock::duration silence{};
-  bool heard = false;          ///< A good line.
-  bool no_hand = false;        ///< The last line had no hand.
+  bool heard = false;    ///< A good line has arrived.
+  bool no_hand = false;  ///< The last line had no hand.
+  SeenSide side;
   std::optional<double> sent;  ///< The sender's time of the last frame.
   std::string problem;         ///< Problem of the last bad line.
 };
@@ -137,7 +169,8 @@ void LandmarkGlove::take_line(const std::string& line, Clock::time_point arrival
     }
   }
   session.sent = hand.time;
-  const GloveAngles angles = glove_angles(in_palm_frame(*hand.landmarks, hand.left));
+  const bool left = session.side.is_left(*hand.landmarks, hand.left);
+  const GloveAngles angles = glove_angles(in_palm_frame(*hand.landmarks, left));
   GloveFrame frame = to_counts(angles, session.typical);
   for (std::uint16_t& count : frame.counts) {
     count = count == 0 ? to_count(kMidScale) : count;
@@ -257,7 +290,7 @@ class LandmarkUnit final : public DeviceUnit {
 
  private:
   LandmarkLine seen_at(double time) {
-    LandmarkLine line{time, settings_.left, {}};
+    LandmarkLine line{time, settings_.left != settings_.wrong_label, {}};
     const GloveAngles angles = signal_(time);
     if (!plugged_) {
       return line;

@@ -95,6 +95,23 @@ TEST(LandmarkGlove, MirrorsALeftHand) {
   expect_still_hand(glove);
 }
 
+// Senders that look at a mirrored picture name the wrong hand.
+TEST(LandmarkGlove, RecognisesAHandThatIsNamedWrongly) {
+  for (const bool left : {false, true}) {
+    LandmarkUnitSettings unit;
+    unit.rate = 200.0;
+    unit.left = left;
+    unit.wrong_label = true;
+    const DeviceEmulator server(fetched_by_tcp(), make_landmark_unit(unit, still_hand()));
+    LandmarkGlove glove("landmarks://" + server.address());
+    glove.connect();
+    for (int k = 0; k < 40; ++k) {  // one bent joint is little evidence in each frame
+      static_cast<void>(frame_of(glove));
+    }
+    expect_still_hand(glove);
+  }
+}
+
 TEST(LandmarkGlove, FollowsOneHandOfTwo) {
   const std::string port = test::free_udp_port();
   LandmarkUnitSettings right;

@@ -25,7 +25,8 @@ struct LandmarkGloveSettings {
 
 /// A hand that a camera, a headset or a Leap Motion sees, as a glove: lines of landmarks (see
 /// landmark_line.h) that somebody sends. Its frames have the angles between the landmarks, as a
-/// right hand's; they are stamped when they arrive. The other hand's lines are passed over. While
+/// right hand's; they are stamped when they arrive. The other hand's lines are passed over. A hand
+/// that is named wrongly is recognised by how its fingers bend, with a warning in the log. While
 /// no hand is seen next() reports it as unplugged. Lines that are none are counted and dropped, as
 /// are datagrams that come later than one with a later time.
 class HANDWAY_DEVICE_EXPORT LandmarkGlove final : public Glove {
@@ -63,6 +64,8 @@ using HandSignal = std::function<GloveAngles(double time)>;
 struct LandmarkUnitSettings {
   double rate = 30.0;  ///< Lines a second, Hz.
   bool left = false;   ///< A left hand.
+  bool wrong_label =
+      false;           ///< Lines name the other hand, as senders do that see a mirrored picture.
   double noise = 0.0;  ///< Standard deviation of each coordinate, m.
   std::uint64_t seed = 1;
 };
