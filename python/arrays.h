@@ -53,7 +53,7 @@ template <typename Value>
   return pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data());
 }
 
-/// The same of rows: shape [n, width] or [width].
+/// Returns rows as an array: shape [n, width] or [width].
 [[nodiscard]] pybind11::object to_answer(const Batch& batch,
                                          const std::vector<Eigen::VectorXd>& rows,
                                          Eigen::Index width);

@@ -25,7 +25,7 @@ namespace {
 using planning::Parameter;
 using planning::PlannerRegistry;
 
-/// As the command line writes it: true, 3, 0.01, joint.
+/// Writes a value as the command line does: true, 3, 0.01, joint.
 std::string setting_text(const py::object& value) {
   if (py::isinstance<py::bool_>(value)) {
     return value.cast<bool>() ? "true" : "false";

@@ -22,13 +22,13 @@ namespace handway::python {
 /// for; kept to the end, because Python may hold their objects until then.
 [[nodiscard]] const planning::PluginManager& plugin_manager();
 
-/// What planning gave, with what it was asked.
+/// Result of planning, with the request.
 struct PlanOutcome {
   planning::PlanResult result;
   std::string planner;
   std::uint64_t seed = 1;
-  std::optional<std::size_t> goal_pose;  ///< Where the path ends, of goals as poses.
-  int variables = 0;                     ///< Of the robot: the width of the path.
+  std::optional<std::size_t> goal_pose;  ///< Index of the goal pose that the path reaches.
+  int variables = 0;                     ///< Number of the robot's variables: the path's width.
 };
 
 /// A planner as Python sees it: for one run at a time, its parameters by key.

@@ -26,7 +26,7 @@ class RobotConnection {
   RobotConnection(const RobotConnection&) = delete;
   RobotConnection& operator=(const RobotConnection&) = delete;
 
-  /// How a motion ended, and by how much each joint was off its course at most, rad.
+  /// Result of a motion, with the largest deviation of each joint from its course, rad.
   struct Outcome {
     execution::MotionOutcome motion;
     std::vector<std::pair<std::string, double>> largest_errors;
@@ -44,7 +44,7 @@ class RobotConnection {
   /// Stops, and lets go of the devices. What is asked afterwards is refused.
   void close();
 
-  /// Where the devices say that the robot is, the rest as in the scene's start; shape
+  /// Returns the measured configuration, other joints as in the scene's start; shape
   /// [variable_count].
   [[nodiscard]] geometric::Configuration measured();
 
@@ -56,7 +56,7 @@ class RobotConnection {
   std::mutex devices_;  ///< Who uses the targets.
   std::vector<execution::MotionTarget> targets_;
   std::mutex running_mutex_;
-  std::stop_source running_{std::nostopstate};  ///< Of the motion that runs.
+  std::stop_source running_{std::nostopstate};  ///< Stops the running motion.
   std::jthread listener_;
 };
 

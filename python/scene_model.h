@@ -63,7 +63,7 @@ class SceneModel {
   explicit SceneModel(const planning::LoadedScene& loaded)
       : SceneModel(loaded.scene, loaded.basis) {}
 
-  std::shared_ptr<const geometric::Scene> scene_;  ///< As it was read.
+  std::shared_ptr<const geometric::Scene> scene_;  ///< The scene as read.
   planning::PlanningProblem problem_;              ///< Ends that the scene lacks are the robot's.
   std::unique_ptr<CheckerPool> checkers_;
 };

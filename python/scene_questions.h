@@ -35,8 +35,8 @@ namespace handway::python {
 /// The closest pair in `q` [variables]: two names and the distance, m.
 [[nodiscard]] pybind11::tuple closest_pair(const SceneModel& scene, const Array& q);
 
-// Where links of a scene's robot are brought to, and how they move. InputError if shapes differ, a
-// number is not finite or there is no such link.
+// Kinematics of links of a scene's robot. Functions throw InputError if shapes differ, a number is
+// not finite or there is no such link.
 
 /// Configurations that bring `link` to X_WL [4, 4], at most `most`, the nearest to `near` first:
 /// [n, variables]. @param free only such in which the robot is free.

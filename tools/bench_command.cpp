@@ -67,8 +67,8 @@ std::vector<fs::path> published_problems(const fs::path& folder) {
   return problems;
 }
 
-/// What `handway bench` measures by default: the scenes that ship, by name;
-/// and, if $HANDWAY_REFERENCE_DIR is set, the published problems 1 to 4.
+/// Returns the default scenes of `handway bench`: the scenes that ship, by name; and, if
+/// $HANDWAY_REFERENCE_DIR is set, the published problems 1 to 4.
 /// @throws InputError if that folder holds none of them.
 std::vector<fs::path> bench_scenes() {
   std::vector<fs::path> scenes = shipped_scenes();
@@ -85,7 +85,7 @@ struct BenchOptions {
   BenchSettings settings;
   VariantSettings variants;
   std::vector<std::string> sets;   ///< KEY=VALUE
-  std::vector<std::string> group;  ///< What moves; empty: the scenes'.
+  std::vector<std::string> group;  ///< Moving joints; empty: the scenes'.
   bool checks_only = false;
   fs::path write;  ///< Folder for variants; empty: they are run.
   fs::path out;
@@ -96,7 +96,7 @@ struct BenchOptions {
 /// A scene to run planners on.
 struct BenchScene {
   planning::LoadedScene loaded;
-  std::vector<std::string> settings;  ///< Of its own planner.
+  std::vector<std::string> settings;  ///< Settings of the scene's own planner.
 };
 
 BenchScene load(const fs::path& file, const BenchOptions& options,
@@ -306,7 +306,8 @@ int bench_variants(const BenchOptions& options) {
   return kDone;
 }
 
-// As scene files; the basis of an imported problem, which is in no file of ours, beside them.
+// Writes variants as scene files; the basis of an imported problem, which has no file, goes beside
+// them.
 int write_variants(const BenchOptions& options) {
   const planning::PluginManager plugins = checked_extensions(options);
   make_folder(options.write);

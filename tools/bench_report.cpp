@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of times of planning and smoothing.
+// Returns the ratio of median times of planning and smoothing.
 double median_ratio(const PlanBench& first, const PlanBench& bench) {
   const double own = time_quantile(first, 0.5);
   const double other = time_quantile(bench, 0.5);

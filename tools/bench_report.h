@@ -10,7 +10,7 @@
 
 namespace handway::tools {
 
-/// How a benchmark was run.
+/// Settings of a benchmark.
 struct BenchSettings {
   int seeds = 10;
   int threads = 1;
@@ -19,15 +19,15 @@ struct BenchSettings {
   bool check_paths = false;                      ///< Every path that is found.
 };
 
-/// How variants are made and run, beside BenchSettings.
+/// Settings of making and running variants, beside BenchSettings.
 struct VariantSettings {
-  int count = 0;                     ///< Of each problem; 0: the problems themselves are run.
+  int count = 0;                     ///< Number per problem; 0: the problems themselves are run.
   std::uint64_t seed = 1;            ///< Variants are drawn from it.
   bool only_missed = false;          ///< Other planners run where the default found no path.
-  double others_time_limit_s = 0.0;  ///< Of other planners; 0: BenchSettings::time_limit_s.
+  double others_time_limit_s = 0.0;  ///< Limit of other planners; 0: BenchSettings::time_limit_s.
 };
 
-/// What was measured on one scene.
+/// Measurements on one scene.
 struct SceneBench {
   std::filesystem::path file;
   double load_s = 0.0;     ///< From the files to a problem ready to plan.
@@ -69,17 +69,17 @@ class BenchTable {
   /// The scene's plan number `i`.
   void add_plan(const SceneBench& scene, std::size_t i) const;
 
-  /// Of planners on variants.
+  /// Lines about planners on variants.
   void begin_variants(const VariantSettings& variants) const;
   void add_variants(const VariantBench& bench) const;
-  /// Of all problems.
+  /// Summary of all problems.
   void add_summary(const VariantSummary& summary) const;
 
  private:
   void add_faults(const PlanBench& bench) const;
 
   BenchSettings settings_;
-  int width_;  ///< Of scenes' names.
+  int width_;  ///< Width of scenes' names.
 };
 
 }  // namespace handway::tools

@@ -38,7 +38,7 @@ class CampaignProgress {
   std::size_t kept_;
   std::size_t total_;
   std::size_t done_ = 0;    ///< Since the beginning.
-  std::size_t solved_ = 0;  ///< Of those.
+  std::size_t solved_ = 0;  ///< Solved ones of `done_`.
   bool terminal_;
   std::chrono::steady_clock::time_point begin_;
   std::chrono::steady_clock::time_point next_;
@@ -53,10 +53,10 @@ struct CampaignSession {
   int jobs = 0;  ///< Runs at a time; 0: one for each core, shared among the threads of a run.
 };
 
-/// What became of a campaign.
+/// Result of a campaign.
 struct CampaignOutcome {
-  std::vector<planning::RunRecord> records;  ///< Those of earlier sessions included.
-  std::vector<std::string> versions;         ///< Of the programs that made them.
+  std::vector<planning::RunRecord> records;  ///< Runs, with those of earlier sessions.
+  std::vector<std::string> versions;         ///< Versions of the programs that made them.
   double elapsed_s = 0.0;                    ///< Wall clock of this session.
   std::size_t done = 0;                      ///< Runs of this session.
   int workers = 0;                           ///< 0: nothing was carried out.

@@ -35,7 +35,7 @@ std::vector<std::string> names(const Campaign& campaign, int problem, int planne
 
 std::string whole(std::uint64_t value) { return fmt::format("{}", value); }
 
-/// What is told of each run, after its problem and planner.
+/// Column of the table of runs, after its problem and planner.
 struct RunColumn {
   const char* name;
   std::string (*text)(const RunRecord&);
@@ -281,7 +281,7 @@ std::string box(const TimeAxis& axis, const planning::BoxPlot& plot, const char*
   return svg;
 }
 
-/// How the share of runs that found a path grows with time, on a logarithmic scale.
+/// Draws the share of runs that found a path over time, on a logarithmic scale.
 std::string ecdf_svg(std::span<const PlotSeries> series) {
   constexpr double kLegendLine = 18.0;
   constexpr int kShareLines = 5;
@@ -382,7 +382,7 @@ ReportTable pairs(const Campaign& campaign, std::span<const CampaignComparison> 
   return table;
 }
 
-// Why runs ended without a path, where some did.
+// Returns the reasons of runs without a path, if there are some.
 ReportTable failures(const Campaign& campaign, std::span<const CampaignCell> cells) {
   ReportTable table{{"Planner", "status", "runs", "for example"}, {}};
   for (const CampaignCell& cell : cells) {

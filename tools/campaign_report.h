@@ -16,7 +16,7 @@ namespace handway::tools {
 /// Entries of a campaign that differ in two parameters alone, in all combinations of
 /// at least two values of each.
 struct ParameterGrid {
-  std::string planner;                ///< As the registry calls it.
+  std::string planner;                ///< Name in the registry.
   std::string x;                      ///< Parameter across.
   std::string y;                      ///< Parameter upwards.
   std::vector<std::string> x_values;  ///< Numbers in rising order.
@@ -48,7 +48,7 @@ void write_campaign_report(const planning::Campaign& campaign, const CampaignOut
 /// The share of runs that found a path, with Wilson's 95 % interval: "98.0 % (95.0 to 99.2)".
 [[nodiscard]] std::string success_text(const planning::CampaignCell& cell);
 
-/// What the times depend on, and how the runs were carried out.
+/// Returns the machine that the times depend on, and how the runs were carried out.
 [[nodiscard]] ReportTable machine_table(const CampaignOutcome& outcome);
 
 /// The planners that are compared, with their parameters: a column a planner.

@@ -6,7 +6,7 @@ class App;
 
 namespace handway::tools {
 
-// What the command line's exit codes mean (docs/command-line.md).
+// Exit codes of the command line (docs/command-line.md).
 
 inline constexpr int kDone = 0;
 inline constexpr int kNoPath = 1;      ///< No path within the limits, or a path not valid.

@@ -25,7 +25,7 @@ class Option;
 
 namespace handway::tools {
 
-/// What `handway arm emulate`, `hand emulate` and `ros emulate` ask for alike.
+/// Common options of `handway arm emulate`, `hand emulate` and `ros emulate`.
 struct EmulatedDeviceChoice {
   std::uint16_t port = 0;
   std::filesystem::path scene;
@@ -40,7 +40,7 @@ struct EmulatedDeviceChoice {
 /// @param faults names of those that the device knows.
 void add_emulator_options(CLI::App& command, EmulatedDeviceChoice& choice,
                           const std::vector<std::string>& faults);
-/// Those, and the ones of devices that move joints: scene and lag.
+/// Adds the options of all emulated devices, and scene and lag of those that move joints.
 void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice);
 
 /// The joints of a device, and where they are, rad.
@@ -60,7 +60,7 @@ struct EmulatedPosture {
 /// Prints `address` and waits for Ctrl+C, or the end of the duration. @returns the exit code.
 [[nodiscard]] int serve_device(const std::string& address, const EmulatedDeviceChoice& choice);
 
-/// Where an emulated device is to be found, and for how long.
+/// Address of an emulated device, and the duration of its service.
 struct ServeOptions {
   std::optional<std::uint16_t> tcp_port;
   bool pty = false;
@@ -71,7 +71,7 @@ struct ServeOptions {
 /// @returns the option that names a TCP port.
 CLI::Option* add_serve_options(CLI::App& command, ServeOptions& options);
 
-/// What is wrong with an emulated device and its line.
+/// Faults of an emulated device and its line.
 struct LineFaultOptions {
   double dropout = 0.0;
   double garbage = 0.0;

@@ -27,7 +27,7 @@ std::uint16_t count_of(const GloveFrame& frame, int sensor) {
   return frame.counts[static_cast<std::size_t>(sensor)];
 }
 
-/// What a frame has of a sensor: its angle in degrees, or nothing, of a source of angles.
+/// Returns a sensor's angle in a frame in degrees; nothing unless the source measures angles.
 std::optional<double> degrees_of(const GloveFrame& frame, int sensor) {
   const double angle = frame.angles ? frame.angles->at(static_cast<std::size_t>(sensor))
                                     : std::numeric_limits<double>::quiet_NaN();

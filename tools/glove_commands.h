@@ -29,7 +29,7 @@ namespace handway::tools {
 /// {"statistics": {…}} on one line.
 [[nodiscard]] std::string statistics_json(const device::StreamStatistics& statistics);
 
-/// Which glove, and how to read it.
+/// Choice of a glove, and options of reading it.
 struct GloveDeviceOptions {
   std::string device;
   double rate_hz = 100.0;

@@ -76,7 +76,7 @@ class Recorder {
     });
   }
 
-  /// Whether all that was asked for is written, or it can't be.
+  /// Returns whether the requested rows are written, or can't be.
   [[nodiscard]] bool complete() const {
     const std::lock_guard lock(mutex_);
     return complete_;

@@ -153,7 +153,7 @@ class LedRobots {
   std::vector<device::RosRobot*> robots_;
 };
 
-// What is wrong with the path; empty if the robot may go it.
+// Returns the fault of the path; empty if the robot may follow it.
 std::string fault_of(planning::PlanningProblem problem, const planning::Path& path) {
   problem.start = path.waypoints.front();
   problem.goal = path.waypoints.back();

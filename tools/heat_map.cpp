@@ -64,7 +64,7 @@ class TimeColors {
 
   [[nodiscard]] bool any() const { return most_ > 0.0; }
   [[nodiscard]] double fastest() const { return least_; }
-  [[nodiscard]] double slowest() const { return most_; }  ///< Or where the scale ends.
+  [[nodiscard]] double slowest() const { return most_; }  ///< Upper end of the scale.
 
   /// 0 for the least time, 1 for the most, and for one without an end.
   [[nodiscard]] double share(double time) const {

@@ -120,7 +120,7 @@ struct End {
   std::vector<geometric::NamedPair> touching = {};
   std::vector<std::string> violated = {};  ///< Constraints.
   std::optional<geometric::NamedPair> closest =
-      std::nullopt;  ///< Of a free one, if there is a pair.
+      std::nullopt;  ///< Closest pair of a free end, if any.
 };
 
 std::vector<End> examine_ends(const geometric::Scene& scene, geometric::CollisionChecker& checker) {
@@ -208,7 +208,7 @@ Json json_of(const End& end) {
   return object;
 }
 
-// What the object's shape is for collision checking.
+// Returns the kind of the object's shape in collision checking.
 const char* form_of(const geometric::SceneObject& object) {
   const bool closed = is_closed(object.shape);
   return closed && object.solid ? "solid"
@@ -266,7 +266,7 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
   print_out("{}\n", report.dump(2));
 }
 
-// Whether a polyhedron around the shape stands for it.
+// Returns whether the shape is approximated by a polyhedron around it.
 bool is_round(const geometric::Shape& shape) {
   return !std::holds_alternative<geometric::Box>(shape) &&
          !std::holds_alternative<geometric::Mesh>(shape);

@@ -7,7 +7,7 @@
 
 namespace handway::tools {
 
-/// What measured times depend on, for reports: processor, cores, memory, system, compiler,
+/// Describes the machine for reports of measured times: processor, cores, memory, system, compiler,
 /// program version. Labels and values.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> machine_description();
 

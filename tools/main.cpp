@@ -25,7 +25,7 @@
 namespace handway::tools {
 namespace {
 
-// What readers of files look up in the environment, as options of every command.
+// Adds environment variables that readers of files use, as options of every command.
 void add_file_options(CLI::App& app) {
   app.fallthrough();
   app.add_option_function<std::string>(
@@ -109,7 +109,7 @@ int run(int argc, char** argv) {
 
 namespace {
 
-// What was printed is part of the result: a disk that is full must not look like success.
+// Flushes the output and checks it: a full disk must not look like success.
 int flushed(int exit_code) {
   std::cout.flush();
   if (std::cout.good() && std::ferror(stdout) == 0 && std::fflush(stdout) == 0) {

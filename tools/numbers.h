@@ -59,12 +59,12 @@ namespace handway::tools {
   return fmt::format("{:.{}f}", value, size >= 10.0 ? 2 : size >= 0.1 ? 3 : 4);
 }
 
-/// The same number for programs: the shortest that reads back; empty if it is not finite.
+/// Writes a number for programs: the shortest text that reads back; empty if it is not finite.
 [[nodiscard]] inline std::string number_field(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "";
 }
 
-/// The same of seconds: rounded to nanoseconds, finer than what clocks tell.
+/// Writes seconds for programs: rounded to nanoseconds, finer than clocks measure.
 [[nodiscard]] inline std::string seconds_field(double seconds) {
   return std::isfinite(seconds) ? planning::csv_time(seconds) : "";
 }

@@ -74,7 +74,7 @@ std::string quality_text(const MappedRecording& recording) {
   return text;
 }
 
-/// How many samples of which joints were clamped to their limits.
+/// Describes how many samples of each joint were clamped to its limits.
 std::string clamp_text(const std::vector<MappedRecording>& recordings,
                        const device::PostureSource& mapper) {
   std::vector<Eigen::Index> clamped(mapper.joints().size(), 0);
@@ -337,7 +337,7 @@ void print_comparison(const std::vector<MappedRecording>& recordings, const PcaO
             options.components, angle_text(each, options.components));
 }
 
-// What the same recordings give under another mapping to the same hand.
+// Prints the result of the same recordings under another mapping to the same hand.
 void print_other_mapping(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
                          const geometric::RobotModel& hand, const device::PostureSource& mapper,
                          const std::vector<int>& free, const Analysis& chosen,
@@ -375,7 +375,7 @@ void report(const std::vector<MappedRecording>& recordings, const PcaOptions& op
   write_study(study, settings, recordings, hand.model->name(), *hand.source, options.report);
 }
 
-/// How many rows differ from all others, at most `enough`.
+/// Counts the rows that differ from all others, at most `enough`.
 Eigen::Index distinct_rows(const Eigen::MatrixXd& samples, Eigen::Index enough) {
   constexpr double kSame = 1e-9;
   std::vector<Eigen::Index> distinct;

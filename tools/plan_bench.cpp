@@ -87,7 +87,7 @@ void measure(std::initializer_list<Series*> all) {
 struct Questions {
   std::vector<Configuration> configurations;
   std::vector<Configuration> edge_starts;
-  Configuration motion;  ///< Of every edge.
+  Configuration motion;  ///< Motion of every edge.
 };
 
 Series configurations_for(CollisionChecker& checker, const Questions& questions) {

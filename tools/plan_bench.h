@@ -17,7 +17,7 @@
 
 namespace handway::tools {
 
-/// What a checker's answers take, µs: the median of rounds in which the checkers take turns.
+/// Time of a checker's answers, µs: the median of rounds in which the checkers take turns.
 struct CheckerSpeed {
   double configuration_us = 0.0;
   double edge_us = 0.0;  ///< NaN if there is no edge to ask.
@@ -27,7 +27,7 @@ struct CheckerSpeed {
 struct CollisionBench {
   int configurations = 0;
   double in_collision = 0.0;  ///< Share of the configurations.
-  int edges = 0;              ///< Those whose ends are free.
+  int edges = 0;              ///< Number of edges with free ends.
   double edges_free = 0.0;    ///< Share of these.
   CheckerSpeed fast;
   CheckerSpeed fcl;  ///< Pair by pair.
@@ -51,7 +51,7 @@ struct PlanBench {
   std::vector<std::optional<planning::PathQuality>> qualities;  ///< One a seed, of its path.
   std::vector<std::vector<std::string>> path_faults;  ///< One a seed, of paths that were checked.
   std::size_t memory = 0;                             ///< Peak, bytes.
-  std::string problem;                                ///< Why it could not be run at all; or empty.
+  std::string problem;                                ///< Reason why it could not run; or empty.
 };
 
 /// Runs each of `seeds`; ends after the first if the query itself is not valid.
@@ -76,8 +76,8 @@ struct PlanBench {
 [[nodiscard]] double median_checks(const PlanBench& bench);
 /// Over the runs that found a path, or NaN.
 [[nodiscard]] double median_path_nodes(const PlanBench& bench);
-/// The same: of its length in normalised joints, and of the hand's mean distance from the PMD
-/// subspace (NaN without a basis, too).
+/// Medians over the runs that found a path, or NaN: of its length in normalised joints, and of the
+/// hand's mean distance from the PMD subspace (NaN without a basis, too).
 [[nodiscard]] double median_length(const PlanBench& bench);
 [[nodiscard]] double median_to_subspace(const PlanBench& bench);
 
@@ -87,7 +87,7 @@ struct VariantRuns {
   std::vector<PlanBench> plans;  ///< One a planner, the default first; empty without a scene.
 };
 
-/// What planners did on the variants of one problem.
+/// Runs of planners on the variants of one problem.
 struct VariantBench {
   std::filesystem::path file;
   std::string target;  ///< Objects that the goal is kept relative to; may be empty.
@@ -98,7 +98,7 @@ struct VariantBench {
 
 /// A variant and a seed that the default planner missed, and who solved it.
 struct MissedPair {
-  std::string file;  ///< Of the problem.
+  std::string file;  ///< File of the problem.
   int variant = 0;
   std::uint64_t seed = 0;
   std::string reason;                                     ///< The default's.
@@ -113,7 +113,7 @@ struct VariantSummary {
   std::vector<MissedPair> missed;  ///< By the default, solved by another one or not.
 
   VariantSummary& operator+=(const VariantSummary& other);
-  /// Of the pairs that any planner solved, the share that the default did; NaN if there is none.
+  /// Share of the pairs solved by any planner that the default solved; NaN if there is none.
   [[nodiscard]] double default_share() const;
 };
 

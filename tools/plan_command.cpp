@@ -74,7 +74,7 @@ int exit_code_of(PlanStatus status) {
   }
 }
 
-// What touches at an end that is refused, and where a free one is.
+// Prints the pairs that touch at a refused end, and the nearest free configuration.
 void print_advice(const planning::PlanningProblem& problem, bool at_start) {
   const geometric::Configuration& q = at_start ? problem.start : problem.goal;
   if (!geometric::configuration_fault(problem.model(), q).empty()) {

@@ -70,7 +70,7 @@ std::vector<std::string> names_of(const geometric::RobotModel& model,
   return names;
 }
 
-// Where the path ends, of a problem whose goal is given by poses.
+// Goal pose that the path reaches, in a problem whose goal is given by poses.
 Json goal_of(const planning::PlanningProblem& problem, const planning::PlanResult& result) {
   if (!result.goal) {
     return nullptr;

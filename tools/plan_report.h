@@ -23,11 +23,11 @@ namespace handway::tools {
                                       const std::optional<planning::PathLikeness>& likeness,
                                       const std::optional<planning::PathQuality>& quality);
 
-/// What a path is judged by, keys as `objective` in docs/command-line.md; null without a path.
+/// Quality measures of a path, keys as `objective` in docs/command-line.md; null without a path.
 [[nodiscard]] nlohmann::ordered_json path_quality_json(
     const std::optional<planning::PathQuality>& quality);
 
-/// How human the hand looks along a path; nothing if the problem has no basis, or no path.
+/// Likeness of the hand along a path to a human hand; nothing without a basis or a path.
 /// @param postures file to compare with; empty: those that the basis names, if any.
 /// @throws InputError if the postures can't be read, or files are given and there's no basis.
 [[nodiscard]] std::optional<planning::PathLikeness> hand_likeness(

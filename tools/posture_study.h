@@ -20,7 +20,7 @@
 
 namespace handway::tools {
 
-/// What is done to a recording before it is mapped. 0: not done.
+/// Steps of processing a recording before it is mapped. 0: not done.
 struct RecordingSteps {
   double from = 0.0;         ///< s
   std::optional<double> to;  ///< s
@@ -33,7 +33,7 @@ struct RecordingSteps {
 struct MappedRecording {
   std::filesystem::path file;
   device::Recording recording;       ///< Angles, after all steps.
-  device::RecordingQuality quality;  ///< Of the file as it was read.
+  device::RecordingQuality quality;  ///< Quality of the file as it was read.
   bool calibrated = false;           ///< It held counts.
   device::MappedPostures mapped;
 };
@@ -46,7 +46,7 @@ struct MappedRecording {
                                                const RecordingSteps& steps,
                                                const device::PostureSource& mapper);
 
-/// How joints are scaled to [0, 1] before their components are found.
+/// Scaling of joints to [0, 1] before their components are found.
 enum class Normalisation {
   kLimits,  ///< Postures clamped to the joint limits, by these limits.
   kRange,   ///< Postures as the mapping gave them, by the least and most of each joint.
@@ -81,14 +81,14 @@ struct Analysis {
 /// directions: of all joints but the thumb base, which gets an axis of its own (section 4.2).
 struct PostureStudy {
   std::filesystem::path recording;
-  Normalisation normalisation = Normalisation::kLimits;  ///< Of basis and postures.
+  Normalisation normalisation = Normalisation::kLimits;  ///< Scaling of basis and postures.
   sampling::PmdBasis basis;
   Eigen::MatrixXd postures;       ///< rad, shape [samples, joints of the basis].
-  Eigen::VectorXd shares;         ///< Of the variance, shape [directions].
-  Eigen::VectorXd limits_shares;  ///< The same with joints by their limits, …
+  Eigen::VectorXd shares;         ///< Shares of the variance, shape [directions].
+  Eigen::VectorXd limits_shares;  ///< Shares with joints by their limits, …
   Eigen::VectorXd range_shares;   ///< … and by the range they went through.
 
-  /// Of two joints, -1 to 1. @pre the basis has them.
+  /// Correlation of two joints, -1 to 1. @pre the basis has them.
   [[nodiscard]] double correlation(const std::string& first, const std::string& second) const;
 };
 
@@ -97,7 +97,7 @@ struct PostureStudy {
 [[nodiscard]] PostureStudy study_postures(const std::filesystem::path& recording,
                                           Normalisation normalisation);
 
-/// How good a basis from these recordings is, at the fingertips of the hand.
+/// Studies the quality of a basis from these recordings, at the fingertips of the hand.
 /// @throws InputError if the hand has no fingers, or a recording is too short.
 [[nodiscard]] sampling::BasisStudy study_recordings(
     const std::vector<MappedRecording>& recordings,
@@ -107,7 +107,7 @@ struct PostureStudy {
 /// Tables in mm, degrees and s.
 [[nodiscard]] std::string study_text(const sampling::BasisStudy& study, double confidence);
 
-/// The same, and what it was made from, as a JSON file.
+/// Writes the study with its inputs as a JSON file.
 /// @throws InputError if it can't be written.
 void write_study(const sampling::BasisStudy& study, const sampling::BasisStudySettings& settings,
                  const std::vector<MappedRecording>& recordings, const std::string& hand,

@@ -191,7 +191,7 @@ std::string html_escaped(const std::string& text) {
 
 namespace {
 
-/// Whether a spreadsheet would take the text for a formula. A number may have a unit.
+/// Returns whether a spreadsheet would take the text for a formula. A number may have a unit.
 bool is_formula(const std::string& text) {
   if (text.size() < 2 || geometric::parse_number(text)) {
     return false;

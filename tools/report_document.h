@@ -26,7 +26,7 @@ struct ReportFigure {
   std::string caption;
   std::string svg;
   std::string data_file;  ///< Beside the report.
-  std::string file;       ///< Of the drawing, beside the report.
+  std::string file;       ///< File of the drawing, beside the report.
 };
 
 /// A picture in a file of its own.

@@ -31,7 +31,7 @@ using geometric::InputError;
 struct PostureFigure {
   int number;
   const char* caption;
-  const char* drawing;  ///< What handway-figures calls it.
+  const char* drawing;  ///< Its name in handway-figures.
 };
 
 constexpr std::array<PostureFigure, 4> kFigures = {
@@ -58,7 +58,7 @@ constexpr std::array<JointPair, 6> kPairs = {
 constexpr std::array<double, 3> kPublishedVariance = {42.19, 77.12, 84.71};  // %, section 4.2
 
 struct Studied {
-  std::string name;  ///< Of the recording, and of its folder.
+  std::string name;  ///< Name of the recording, and of its folder.
   PostureStudy study;
 };
 
@@ -260,7 +260,7 @@ class FilmMaker {
   }
 
  private:
-  // Nothing, and a sentence in `made`, if there is no path.
+  // Makes a row of the film; empty, with a sentence in `made`, if there is no path.
   [[nodiscard]] std::string film_row(const Row& row, const std::string& name,
                                      ReproducedFigure& made) const {
     const fs::path scene =

@@ -198,7 +198,7 @@ ReportTable compared_csv() {
           {}};
 }
 
-/// The same for programs: a row for each column and figure.
+/// Adds a row for programs for each column and figure.
 /// @param table such as "2"; @param problem what the columns are about.
 void add_compared_rows(ReportTable& csv, const std::string& table, const std::string& problem,
                        const std::vector<PaperRow>& rows, std::size_t published,

@@ -17,10 +17,10 @@ namespace handway::tools {
 struct ReproducedFigure {
   int number = 0;  ///< In the paper.
   std::string caption;
-  std::string text;  ///< What it is made of; may be empty.
+  std::string text;  ///< Description of its data; may be empty.
   std::vector<ReportPicture> pictures;
   std::optional<ReportTable> table;  ///< Published figures beside ours, where there are some.
-  std::string problem;               ///< Why not all of it is there; may be empty.
+  std::string problem;               ///< Reason of missing parts; may be empty.
 };
 
 /// Figures that there are: 7 to 10 of hand postures, 14 and 17 of paths.
@@ -35,7 +35,7 @@ struct ReproducedFigure {
 
 /// A campaign of the reproduction, once it is carried out.
 struct ReproducedCampaign {
-  int table = 0;  ///< Of the paper: 2 or 4.
+  int table = 0;  ///< Table of the paper: 2 or 4.
   planning::Campaign campaign;
   CampaignOutcome outcome;
 };

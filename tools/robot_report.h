@@ -13,7 +13,7 @@
 
 namespace handway::tools {
 
-/// What is known of a robot by looking at its tree, its shapes and random postures.
+/// Findings about a robot from its tree, its shapes and random postures.
 struct RobotReport {
   std::shared_ptr<const geometric::RobotModel> model;
   geometric::GroupProposal groups;

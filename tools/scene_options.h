@@ -31,7 +31,7 @@ void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& sce
 /// a value that it can't have.
 void apply_settings(planning::Planner& planner, const std::vector<std::string>& settings);
 
-/// What readers noticed but could live with, as one summary on stderr; nothing if there is nothing.
+/// Prints the readers' warnings as one summary on stderr; nothing if there are none.
 void print_warnings(const geometric::Scene& scene);
 /// Prints the warnings of the problem's scene and its own.
 void print_warnings(const planning::PlanningProblem& problem);
@@ -59,7 +59,7 @@ void set_group(const std::vector<std::string>& group, planning::LoadedScene& sce
 /// Goals as poses of a link, from the command line.
 struct GoalPoseOptions {
   std::vector<std::string> poses;  ///< "[LINK:]X,Y,Z[,ROLL,PITCH,YAW]", m and degrees.
-  std::string link;                ///< Of poses that name none; empty: of the hand or tool.
+  std::string link;                ///< Link of poses that name none; empty: hand or tool.
   std::vector<double> tolerance;   ///< mm and degrees; empty: as a scene's.
 };
 

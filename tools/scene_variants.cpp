@@ -35,11 +35,11 @@ constexpr double kDifference = 1e-4;     // the same, of the gradient
 constexpr double kLeastGradient = 1e-4;  // m by rad
 constexpr int kMostSteps = 300;
 
-/// What one branch of the palm moves.
+/// Variables and pairs of one branch of the palm.
 struct Finger {
   std::vector<int> variables;
   std::vector<int> pairs;         ///< All that it takes part in.
-  std::vector<int> object_pairs;  ///< Of these, with the objects.
+  std::vector<int> object_pairs;  ///< Pairs with the objects.
 };
 
 // The palm's child that `link` hangs from; -1: it does not hang from the palm.
@@ -193,7 +193,7 @@ struct Unit {
   std::map<std::string, double> contacts;  ///< m into other objects, in the scene as it is.
 };
 
-/// How a unit is moved: turned about its middle, then shifted.
+/// Motion of a unit: a rotation about its middle, then a shift.
 struct Motion {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   Eigen::AngleAxisd turn = Eigen::AngleAxisd::Identity();
@@ -257,7 +257,7 @@ geometric::RobotInstance lift() {
           Configuration::Zero(1)};
 }
 
-// How deep a unit is in which other object, m, once it is lowered. The planned robot is left out.
+// Depth of a lowered unit in each other object, m. The planned robot is left out.
 std::map<std::string, double> contact_depths(Scene scene, const Unit& unit, double lowered) {
   for (const std::size_t i : unit.objects) {
     scene.objects[i].attachment = geometric::Attachment{"lift", "fork", {}};
@@ -338,7 +338,7 @@ class VariantGenerator::Parts {
 
   [[nodiscard]] const std::vector<std::string>& target() const { return target_names_; }
 
-  /// Nothing if that placement is not free.
+  /// Returns the placed scene; nothing if that placement is not free.
   [[nodiscard]] std::shared_ptr<const Scene> placed(int number, std::uint64_t seed,
                                                     RandomStream random) const {
     Placement placement{scene_, problem_.checker->shared_world(), nullptr, {}, scene_.goal.value()};
@@ -374,8 +374,8 @@ class VariantGenerator::Parts {
   struct Placement {
     Scene scene;
     std::shared_ptr<const CollisionWorld> world;
-    std::unique_ptr<geometric::CollisionChecker> checker;  ///< Of `world`.
-    std::vector<Motion> motions;                           ///< Of the units.
+    std::unique_ptr<geometric::CollisionChecker> checker;  ///< Checker of `world`.
+    std::vector<Motion> motions;                           ///< Motions of the units.
     Configuration goal;
   };
 
@@ -446,8 +446,8 @@ class VariantGenerator::Parts {
     return limit_violations(problem_.model(), q).empty() && !checker.first_collision(q);
   }
 
-  /// Of the arm postures that keep the palm at the target, the free one that is nearest to the
-  /// scene's goal. @returns whether there is one.
+  /// Finds the free arm posture nearest to the scene's goal that keeps the palm at the target.
+  /// @returns whether there is one.
   [[nodiscard]] bool solve_goal(Placement& placement) const {
     std::vector<Configuration> goals{*scene_.goal};
     if (target_) {
@@ -465,7 +465,7 @@ class VariantGenerator::Parts {
     return true;
   }
 
-  /// Which way a unit is to go to get nearer to the robot at the goal, of length 1; zero: it can't.
+  /// Unit vector along which a unit gets nearer to the robot at the goal; zero: it can't.
   [[nodiscard]] Eigen::Vector3d approach_direction(const Placement& placement, std::size_t u,
                                                    int nearest_pair) const {
     const auto& bodies = placement.world->pairs()[static_cast<std::size_t>(nearest_pair)];
@@ -531,7 +531,7 @@ class VariantGenerator::Parts {
   int palm_;
   std::vector<int> hand_links_;
   std::vector<Unit> units_;
-  std::optional<std::size_t> target_;  ///< Nothing: the goal stays.
+  std::optional<std::size_t> target_;  ///< Empty: the goal stays.
   std::vector<std::string> target_names_;
 };
 

@@ -9,14 +9,14 @@
 
 namespace handway::tools {
 
-/// How far variants go.
+/// Limits of variants.
 inline constexpr double kMostVariantShift = 0.05;                     ///< m
 inline constexpr double kMostVariantTurn = geometric::radians(25.0);  ///< rad
 inline constexpr double kVariantHandGap = geometric::metres(0.3);     ///< m
 inline constexpr double kLongestMovable = 0.45;                       ///< m
 
-/// What obstacles of variant `number` (≥ 1) keep to the robot at the goal before the fingers close,
-/// m: 24 mm of the first, 12 of the second, 2 of the twelfth.
+/// Distance of variant `number`'s (≥ 1) obstacles from the robot at the goal before the fingers
+/// close, m: 24 mm of the first, 12 of the second, 2 of the twelfth.
 [[nodiscard]] double variant_gap(int number);
 
 /// A harder problem made of another one.

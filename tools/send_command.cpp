@@ -49,7 +49,7 @@ class SendObserver final : public execution::MotionObserver {
                execution::MotionRequests& requests, std::stop_source& stop)
       : targets_(targets), log_(log), requests_(requests), stop_(stop) {}
 
-  // What of the scene ended the motion.
+  // Object of the scene that ended the motion.
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
 
   void on_sample(const execution::MotionSample& sample) override {

@@ -13,13 +13,13 @@ class App;
 
 namespace handway::tools {
 
-/// What `handway time` and `handway export` ask for alike.
+/// Common options of `handway time` and `handway export`.
 struct TimingChoice {
   std::filesystem::path path;
   std::filesystem::path scene;
   std::filesystem::path limits;
   std::filesystem::path report;
-  std::vector<std::string> group;  ///< What moves; empty: the scene's.
+  std::vector<std::string> group;  ///< Moving joints; empty: the scene's.
   double speed = 1.0;
   double period_ms = 4.0;
   double deviation = planning::BlendOptions{}.deviation;
@@ -47,7 +47,7 @@ void add_timing_options(CLI::App& command, TimingChoice& choice);
 [[nodiscard]] planning::JointKinematicLimits read_limits(const TimingChoice& choice,
                                                          const geometric::RobotModel& model);
 
-/// What a path is timed with.
+/// Input of timing a path.
 struct TimingInput {
   planning::PlanningProblem problem;
   planning::Path path;

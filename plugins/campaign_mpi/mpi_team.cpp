@@ -18,7 +18,7 @@
 #include <thread>
 #include <utility>
 
-/// How runs travel between processes.
+/// Serialization of runs for the transfer between processes.
 namespace boost::serialization {
 
 template <typename Archive>
@@ -49,17 +49,17 @@ using planning::RunSpec;
 constexpr int kLeader = 0;
 constexpr std::chrono::microseconds kPause(200);  // between looks at the mail
 
-// What the leader sends.
+// Messages of the leader.
 enum LeaderTag : int {
   kRun = 1,     ///< RunSpec: carry it out.
-  kRest = 2,    ///< Nothing: all is done, return from serve().
-  kGoHome = 3,  ///< Nothing: the leader has given up.
+  kRest = 2,    ///< Empty: all is done, return from serve().
+  kGoHome = 3,  ///< Empty: the leader has given up.
 };
-// What the others send.
+// Messages of the workers.
 enum WorkerTag : int {
-  kReady = 11,    ///< Nothing: may be given runs.
+  kReady = 11,    ///< Empty: ready for a run.
   kRecord = 12,   ///< RunRecord.
-  kDropped = 13,  ///< Nothing: the run was cancelled.
+  kDropped = 13,  ///< Empty: the run was cancelled.
   kFailed = 14,   ///< std::string: can't go on, and why.
 };
 
@@ -81,7 +81,7 @@ class OwnWorker {
     std::optional<RunRecord> record;
     std::exception_ptr failure;
   };
-  /// What came of a run, if one has ended.
+  /// Returns the result of a run, if one has ended.
   std::optional<Answer> collect() {
     const std::lock_guard lock(mutex_);
     return std::exchange(answer_, std::nullopt);

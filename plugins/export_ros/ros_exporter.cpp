@@ -17,8 +17,8 @@ namespace {
 
 using Message = nlohmann::ordered_json;
 
-/// How a version of ROS calls the parts of a time: {secs, nsecs} or {sec, nanosec}; and
-/// only the first has `seq` in its headers.
+/// Version of ROS. It decides the names of the parts of a time, {secs, nsecs} or {sec, nanosec};
+/// and only the first has `seq` in its headers.
 enum class RosVersion { kRos1, kRos2 };
 
 Message time_message(double seconds, RosVersion version) {

@@ -219,7 +219,8 @@ class Messages {
     }
   }
 
-  // Of all links, as a matrix replaces that of the SRDF, and of objects that pairs name.
+  // Returns the matrix of all links, as it replaces that of the SRDF, and of objects named in
+  // pairs.
   [[nodiscard]] Message collision_matrix() const {
     std::vector<std::string> names;
     for (const geometric::Link& link : robot_.model->description().links) {

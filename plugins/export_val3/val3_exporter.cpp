@@ -92,7 +92,7 @@ std::vector<ArmMove> arm_moves(const planning::Motion& motion) {
 
 namespace {
 
-/// How far (deg) the arm may stand from the first point when the program starts.
+/// Largest distance (deg) of the arm from the first point when the program starts.
 constexpr double kStartTolerance = 0.1;
 
 using Attributes = std::initializer_list<std::pair<const char*, std::string>>;

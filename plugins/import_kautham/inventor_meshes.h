@@ -34,7 +34,7 @@ class InventorMeshes {
   /// @throws InputError as read_inventor_mesh().
   [[nodiscard]] const InventorMesh& load(const std::filesystem::path& file, double scale);
 
-  /// What was noticed about the files read so far.
+  /// Warnings about the files read so far.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:

@@ -126,7 +126,7 @@ class SceneBuilder {
     if (!geometric::has_extension(file, ".urdf")) {
       return read_kautham_robot(file);
     }
-    // The same file may be there in several sizes.
+    // Models are cached by file and scale: a file may be used in several sizes.
     const double scale = placed.scale * problem_.units.length;
     const auto model = scaled_robot(geometric::load_robot(file), scale);
     models_[{placed.file, placed.scale}] = model;
@@ -265,7 +265,7 @@ class SceneBuilder {
     }
   }
 
-  // Nothing that planning needs: reported once, with the first of them.
+  // Reports textures once, with the first of them: planning doesn't need them.
   void note_textures() {
     if (const std::vector<std::string>& missing = meshes_.warnings(); !missing.empty()) {
       scene_->warnings.push_back(

@@ -11,8 +11,8 @@
 
 namespace handway::import_kautham {
 
-/// Where the robot's root link stands in the frame that its Home places; of a robot whose base
-/// moves, the frame itself.
+/// Pose of the robot's root link in the frame that its Home places; of a robot whose base moves,
+/// the frame itself.
 [[nodiscard]] geometric::Pose root_pose(const KauthamRobot& robot);
 
 /// The robot as a kinematic tree. Joints are named after the links they carry.
@@ -33,7 +33,7 @@ namespace handway::import_kautham {
     const KauthamRobot& robot, double scale, const BaseLimits& limits, const geometric::Pose& X_WH,
     InventorMeshes& meshes);
 
-/// What a URDF robot of a later version is to its controls: a joint for each link, by the link's
+/// Converts a URDF robot of a later version to its controls: a joint for each link, by the link's
 /// name, as Kautham calls them.
 [[nodiscard]] KauthamRobot controlled_robot(const geometric::RobotModel& model);
 

@@ -52,7 +52,7 @@ KauthamProblem::Obstacle read_obstacle(const XmlFile& xml, pugi::xml_node node,
           read_location(xml, xml.child(node, "Location"), units)};
 }
 
-// Of later versions: where it has no home, at the origin.
+// Reads an obstacle of later versions; without a home it is at the origin.
 KauthamProblem::Obstacle read_later_obstacle(const XmlFile& xml, pugi::xml_node node,
                                              const Units& units) {
   KauthamProblem::Obstacle obstacle{xml.text(node, "obstacle"), read_scale(xml, node)};

@@ -18,14 +18,14 @@ using BaseLimits = std::array<std::pair<double, double>, 3>;
 struct KauthamProblem {
   /// A Robot element.
   struct PlacedRobot {
-    std::filesystem::path file;  ///< As written, relative to the problem's folder.
-    double scale = 1.0;          ///< Of the meshes.
+    std::filesystem::path file;  ///< Path in the file, relative to the problem's folder.
+    double scale = 1.0;          ///< Scale of the meshes.
     geometric::Pose X_WH = geometric::Pose::Identity();  ///< Home.
     BaseLimits limits = {};
   };
   /// A Scene element, or an Obstacle of later versions.
   struct Obstacle {
-    std::filesystem::path mesh;  ///< As written, relative to the problem's folder.
+    std::filesystem::path mesh;  ///< Path in the file, relative to the problem's folder.
     double scale = 1.0;
     geometric::Pose X_WO = geometric::Pose::Identity();  ///< Location, or Home.
   };
@@ -38,9 +38,9 @@ struct KauthamProblem {
   std::vector<PlacedRobot> robots;
   std::vector<Obstacle> obstacles;
   std::string planner;                                          ///< May be empty.
-  std::vector<std::pair<std::string, std::string>> parameters;  ///< Of the planner, as written.
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< Texts for the planner.
   std::vector<double> init;  ///< Controls of all robots; empty: the query has no start.
-  std::vector<double> goal;  ///< The same.
+  std::vector<double> goal;  ///< Controls of all robots at the goal.
   std::string query_place;   ///< "file:line" of the query.
   std::vector<std::string> warnings;
 };

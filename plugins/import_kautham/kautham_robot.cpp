@@ -31,7 +31,7 @@ enum class Names {
   kWithRobot,  ///< "TX90/Elbow"
 };
 
-/// What DOF elements give values to.
+/// Values that DOF elements set.
 struct Factors {
   Eigen::VectorXd& joints;
   BaseParameters& base;

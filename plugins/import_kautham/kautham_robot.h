@@ -20,7 +20,7 @@ namespace handway::import_kautham {
 struct KauthamJoint {
   std::string name;
   std::filesystem::path mesh;            ///< Open Inventor or VRML, mm.
-  std::filesystem::path collision_mesh;  ///< The same for collisions; empty: `mesh`.
+  std::filesystem::path collision_mesh;  ///< For collisions; empty: `mesh`.
   double alpha = 0.0;                    ///< rad
   double a = 0.0;                        ///< m
   double theta = 0.0;                    ///< rad
@@ -33,7 +33,7 @@ struct KauthamJoint {
   geometric::Pose X_PreTrans = geometric::Pose::Identity();
 };
 
-/// Of the base: x, y and z, then X1, X2, X3, which make a rotation (see base_pose()).
+/// Parameters of the base: x, y and z, then X1, X2, X3, which make a rotation (see base_pose()).
 using BaseParameters = Eigen::Matrix<double, 6, 1>;
 
 /// Moves joints together: eig_value * factors * (c - 0.5) adds to their parameters.
@@ -41,10 +41,10 @@ struct KauthamControl {
   std::string name;
   double eig_value = 1.0;                        ///< Full side of the control's interval, ≥ 0.
   Eigen::VectorXd factors;                       ///< Per joint, as printed: without eig_value.
-  BaseParameters base = BaseParameters::Zero();  ///< The same of the base.
+  BaseParameters base = BaseParameters::Zero();  ///< Factors of the base.
 };
 
-/// What a `.rob` file of Kautham 2013, or a `.dh` file of later versions, says.
+/// Contents of a `.rob` file of Kautham 2013, or of a `.dh` file of later versions.
 ///
 /// A joint's parameter p in [0, 1] spans its range: q = lower + p (upper - lower).
 /// Controls c in [0, 1] give p = offset + Σ_j eig_value_j factors_j (c_j - 0.5),
@@ -57,7 +57,7 @@ struct KauthamRobot {
   BaseParameters base_offset = BaseParameters::Zero();
   bool has_controls = false;  ///< The file lists them.
   std::vector<KauthamControl> controls;
-  int trunk_controls = -1;  ///< How many of the first controls drive the arm; -1: not said.
+  int trunk_controls = -1;  ///< Number of the first controls that drive the arm; -1: not given.
   std::vector<std::string> warnings;
 };
 
@@ -77,7 +77,7 @@ void read_kautham_controls(const std::filesystem::path& file, std::span<KauthamR
 void add_default_controls(std::span<KauthamRobot> robots,
                           std::span<const std::array<std::pair<double, double>, 3>> limits);
 
-/// Which parameters of the base any control moves.
+/// Returns which parameters of the base are moved by a control.
 [[nodiscard]] std::array<bool, 6> moving_base(const KauthamRobot& robot);
 
 /// Parameters of the base at the given controls, clamped to [0, 1].

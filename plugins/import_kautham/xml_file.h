@@ -66,7 +66,7 @@ class XmlFile {
 /// The text in quotation marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// What numbers in a file stand for.
+/// Units of the numbers in a file.
 struct Units {
   double length = geometric::kMillimetre;  ///< m
   double angle = geometric::kDegree;       ///< rad

@@ -79,12 +79,12 @@ class Linkage {
     return found;
   }
 
-  // How far the ends of the loop are from each other.
+  // Returns the distance between the ends of the loop.
   [[nodiscard]] double gap(const Configuration& q) const { return gap_at(poses(q)).norm(); }
 
   [[nodiscard]] int leader() const { return leader_; }
   [[nodiscard]] const std::vector<int>& followers() const { return followers_; }
-  /// One that stays at home, as springs hold it; -1: none.
+  /// Joint that stays at home, as springs hold it; -1: none.
   [[nodiscard]] int held() const { return held_; }
 
  private:
@@ -133,11 +133,11 @@ class Linkage {
   std::vector<int> followers_;
 };
 
-/// How the followers of a linkage go with its leader: as slope · leader + offset.
+/// Fit of a linkage's followers to its leader: slope · leader + offset.
 struct Fit {
   Eigen::VectorXd slope;
   Eigen::VectorXd offset;
-  double lower = 0.0;  ///< Of the leader, where the loop closes.
+  double lower = 0.0;  ///< Leader's range in which the loop closes.
   double upper = 0.0;
   double gap = 0.0;  ///< m, the largest that the proportions leave.
 };

@@ -69,11 +69,11 @@ class MemoryFiles {
   std::unique_ptr<mjVFS> files_ = std::make_unique<mjVFS>();
 };
 
-/// What MuJoCo said against a text.
+/// Error of MuJoCo about a text.
 struct Refusal {
   std::string reason;
   std::string element;   ///< May be empty.
-  std::size_t line = 0;  ///< Of the text; 0: none is named.
+  std::size_t line = 0;  ///< Line in the text; 0: none is named.
 };
 
 Refusal refusal_of(const std::string& message) {

@@ -24,7 +24,7 @@ struct Compiled {
   FaultyMeshes faulty_meshes;
 };
 
-/// What MuJoCo's compiler makes of an MJCF file. One file at a time; any thread.
+/// Compiles an MJCF file with MuJoCo's compiler. One file at a time; any thread.
 /// @param warnings what it said about it is appended.
 /// @throws InputError in MuJoCo's words, with file and line.
 [[nodiscard]] Compiled compile_mjcf(const std::filesystem::path& file,

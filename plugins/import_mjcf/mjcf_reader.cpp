@@ -125,7 +125,7 @@ class Reader {
         robot_.links.push_back({name, {}, {}});
         return;
       }
-      // Which of several joints of a body comes first in the file moves the others.
+      // If a body has several joints, one that comes first in the file moves the later ones.
       const Eigen::Vector3d anchor = vector_at(model_->jnt_pos, index);
       X = X * Eigen::Translation3d(anchor);
       const bool is_last = index + 1 == first + count && anchor.norm() < kNone;
@@ -247,7 +247,7 @@ class Reader {
     }
   }
 
-  // Nothing where it can't be read, which is noted.
+  // Reads a mesh; nothing, and a warning, if it can't be read.
   [[nodiscard]] std::optional<geometric::Shape> mesh_of(int mesh, bool collides) {
     const std::string name = name_of(*model_, mjOBJ_MESH, mesh);
     const auto about = compiled_.text.meshes.find(name);
@@ -256,7 +256,7 @@ class Reader {
     return replaced ? replaced_mesh(mesh, about->second, collides) : compiled_mesh(mesh);
   }
 
-  // One that MuJoCo does not take, as a surface without volume or one of many triangles.
+  // Reads a mesh that MuJoCo rejects, as a surface without volume or one of many triangles.
   [[nodiscard]] std::optional<geometric::Shape> replaced_mesh(int mesh, const MjcfMesh& about,
                                                               bool collides) {
     const std::string name = name_of(*model_, mjOBJ_MESH, mesh);
@@ -284,7 +284,7 @@ class Reader {
     }
   }
 
-  // What MuJoCo made of the box that stands in for a mesh: what it would have made of the mesh.
+  // Returns MuJoCo's transformation of the box that replaces a mesh, to apply it to the mesh.
   [[nodiscard]] Eigen::Matrix3d scale_of(int mesh) const {
     const float* vertex = model_->mesh_vert + 3 * model_->mesh_vertadr[mesh];
     Eigen::Matrix3d scale;
@@ -448,7 +448,7 @@ class Reader {
     joint->mimic = geometric::Mimic{leader, multiplier, coupling.offset};
   }
 
-  // Those that can't be closed, by what they connect.
+  // Closes the loops. @returns those that can't be closed, by the links that they connect.
   std::vector<std::string> open_loops() {
     std::map<std::string, double> home;
     for (int index = 0; index < model_->njnt; ++index) {

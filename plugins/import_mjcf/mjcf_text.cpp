@@ -76,14 +76,14 @@ Schema printed_schema() {
   return schema;
 }
 
-// Whether MuJoCo 2.2 knows an attribute of an element; of one that it does not know, too.
+// Returns whether MuJoCo 2.2 knows an attribute of an element, or does not know the element.
 bool knows_attribute(const std::string& element, const std::string& attribute) {
   static const Schema kSchema = printed_schema();
   const auto known = kSchema.find(element);
   return known == kSchema.end() || known->second.contains(attribute);
 }
 
-// What would change the robot if it were left out for a slip of the pen.
+// Returns whether an attribute is a misspelt one that changes the robot.
 bool is_slip(const std::string& attribute) {
   static const std::vector<std::string> kNeeded = {
       "range",    "axis",      "pos",         "quat",    "euler",      "fromto",   "xyaxes",
@@ -123,7 +123,8 @@ class Writer {
   MjcfText write(const fs::path& file) {
     with_document(file, [&](const pugi::xml_node& root) {
       line("<mujoco" + attributes(root) + ">", root);
-      // What later versions of MuJoCo do; and no inertia is worth a refusal.
+      // Options that are defaults in later versions of MuJoCo; wrong inertia is corrected, not
+      // refused.
       line(
           "<compiler autolimits=\"true\" balanceinertia=\"true\" boundmass=\"0.001\" "
           "boundinertia=\"0.001\"/>",
@@ -271,11 +272,11 @@ class Writer {
     std::string text;
   };
 
-  fs::path folder_;  ///< Of the first file.
+  fs::path folder_;  ///< Folder of the first file.
   const FaultyMeshes& faulty_;
   std::vector<Source> files_;  ///< The first, and what it includes down to where we are.
   std::string mesh_folder_;
-  std::map<std::string, int> references_;  ///< How many geometries name a mesh.
+  std::map<std::string, int> references_;  ///< Number of geometries per mesh.
   MjcfText result_;
 };
 

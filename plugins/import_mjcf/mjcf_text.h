@@ -13,10 +13,10 @@ using FaultyMeshes = std::map<std::string, std::string>;
 
 /// A mesh that a file names.
 struct MjcfMesh {
-  std::filesystem::path file;  ///< Where it must be; absolute.
+  std::filesystem::path file;  ///< Absolute path where it must be.
   std::string place;           ///< "FILE:LINE" of the element.
   bool missing = false;
-  int geometries = 0;  ///< How many name it.
+  int geometries = 0;  ///< Number of geometries that name it.
 };
 
 /// Bodies, or sites, that are kept together.

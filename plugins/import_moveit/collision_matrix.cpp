@@ -40,7 +40,7 @@ struct Matrix {
     return decision(a, b).value_or(false);
   }
 
-  // Nothing if it says nothing of the pair.
+  // Returns the decision on a pair; nothing if the matrix has none.
   [[nodiscard]] std::optional<bool> decision(const std::string& a, const std::string& b) const {
     if (const auto pair = pairs.find(std::minmax(a, b)); pair != pairs.end()) {
       return pair->second;

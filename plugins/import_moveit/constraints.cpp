@@ -65,7 +65,7 @@ Eigen::Vector3d half_sides(const YamlElement& element, const geometric::Shape& s
   element.refuse("a cone", "a box, a sphere or a cylinder");
 }
 
-// The same along the goal's axes. @param R_GQ of the region in the goal.
+// Returns the tolerance along the goal's axes. @param R_GQ of the region in the goal.
 Eigen::Vector3d tolerance_of(const YamlElement& element, const geometric::Shape& shape,
                              const Eigen::Matrix3d& R_GQ) {
   if (const auto* sphere = std::get_if<geometric::Sphere>(&shape)) {
@@ -127,7 +127,7 @@ std::vector<Primitive> region_of(const YamlElement& constraint, const Frames& fr
   return primitives;
 }
 
-// Of the link, where it has to be.
+// Returns the point of the link that the constraint positions.
 Eigen::Vector3d target_point(const YamlElement& constraint) {
   const auto offset = constraint.find("target_point_offset");
   return offset ? read_point(*offset) : Eigen::Vector3d::Zero();
@@ -211,7 +211,7 @@ std::vector<Cone> cones_within(const YamlElement& constraint) {
   }
 }
 
-// Of the link, for each cone one.
+// Returns the link's orientation constraints, one for each cone.
 std::vector<geometric::OrientationConstraint> orientations_of(const YamlElement& constraint,
                                                               const Frames& frames) {
   constexpr double kRightAngle = 0.5 * std::numbers::pi;

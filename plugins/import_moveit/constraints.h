@@ -8,7 +8,7 @@
 
 namespace handway::import_moveit {
 
-/// Whether a goal (moveit_msgs/Constraints) says where a link has to be.
+/// Returns whether a goal (moveit_msgs/Constraints) constrains the pose of a link.
 [[nodiscard]] bool has_pose(const geometric::YamlElement& goal);
 
 /// The poses of such a goal: one position constraint, one orientation constraint or one of each, of
@@ -23,8 +23,8 @@ namespace handway::import_moveit {
                                                                const geometric::RobotModel& model,
                                                                const Frames& frames);
 
-/// What such a message asks for all along a path: where a link's point is (position constraints)
-/// and how the link is turned (orientation constraints).
+/// Reads constraints that hold all along a path: the position of a link's point (position
+/// constraints) and the orientation of a link (orientation constraints).
 ///
 /// Tolerances become cones: of one axis of the link, if it may turn about that freely, else of two.
 /// They are the largest that are inside of what the message allows; but about the y axis, where

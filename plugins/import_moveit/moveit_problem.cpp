@@ -388,7 +388,7 @@ class ProblemReader {
     }
   }
 
-  // Of another variant of the robot, mostly: of a gripper that this one has not.
+  // Reports unknown joints: mostly those of another variant of the robot, such as its gripper.
   void note_unknown_joints() {
     if (!unknown_joints_.empty()) {
       scene_->warnings.push_back(
@@ -404,7 +404,7 @@ class ProblemReader {
   fs::path folder_;
   YamlElement top_;
   std::optional<YamlElement> request_;
-  std::vector<YamlElement> goals_;  ///< Of the request, those that are used.
+  std::vector<YamlElement> goals_;  ///< Goals of the request that are used.
   std::shared_ptr<geometric::Scene> scene_ = std::make_shared<geometric::Scene>();
 };
 

@@ -62,7 +62,7 @@ void remark(const std::string& kind, const std::string& where);
 /// `request0001.yaml`.
 struct ProblemFiles {
   std::filesystem::path scene;
-  std::optional<std::filesystem::path> request;  ///< Nothing: a scene without a query.
+  std::optional<std::filesystem::path> request;  ///< Empty: a scene without a query.
 };
 
 /// Does the file begin like a moveit_msgs/PlanningScene or MotionPlanRequest, and not like

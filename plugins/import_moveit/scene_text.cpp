@@ -212,7 +212,7 @@ class SceneText {
   fs::path file_;
   std::vector<std::string> lines_;
   std::size_t line_ = 0;
-  std::vector<std::string> words_;  ///< Of the line.
+  std::vector<std::string> words_;  ///< Words of the line.
   std::size_t at_ = 0;              ///< The next of these.
 };
 

@@ -5,7 +5,7 @@
 
 namespace handway::import_moveit {
 
-/// Whether a file is a scene as RViz' MotionPlanning panel exports it (.scene).
+/// Returns whether a file is a scene as RViz' MotionPlanning panel exports it (.scene).
 [[nodiscard]] bool is_scene_text(const std::filesystem::path& file);
 
 /// Such a scene as a moveit_msgs/PlanningScene (YAML) for the robot that $HANDWAY_ROBOT names: the

@@ -34,13 +34,13 @@ struct Reach {
   double radius = 0.0;                               ///< m
 };
 
-/// Of the robot with all joints stretched, and as much again for what it carries.
+/// Returns the reach with all joints stretched, and as much again for what the robot carries.
 [[nodiscard]] Reach reach_of(const geometric::RobotInstance& robot);
 
 /// The frame that a message's `header` names; nothing if it names none.
 [[nodiscard]] std::optional<std::string> frame_name(const geometric::YamlElement& message);
 
-/// Where the frame of a message's `header` is in the world; "world" if it names none.
+/// Returns the pose in the world of the frame in a message's `header`; "world" if it names none.
 /// @throws InputError if there is no such frame.
 [[nodiscard]] geometric::Pose frame_of(const geometric::YamlElement& message, const Frames& frames);
 
@@ -52,16 +52,16 @@ struct Reach {
 /// A collision object by its id: what later messages may move, add to or remove.
 struct WorldObject {
   geometric::Pose X_PO = geometric::Pose::Identity();  ///< In the world, or in the link.
-  std::vector<geometric::Pose> X_OS;                   ///< Of its shapes, as World::names has them.
+  std::vector<geometric::Pose> X_OS;                   ///< Poses of its shapes, see World::names.
 };
 
-/// What objects are read into.
+/// World into which objects are read.
 struct World {
   const Frames& frames;
-  std::filesystem::path folder;  ///< Of the problem, for meshes.
-  Reach reach;                   ///< How far planes go.
+  std::filesystem::path folder;  ///< Problem's folder, for meshes.
+  Reach reach;                   ///< Size of drawn planes.
   geometric::Scene& scene;
-  ObjectNames names = {};                           ///< Of what has been added.
+  ObjectNames names = {};                           ///< Names of the objects added so far.
   std::map<std::string, WorldObject> objects = {};  ///< By their ids.
 };
 

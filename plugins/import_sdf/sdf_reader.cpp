@@ -278,7 +278,7 @@ class Reader {
     }
   }
 
-  // What is only seen may be missing.
+  // Visual geometry may be missing.
   void add_seen(const sdf::Visual& visual, geometric::Link& link, const geometric::Color& color) {
     try {
       add_geometry(visual, link.name, link.visual, color);
@@ -404,8 +404,8 @@ class Reader {
     return joint;
   }
 
-  // Of SDF 1.11: follower = multiplier * (leader - reference) + offset. To this libsdformat it is
-  // an element that it does not know.
+  // Reads the mimic joint of SDF 1.11: follower = multiplier * (leader - reference) + offset. To
+  // this libsdformat it is an element that it does not know.
   std::optional<geometric::Mimic> mimic_of(const sdf::JointAxis& axis, const std::string& name) {
     const sdf::ElementPtr element = axis.Element();
     if (!element || !element->HasElement("mimic")) {

@@ -26,7 +26,7 @@ class Draws {
         planning::HandSpace hand)
       : context_(context), region_(region), hand_(hand) {}
 
-  /// Where a sampler of states takes them from.
+  /// Makes the sampler from which a sampler of states draws.
   [[nodiscard]] std::unique_ptr<planning::TargetSampler> make_targets() {
     return std::make_unique<planning::TargetSampler>(context_, region_, hand_, next_seed());
   }

@@ -20,17 +20,17 @@ struct MethodSetting {
   double upper = 0.0;  ///< Inclusive.
 };
 
-/// What a planner goes on with, and what it shows.
+/// Properties of a planner: whether it improves paths, and which edges it shows.
 struct MethodTraits {
   bool improves = false;  ///< Can go on to a shorter path once it has one.
   bool guesses = false;   ///< Has edges that it has not checked.
 };
 
-/// One of OMPL's planners that find exact solutions on one thread.
+/// Planner of OMPL that finds exact solutions on one thread.
 struct Method {
   std::string key;      ///< In names, after "ompl-" or "ompl-pmd-".
   std::string name;     ///< OMPL's.
-  std::string summary;  ///< What it grows.
+  std::string summary;  ///< Short description of what it grows.
   ompl::base::PlannerPtr (*make)(const ompl::base::SpaceInformationPtr& information) = nullptr;
   std::vector<MethodSetting> settings;
   MethodTraits traits;

@@ -10,7 +10,7 @@ using planning::Configuration;
 
 namespace {
 
-// The same for both ways.
+// Hashes a motion; both directions have the same hash.
 std::size_t hash_of(const Configuration& a, const Configuration& b) {
   return boost::hash_range(a.begin(), a.end()) ^ boost::hash_range(b.begin(), b.end());
 }

@@ -52,7 +52,7 @@ class MotionCheck final : public ompl::base::MotionValidator {
  private:
   [[nodiscard]] bool is_free(const planning::Configuration& from,
                              const planning::Configuration& to) const;
-  /// How much of the motion, in [0, 1], is free from its beginning on.
+  /// Share of the motion, in [0, 1], that is free from its beginning on.
   [[nodiscard]] double free_share(const ompl::base::State* from, const ompl::base::State* to) const;
 
   planning::PlanningContext& context_;

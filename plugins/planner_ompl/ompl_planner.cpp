@@ -177,7 +177,7 @@ std::vector<std::pair<int, int>> Search::edges_of(const ob::PlannerData& graph,
   return edges;
 }
 
-// Of a graph of guesses only what was found free is shown, with both ends of the problem.
+// Publishes the graph; of unchecked edges only those found free, with both ends of the problem.
 void Search::publish_graph() {
   ob::PlannerData graph(information_);
   planner_->getPlannerData(graph);

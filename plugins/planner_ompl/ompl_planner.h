@@ -21,10 +21,10 @@
 
 namespace handway::planner_ompl {
 
-/// How many samples a search may draw.
+/// Limits of the number of samples of a search.
 struct SampleBudget {
   int all = 1000000;
-  int improvement = 0;  ///< Of these after the first path. 0: the first path is taken.
+  int improvement = 0;  ///< Part of `all` after the first path; 0: stop at it.
 };
 
 /// One run of one of OMPL's planners.
@@ -68,7 +68,7 @@ class Search {
   std::optional<std::uint64_t> first_path_at_;  ///< Samples drawn by then.
 };
 
-/// One of OMPL's planners over all joints or over the controls of the paper's method
+/// Planner of OMPL over all joints or over the controls of the paper's method
 /// (planning::make_control_space), with Handway's collision checker and exact motion checks. Only
 /// exact solutions count; they are smoothed like those of every other planner.
 ///
@@ -93,7 +93,7 @@ class OmplPlanner final : public planning::Planner {
 
   const Method& method_;
   planning::HandSpace space_;
-  std::vector<std::variant<int, double>> values_;  ///< Of the method's settings.
+  std::vector<std::variant<int, double>> values_;  ///< Values of the method's settings.
   SampleBudget budget_;
   planning::TargetRegion region_ = {.near_ends = 0.5, .max_pmds = 4};
 };

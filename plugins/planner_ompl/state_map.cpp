@@ -52,8 +52,8 @@ class SampledSpace final : public ompl::base::RealVectorStateSpace {
     return ssa_ ? ssa_(this) : RealVectorStateSpace::allocDefaultStateSampler();
   }
 
-  // Of one or two dimensions OMPL 1.5 takes an identity projection that fails an assertion before
-  // its set-up; keeping all components is the same.
+  // For one or two dimensions OMPL 1.5 takes an identity projection that fails an assertion before
+  // its set-up; keeping all components is equivalent.
   void registerProjections() override {
     if (getDimension() > 2) {
       RealVectorStateSpace::registerProjections();

@@ -126,7 +126,7 @@ class LenientInput final : public SoInput {
   }
 };
 
-// What would make Coin take points from memory that is not the file's.
+// Refuses indices that would make Coin take points from outside of the file's memory.
 class IndexCheck {
  public:
   explicit IndexCheck(SoCallbackAction& action) {
@@ -255,7 +255,7 @@ struct Collector {
   }
 };
 
-// Of the material with that index, or of the first one if there are not so many.
+// Colour of the material with that index, or of the first one if the index is too large.
 std::array<float, 4> material_color(SoCallbackAction& action, int index) {
   SbColor ambient;
   SbColor diffuse;

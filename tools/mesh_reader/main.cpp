@@ -109,8 +109,8 @@ void read_one(const Order& order) {
   }
 }
 
-// What a file has made of the process must not be seen by the next one's: no destructors, no exit
-// handlers.
+// Reads one file in this process, which then ends without destructors and exit handlers: its state
+// must not affect the next file.
 [[noreturn]] void be_reader(const Order& order) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::close(kMeshReaderSocket);

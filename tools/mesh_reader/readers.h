@@ -6,7 +6,7 @@
 
 namespace handway::mesh_reader {
 
-/// What every process needs of assimp and Coin, done once for all of them.
+/// Prepares assimp and Coin, once for all processes.
 void prepare_assimp();
 void prepare_inventor();
 

@@ -11,7 +11,7 @@
 
 namespace handway::mesh_reader {
 
-/// Why a file is refused, as geometric::InputProblem.
+/// Refusal of a file, with the fields of geometric::InputProblem.
 class Refusal : public std::runtime_error {
  public:
   Refusal(std::string source, const std::string& found, std::string expected, std::string advice)

@@ -60,7 +60,7 @@ class MinimumJerkMoves {
 
   MovePace pace_;
   SeededRandom random_;
-  std::vector<std::vector<std::size_t>> parts_;  ///< Of each coordinate, still to be visited.
+  std::vector<std::vector<std::size_t>> parts_;  ///< Per coordinate, still to be visited.
   Eigen::VectorXd from_;
   Eigen::VectorXd to_;
   double begin_ = 0.0;
