@@ -45,7 +45,7 @@ class PalmKinematics {
 /// Bending of a finger by its joints, in the palm's frame: by those that turn about the axis that
 /// most of its joints have in common.
 struct FingerBend {
-  Eigen::Vector3d axis = Eigen::Vector3d::Zero();     ///< Of length 1; zero: nothing bends it.
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();     ///< Unit vector, or zero if nothing bends it.
   Eigen::Vector3d knuckle = Eigen::Vector3d::Zero();  ///< Position of the first bending joint, m.
   /// The finger's variables where its phalanges are in line, rad: shape [variables].
   std::vector<double> straight;

@@ -135,7 +135,7 @@ std::vector<std::string> parameter_values(const YamlElement& element, const Para
   return values;
 }
 
-// What a problem's name stands for, or why there is no such file.
+// File that a problem's name stands for, or the reason why there is none.
 struct Found {
   fs::path file;
   std::string fault;

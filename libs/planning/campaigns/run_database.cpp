@@ -213,7 +213,7 @@ std::string digests_of(const CampaignProblem& problem) {
   return lines;
 }
 
-// What differs first between two such texts.
+// Returns the first line that differs between two descriptions.
 std::string first_difference(const std::string& before, const std::string& now) {
   std::istringstream old_lines(before);
   std::istringstream new_lines(now);
@@ -246,7 +246,7 @@ ParameterTexts parameters_in(const std::string& text) {
 
 using Key = std::tuple<std::int64_t, std::int64_t, std::uint64_t>;
 
-// Of a row that begins with problem, planner and seed.
+// Reads the key of a row that begins with problem, planner and seed.
 Key key_in(const Statement& row) {
   return {row.getColumn(0).getInt64(), row.getColumn(1).getInt64(), seed_in(row, 2)};
 }

@@ -43,7 +43,7 @@ PoseGoalMiss miss_at(const Scene& scene, const PoseGoal& goal, const Configurati
   return miss_of(goal, robot.X_WB * X_BL[link]);
 }
 
-// What is left of a miss beyond the tolerances, one radian counting as 0.3 m.
+// Returns the part of a miss beyond the tolerances, one radian counting as 0.3 m.
 double excess(const PoseGoal& goal, const PoseGoalMiss& miss) {
   constexpr double kWeight = 0.3;  // m/rad
   const auto beyond = [](const Eigen::Vector3d& by, const Eigen::Vector3d& tolerance) {
@@ -113,7 +113,7 @@ class GoalPoseSearch {
     return scene_.group.empty() || !joints_for(goal.link).empty();
   }
 
-  // Those that move the link; none stands for all.
+  // Names of the moving joints that move the link; an empty list stands for all joints.
   [[nodiscard]] std::vector<std::string> joints_for(const std::string& link) const {
     std::vector<std::string> joints;
     if (scene_.group.empty()) {

@@ -41,7 +41,7 @@ void keep_loaded(shared_library library) {
   libraries.push_back(std::move(library));
 }
 
-// Of the library with this code: programs that are not ours, such as Python, load it.
+// Folder of the library with this code: other programs, such as Python, load it too.
 fs::path library_folder() {
   return fs::path(boost::dll::this_line_location().string()).parent_path();
 }
@@ -271,7 +271,7 @@ LoadedScene read_any(const fs::path& file, const PluginManager& plugins) {
   refuse(file, plugins);
 }
 
-/// Whether an object has this name, or that of a further shape of it ("cell_2").
+/// Returns whether an object has this name, or that of a further shape of it ("cell_2").
 bool is_called(const std::string& object, const std::string& name) {
   const std::size_t digits = object.find_last_not_of("0123456789");
   return object == name || (object.starts_with(name + "_") && digits == name.size());

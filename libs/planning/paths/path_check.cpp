@@ -30,8 +30,8 @@ void check_end(const char* which, const Configuration& expected, const Configura
   }
 }
 
-// Whether the path ends at a goal pose, and the joints that do not move the pose's link at the
-// goal.
+// Checks that the path ends at a goal pose, and that joints that do not move the pose's link are at
+// the goal.
 void check_pose_end(const PlanningProblem& problem, const Configuration& end,
                     PathCheckResult& result) {
   const geometric::Scene& scene = *problem.scene;
@@ -72,7 +72,8 @@ void check_limits(const PlanningProblem& problem, const Path& path, PathCheckRes
   }
 }
 
-// Of each joint that the scene's group leaves at the start, the first waypoint that moves it.
+// Reports, for each joint that the scene's group leaves at the start, the first waypoint that moves
+// it.
 void check_group(const PlanningProblem& problem, const Path& path, PathCheckResult& result) {
   for (int v = 0; v < problem.model().variable_count(); ++v) {
     const auto moved = std::ranges::find_if(path.waypoints, [&](const Configuration& q) {
@@ -147,7 +148,7 @@ class Walk {
     }
   }
 
-  // Of the configuration in place.
+  // Describes the fault of the configuration in place.
   [[nodiscard]] std::string fault(int pair, std::size_t stretch) const {
     if (const geometric::LinkConstraint* constraint = checker_.world().constraint(pair)) {
       return fmt::format("Constraint {} is violated after waypoint {}: {}.", constraint->name(),
@@ -183,7 +184,7 @@ std::string turn_fault(const geometric::RobotModel& model, const Configuration& 
 
 namespace {
 
-// What samples can miss, however close they are: a motion past something thin.
+// Finds collisions between samples, however close they are: a motion past something thin.
 void certify(const PlanningProblem& problem, const Path& path, const std::stop_token& stop,
              PathCheckResult& result) {
   const auto conflict =

@@ -173,7 +173,7 @@ class TableReader {
       if (count == 0) {
         continue;
       }
-      // Of a coupled joint the first column is enough.
+      // The first column of a coupled joint is enough.
       const bool is_own = model_.variable_link(model_.drive(link).variable) == link;
       columns_.append_link(link, is_own ? count : 1);
       links_.push_back(link);

@@ -163,8 +163,8 @@ void PathOptimizer::shorten(std::uint64_t checks) {
   }
 }
 
-// What lies between two waypoints is replaced by the straight motion, or else what lies between
-// each of them and the one in the middle.
+// Replaces the path between two waypoints by the straight motion, or else the parts between each of
+// them and the middle one.
 void PathOptimizer::prune(std::size_t first, std::size_t last) {
   if (last - first < 2 || is_over()) {
     return;
@@ -207,7 +207,7 @@ std::optional<PathOptimizer::Replacement> PathOptimizer::draw_replacement() {
   return replacement(from, to, draw_inner(from, to));
 }
 
-// What a stretch could be instead, its ends apart.
+// Draws the inner points of an alternative stretch, without its ends.
 std::vector<Objective::Point> PathOptimizer::draw_inner(const Place& from, const Place& to) {
   constexpr double kHandLaterOrSooner = 0.15;
   const PlanningProblem& problem = context_.problem();

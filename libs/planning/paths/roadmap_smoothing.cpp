@@ -7,7 +7,7 @@
 namespace handway::planning {
 namespace {
 
-// Of configurations looked at before a motion is certified.
+// Spacing of the configurations that are checked before a motion is certified.
 constexpr double kPlausibleSpacing = 0.1;
 
 /// The nodes of a path and the motions between them, assumed free until the cheapest path leads
@@ -103,8 +103,8 @@ class PathRoadmap {
   PlanningContext& context_;
   const std::vector<Configuration>& nodes_;
   bool both_ways_;
-  std::vector<double> lengths_;  ///< Of motions; row from, column to, where from < to.
-  std::vector<Motion> motions_;  ///< The same.
+  std::vector<double> lengths_;  ///< Length of motions; row from, column to, where from < to.
+  std::vector<Motion> motions_;  ///< Motions, in the layout of `lengths_`.
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ constexpr int kEntries = 3;       // tried at each place
 constexpr std::array<double, 4> kRetreats = {0.0, 0.05, 0.12, 0.25};  // normalised joints
 constexpr std::uint64_t kMostChecks = 60;                             // of one motion
 
-// As near to `at` as bisection finds, on the line to `at` moved by `step`.
+// Finds by bisection the free point nearest to `at` on the line to `at` moved by `step`.
 Point nearest_free(PlanningContext& context, const Objective& objective, const Point& at,
                    const Eigen::VectorXd& step, Point free) {
   double colliding = 0.0;
@@ -108,7 +108,7 @@ struct Entries {
   std::vector<Configuration> from_goal;
 };
 
-// How the hand gets into the PMD subspace at both ends; nothing if there is nothing to gain.
+// Entries of the hand into the PMD subspace at both ends; nothing if they bring no gain.
 std::optional<Entries> subspace_entries(PlanningContext& context, const ObjectiveWeights& weights) {
   const PlanningProblem& problem = context.problem();
   if (!problem.basis || weights.human_likeness <= 0.0) {
@@ -136,7 +136,7 @@ Path with_entries(const Entries& entries, const Path& between) {
 struct Participant {
   std::string name;
   int first_round;
-  std::uint64_t fork;  ///< Of the run's seed; 0: the seed itself.
+  std::uint64_t fork;  ///< Fork of the run's seed; 0: the seed itself.
   HandSpace hand;
   RrtConnectSettings settings;
 };
@@ -154,7 +154,7 @@ std::vector<Participant> participants(CorridorForm form, bool has_basis) {
   constexpr HandSpace kAll = HandSpace::kAllJoints;
   const RrtConnectSettings expansive = without_limit(
       {.range = 0.1, .expansions = 1.0, .region = {.corridor = static_cast<int>(form)}});
-  // Where no way leads along the corridor, as around a wall, trees soon find one far from it.
+  // If the corridor contains no path, for example around a wall, trees soon find one far from it.
   const RrtConnectSettings corridor = without_limit({.region = {.anywhere = 0.5}});
   return {
       {"trees in the joint corridor", 0, 0, kPmds, corridor},
@@ -229,7 +229,7 @@ class AutoPlanner final : public BuiltInPlanner {
   }
 
  private:
-  int max_samples_ = 1000000;  ///< Of all searches together.
+  int max_samples_ = 1000000;  ///< Limit of all searches together.
   int smoothing_checks_ = 800;
   bool cartesian_ = true;  ///< Expansive trees grow in poses of the arm's tool.
 };

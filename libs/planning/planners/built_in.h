@@ -15,7 +15,7 @@ namespace handway::planning {
   return space == HandSpace::kPrincipalDirections;
 }
 
-/// What a planner that ships says of itself.
+/// Planner with the name, description and capabilities given to its constructor.
 class BuiltInPlanner : public Planner {
  public:
   BuiltInPlanner(std::string name, std::string description, PlannerCapabilities capabilities)
@@ -44,7 +44,7 @@ class BuiltInPlanner : public Planner {
 [[nodiscard]] std::unique_ptr<Planner> make_auto_planner();
 inline constexpr const char* kAutoPlanner = "auto";  ///< Its name.
 
-/// Where each search of that planner begins to draw from, in the order of NodeEvent::search.
+/// Initial region of each search of that planner, in the order of NodeEvent::search.
 [[nodiscard]] std::vector<TargetRegion> regions_of_auto_planner();
 
 /// The paper's planner: a probabilistic roadmap of hand-arm configurations, the

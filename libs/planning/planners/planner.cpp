@@ -36,7 +36,7 @@
 namespace handway::planning {
 namespace {
 
-// How far searches came from both ends, of several the farthest; nothing if none has both ends. The
+// Progress of the searches from both ends, that of the best one; nothing if none has both ends. The
 // first node of a search is taken for its start, the second for its goal.
 std::optional<SearchReach> reach_of(const PlanningProblem& problem,
                                     const RecordedRoadmap& roadmap) {
@@ -91,8 +91,8 @@ std::optional<SearchReach> reach_of(const PlanningProblem& problem,
   return reach;
 }
 
-// Why no motion leads from the start to the goal; empty if that is not known. What is inside of a
-// closed surface comes out of it through the surface only.
+// Proves that no motion leads from the start to the goal; empty if that is not known. A body inside
+// of a closed surface can leave it through the surface only.
 std::string proof_of_infeasibility(const PlanningProblem& problem) {
   const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
   const std::vector<geometric::Enclosed> at_start = checker->enclosed(problem.start);
@@ -160,7 +160,7 @@ PlanStatistics with_names(PlanStatistics statistics, const geometric::CollisionW
   return statistics;
 }
 
-// How the search ended, for a planner that has nothing to add.
+// Describes the end of the search, for a planner that has nothing to add.
 std::string reason_of(const PlanResult& result, PlanningContext& context) {
   const std::string samples = context.statistics().samples_text();
   switch (result.status) {

@@ -95,7 +95,7 @@ class LazySearch final : public Search {
     add_node(*q, target);
   }
 
-  // What is refused is taken out of the roadmap. All edges are sampled before any is made certain.
+  // Removes refused edges from the roadmap. All edges are sampled before any is made certain.
   [[nodiscard]] bool is_free(const std::vector<int>& nodes) {
     for (const bool exactly : {false, true}) {
       for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {

@@ -21,8 +21,8 @@ namespace lines = algorithm_lines;
 
 constexpr int kStart = 0;
 constexpr int kGoal = 1;
-// Where growth without limit ends, for the sake of the arithmetic. Joints lie in [0, 1]: long
-// before, all samples are corners of the arm's joint ranges.
+// Limit of unlimited growth, for the sake of the arithmetic. Joints lie in [0, 1]: long before, all
+// samples are corners of the arm's joint ranges.
 constexpr double kUnlimitedRho = 1e6;
 
 /// When numSamples is compared with N.
@@ -113,7 +113,7 @@ class RoadmapSearch {
     }
   }
 
-  // Of the budget N, for the trials of one arm configuration.
+  // Remaining budget N for the trials of one arm configuration.
   [[nodiscard]] int trials_left() {
     return each_trial_counts_ ? settings_.max_samples - static_cast<int>(statistics().samples)
                               : settings_.n_h;
@@ -249,7 +249,7 @@ class RoadmapSearch {
     return std::pair(trial(*trials.index), hand_dimension(*trials.index) - free_joints);
   }
 
-  // What became of the trials, the free one last.
+  // Reports the results of the trials, the free one last.
   void tell_trials(const MotionValidator::FirstFree& trials,
                    const std::function<Configuration(int)>& trial, double step) {
     const int rejected = static_cast<int>(trials.rejecting_pairs.size());
@@ -374,7 +374,7 @@ class RoadmapSearch {
   std::uint64_t arm_draw_count_ = 0;
   std::uint64_t hand_draw_count_ = 2;  ///< Begins as numSamples does.
   Roadmap<> roadmap_{joints_->periods()};
-  std::vector<double> steps_;  ///< Where on the arm segment each node was drawn.
+  std::vector<double> steps_;  ///< Place of each node on the arm segment.
 };
 
 class PmdPrm final : public BuiltInPlanner {

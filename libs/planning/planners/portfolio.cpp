@@ -79,7 +79,7 @@ std::optional<PlanStatus> Portfolio::run_round(int round) {
       runs.push_back(run.get());
     }
   }
-  // What did not do soon is better not waited for.
+  // A member that found nothing soon gives way to the others.
   if (round >= kLeadRounds && runs.size() > 1 && runs.front() == runs_.front().get()) {
     std::rotate(runs.begin(), runs.begin() + 1, runs.end());
   }
@@ -107,7 +107,7 @@ std::optional<PlanStatus> Portfolio::run_round(int round) {
   return winner_ ? std::optional(PlanStatus::kSolved) : context_.interruption();
 }
 
-// Those after the first that solves are stopped, and what they did does not count.
+// Stops the members after the first that solves, and ignores their results.
 void Portfolio::advance(const std::vector<Run*>& runs, const SearchBudget& budget) {
   for (Run* run : runs) {
     if (!run->context) {

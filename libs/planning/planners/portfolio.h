@@ -54,7 +54,7 @@ class Portfolio {
   PlanningContext& context_;
   std::uint64_t samples_;
   std::vector<std::unique_ptr<Run>> runs_;
-  PlanStatistics before_;  ///< What the context had done before the portfolio.
+  PlanStatistics before_;  ///< Statistics of the context before the portfolio.
   const Run* winner_ = nullptr;
 };
 

@@ -119,7 +119,7 @@ std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::Vect
   const double length = (end - begin).norm();
   Eigen::VectorXd x = begin + std::min(1.0, range / std::max(length, 1e-12)) * (end - begin);
   const std::optional<Configuration> q = targets_.configuration(x, trees_.configuration(from));
-  // What constraints take aside has to get nearer nevertheless.
+  // A configuration that was projected onto the constraints still has to be nearer to the target.
   if (!q || (end - x).norm() > length - kLeastGain * std::min(range, length) || !sample_free(*q) ||
       !passable(trees_.configuration(from), *q, std::min(range, length))) {
     return std::nullopt;

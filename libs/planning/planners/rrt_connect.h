@@ -11,8 +11,8 @@
 
 namespace handway::planning {
 
-/// Of a BidirectionalSearch. Lengths in joints normalised to [0, 1]; with a
-/// Cartesian corridor the arm's as make_corridor_space() has them.
+/// Settings of a BidirectionalSearch. Lengths in joints normalised to [0, 1]; with a Cartesian
+/// corridor the arm's as make_corridor_space() has them.
 struct RrtConnectSettings {
   double range = 0.3;   ///< Longest step of a tree.
   int refinements = 0;  ///< Steps tried, each a quarter of the one before, when one is not free.
@@ -76,7 +76,7 @@ class BidirectionalSearch final : public Search {
   TargetSampler targets_;
   const CorridorSpace& space_;
   TreePair trees_;
-  sampling::RandomStream choices_;  ///< Of how trees grow.
+  sampling::RandomStream choices_;  ///< Random choices of the trees' growth.
   std::vector<int> expansions_;     ///< Tried from each node.
   int sample_ = 0;
   int failures_ = 0;  ///< Draws since one was of use.

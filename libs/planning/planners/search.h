@@ -9,7 +9,7 @@
 
 namespace handway::planning {
 
-/// How far a search may go before it pauses.
+/// Budget of a search until it pauses.
 struct SearchBudget {
   std::uint64_t checks = std::numeric_limits<std::uint64_t>::max();   ///< Configurations.
   std::uint64_t samples = std::numeric_limits<std::uint64_t>::max();  ///< Draws.
@@ -47,13 +47,13 @@ class Search {
   [[nodiscard]] virtual Path path() const = 0;
 
  protected:
-  /// Of configurations looked at on motions that are certified later; normalised joints.
+  /// Spacing of configurations checked on motions that are certified later; normalised joints.
   static constexpr double kProbeSpacing = 0.05;
 
   [[nodiscard]] PlanningContext& context() const { return context_; }
   [[nodiscard]] PlanStatistics& statistics() const { return context_.statistics(); }
 
-  // As the validator's, but what touches goes to the statistics' rejections.
+  // Checks as the validator does, and adds colliding pairs to the statistics' rejections.
   [[nodiscard]] bool sample_free(const Configuration& q) {
     return !rejected(context_.validator().collision(q), q);
   }

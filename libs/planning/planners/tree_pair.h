@@ -75,8 +75,8 @@ class TreePair {
   void assign_trees();
 
   std::vector<Node> nodes_;
-  std::array<std::vector<int>, 2> members_;  ///< Of each tree.
-  std::array<Neighbours, 2> neighbours_;     ///< Those that were in each tree once.
+  std::array<std::vector<int>, 2> members_;  ///< Nodes of each tree.
+  std::array<Neighbours, 2> neighbours_;     ///< Nodes that were ever in each tree.
 };
 
 }  // namespace handway::planning

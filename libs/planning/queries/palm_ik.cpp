@@ -30,13 +30,13 @@ std::vector<int> ancestors(const RobotModel& model, int link) {
   return chain;
 }
 
-// Those of a list that are in `others`, too.
+// Returns the elements of a list that are in `others`, too.
 std::vector<int> shared_by(std::vector<int> list, const std::vector<int>& others) {
   std::erase_if(list, [&](int one) { return std::ranges::count(others, one) == 0; });
   return list;
 }
 
-// Of these variables those that move the link.
+// Returns those of the variables that move the link.
 std::vector<int> that_move(const RobotModel& model, int link, const std::vector<int>& variables) {
   return shared_by(geometric::chain_variables(model, link), variables);
 }

@@ -37,7 +37,7 @@ class SceneChanges {
   /// An object was moved, added or removed.
   void note(const std::string& object) { last_change_[object] = ++revision_; }
 
-  /// Of the scene as it is; 0 before the first change.
+  /// Revision of the present scene; 0 before the first change.
   [[nodiscard]] int revision() const { return revision_; }
 
   /// The revision that the last change of `object` made; 0: it never changed.
@@ -64,7 +64,7 @@ class SceneChanges {
   std::map<std::string, int> last_change_;
 };
 
-/// What is known of whether a node or an edge of a roadmap is free, and since when.
+/// Cached validity of a node or an edge of a roadmap, with the scene's revision.
 struct ValidityState {
   static constexpr int kNever = -1;
 
@@ -107,9 +107,9 @@ class RoadmapGraph : public Roadmap<ValidityState> {
     return node;
   }
 
-  /// Which edges a path may take.
+  /// Edges that a path may take.
   enum class Edges {
-    kOnceFree,  ///< Those found free before.
+    kOnceFree,  ///< Edges found free before.
     kAny,       ///< Others too, as if they were much longer.
   };
   /// The shortest path over what is not refused, by A*; empty if there is none.
@@ -172,7 +172,7 @@ class LazyPathValidator {
     });
   }
 
-  /// Of the edge between two nodes, added if need be. @pre both are free.
+  /// Returns whether the edge between two nodes is free; adds it if needed. @pre both are free.
   [[nodiscard]] bool edge_free(int a, int b) {
     ValidityState& validity = graph_.edge(a, b);
     return settle(validity, [&](const std::vector<int>& pairs) {
@@ -187,8 +187,8 @@ class LazyPathValidator {
     });
   }
 
-  /// Where the edge was found not to be free by this object, in [0, 1] from `a` to `b`; 0 if it
-  /// was not.
+  /// Place at which this object blocks the edge, in [0, 1] from `a` to `b`; 0 if it does
+  /// not.
   [[nodiscard]] double obstruction(int a, int b) const {
     const auto found = obstructions_.find({a, b});
     return found == obstructions_.end() ? 0.0 : found->second;
@@ -225,7 +225,7 @@ class LazyPathValidator {
     return !touching;
   }
 
-  // Whether a node or an edge is free, by what is known and `check` of the pairs that are not.
+  // Decides whether a node or an edge is free, from the cache and from `check` for unknown pairs.
   template <typename Check>
   bool settle(ValidityState& validity, const Check& check) {
     if (validity.is_refused(changes_)) {
@@ -248,7 +248,7 @@ class LazyPathValidator {
     return all;
   }
 
-  // What it was known to be free of stays known.
+  // Objects of which it was known to be free stay known.
   void refuse(ValidityState& validity, int pair) const {
     validity.refused_at = changes_.revision();
     validity.refused_by.clear();
@@ -261,7 +261,7 @@ class LazyPathValidator {
     }
   }
 
-  // Of the motion from node `a` to `b`.
+  // Returns the end of the motion from node `a` to `b`.
   [[nodiscard]] Configuration end_of(int a, int b) const {
     return context_.problem().model().nearest_equivalent(graph_.configuration(a),
                                                          graph_.configuration(b));
@@ -493,14 +493,14 @@ struct DynamicRoadmap::Replanner final : public Planner {
   }
 
   PlanningProblem problem;
-  std::unique_ptr<Planner> planner;  ///< Of the first path, and where repair fails.
+  std::unique_ptr<Planner> planner;  ///< Plans the first path, and others if repair fails.
   int max_nodes;  ///< When there are more, all but those of the last path are forgotten.
   std::unique_ptr<RoadmapGraph> graph;
   SceneChanges changes;
   Path last_path;                                             ///< Empty: none was found yet.
-  ReplanSource source = ReplanSource::kNone;                  ///< Of the path of the last query.
+  ReplanSource source = ReplanSource::kNone;                  ///< Source of the last query's path.
   std::shared_ptr<const geometric::Scene> changed = nullptr;  ///< That the problem is not of yet.
-  SearchRecorder* recorder = nullptr;                         ///< Of the query that is answered.
+  SearchRecorder* recorder = nullptr;                         ///< Recorder of the present query.
 };
 
 DynamicRoadmap::DynamicRoadmap(PlanningProblem problem, std::unique_ptr<Planner> planner,

@@ -72,7 +72,7 @@ class Nearest {
     }
   }
 
-  /// What is farther, squared, needn't be seen.
+  /// Squared distance from which points are ignored.
   [[nodiscard]] double limit() const { return limit_; }
 
   [[nodiscard]] std::vector<Neighbour> sorted() && {
@@ -132,9 +132,9 @@ struct Neighbours::Run {
     }
   }
 
-  /// Whether the next query is for the tree: unless it was of no use for the last one. In a space
-  /// of many dimensions that is filled evenly, points are too far apart for a tree to leave any
-  /// out.
+  /// Returns whether the next query uses the tree: unless it was useless for the last one. In a
+  /// space of many dimensions that is filled evenly, points are too far apart for a tree to leave
+  /// any out.
   [[nodiscard]] bool worth_it() const { return useful || queries % kTrial == 0; }
 
   template <typename Seen>

@@ -12,7 +12,7 @@
 
 namespace handway::planning {
 
-/// How far a point is, and its number.
+/// Distance and number of a point.
 using Neighbour = std::pair<double, int>;
 
 /// Points that come one by one, ready to be asked for those nearest to any point. Distances are

@@ -43,7 +43,7 @@ class Roadmap {
     return graph_[at(node)].q;
   }
   [[nodiscard]] Data& node(int node) { return graph_[at(node)].data; }
-  /// Of the undirected edge between two nodes, added if there is none. @pre a and b differ.
+  /// Returns the data of the undirected edge between two nodes, added if needed. @pre a ≠ b.
   Data& edge(int a, int b) {
     const auto [edge, is_new] = boost::add_edge(at(a), at(b), {distance(a, b), {}}, graph_);
     if (is_new) {

@@ -78,7 +78,7 @@ geometric::NumericIkOptions tracking() {
   return options;
 }
 
-// How far ρ_a, which is in normalised joints, reaches in Cartesian space.
+// Scales of ρ_a, which is in normalised joints, to Cartesian space.
 constexpr double kPositionScale = 1.0;     // m
 constexpr double kOrientationScale = 3.0;  // rad
 
@@ -130,7 +130,7 @@ class ToolSpace final : public CorridorSpace {
     return chart(X_BT.translation(), X_BT.linear());
   }
 
-  // Of all branches the posture nearest to that of `q`.
+  // Returns the posture nearest to that of `q` over all branches.
   [[nodiscard]] std::optional<Configuration> with_arm(const Configuration& q,
                                                       const Eigen::VectorXd& x) const override {
     Pose X_BT = Pose::Identity();

@@ -91,7 +91,7 @@ double TargetSampler::times_widened() const {
   return std::floor(static_cast<double>(draw_.sample) / settings_.samples_per_width);
 }
 
-// Of the first coordinates of the space. Joints without limits go around once.
+// Maps `u` to the bounds of the first coordinates. Joints without limits go around once.
 Eigen::VectorXd TargetSampler::in_bounds(const Eigen::VectorXd& u) const {
   const Eigen::VectorXd lower = space().lower().head(u.size());
   const Eigen::VectorXd range = space().upper().head(u.size()) - lower;
@@ -133,7 +133,7 @@ TargetSampler::Target TargetSampler::near_end(const Eigen::VectorXd& u) const {
   return target;
 }
 
-// Of length 1; of the arm alone or of the hand alone.
+// Unit vector that moves the arm alone or the hand alone.
 Eigen::VectorXd TargetSampler::direction(Eigen::Index size, sampling::RandomStream& draw) const {
   const auto hand_size = static_cast<Eigen::Index>(problem_.hand.size());
   const Eigen::Index arm_size = size - hand_size;

@@ -76,15 +76,15 @@ std::vector<Edge> edges_of(const Path& path) {
   return edges;
 }
 
-/// What becomes of the corner between two edges.
+/// Rounding of the corner between two edges.
 struct Corner {
-  double cut = 0.0;  ///< How much of either edge the arc takes.
+  double cut = 0.0;  ///< Length of either edge that the arc takes.
   double angle = 0.0;
   double deviation = 0.0;
   bool stop = false;
 };
 
-// How far an arc of this shape passes its waypoint, for each unit of the edges that it takes.
+// Distance of an arc of this shape from its waypoint, per length of the edges that it takes.
 double deviation_by_cut(ArcShape shape, double angle) {
   // (1 - cos h) / sin h = tan(h / 2); x³ - x⁴/2 is 3/32 in the middle, and |u - t| = 2 sin h.
   return shape == ArcShape::kCircular ? std::tan(0.25 * angle) : 0.375 * std::sin(0.5 * angle);
@@ -236,7 +236,7 @@ void check_waypoints(const PlanningProblem& problem, const Path& path) {
   }
 }
 
-// How far along the rest of an arc what changes at `rate` can't spend what is spare.
+// Largest advance along the rest of an arc that uses at most `spare` at `rate`.
 double advance_in(double rest, double spare, double rate) {
   return rate * rest <= spare ? rest : spare / rate;
 }

@@ -22,7 +22,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 constexpr std::array kRates{Rate::kVelocity, Rate::kAcceleration, Rate::kJerk};
 
-/// Of one joint, by rate; 0: not known.
+/// Rates of one joint, in the order of kRates; 0: not known.
 using JointRates = std::array<double, kRates.size()>;
 using RatesByJoint = std::map<std::string, JointRates, std::less<>>;
 

@@ -101,7 +101,7 @@ double largest_share(const Eigen::MatrixBase<Values>& values, const Eigen::Vecto
   return values.cwiseQuotient(limits).template lpNorm<Eigen::Infinity>();
 }
 
-/// What ds²/dt² may be in `cell` at speed² x, so that at its end speed² is at most `most`.
+/// Range of ds²/dt² in `cell` at speed² x, so that speed² at its end is at most `most`.
 Range accelerations(const Cell& cell, const JointKinematicLimits& limits, double x, double most) {
   Range range{-x / (2.0 * cell.width), (most - x) / (2.0 * cell.width)};
   for (Eigen::Index j = 0; j < limits.acceleration.size() && !range.empty(); ++j) {
@@ -388,7 +388,7 @@ std::vector<Knot> with_joins(const BlendedPath& path, const std::vector<Knot>& k
   return result;
 }
 
-// Of a long section only the windows around the best one so far are tried.
+// Best law so far; in a long section only the windows around it are tried.
 struct BestLaw {
   TimeParameterization law;
   std::size_t window = 0;  ///< Index of its window.

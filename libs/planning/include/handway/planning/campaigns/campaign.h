@@ -22,15 +22,15 @@ using ParameterTexts = std::vector<std::pair<std::string, std::string>>;
 struct CampaignProblem {
   std::string name;  ///< Unique in the campaign.
   std::filesystem::path file;
-  /// What `file` refers to: robots, meshes, bases, …, itself included; empty: not known.
+  /// Files that `file` refers to: robots, meshes, bases, …, itself included; empty: not known.
   std::vector<std::filesystem::path> files = {};
 };
 
 /// A planner with one value for each of its parameters.
 struct CampaignPlanner {
   std::string label;          ///< Unique in the campaign, for example "pmd-prm n_a=5".
-  std::string planner;        ///< As the registry calls it.
-  ParameterTexts parameters;  ///< Of every parameter, defaults included.
+  std::string planner;        ///< Key in the registry.
+  ParameterTexts parameters;  ///< Values of all parameters, defaults included.
 };
 
 /// One run of a campaign: indices into its lists.
@@ -49,8 +49,8 @@ struct HANDWAY_PLANNING_EXPORT Campaign {
   std::vector<CampaignProblem> problems;
   std::vector<CampaignPlanner> planners;
   std::vector<std::uint64_t> seeds;  ///< Each once.
-  int threads = 1;                   ///< Of a run.
-  double time_limit_s = 60.0;        ///< Of a run.
+  int threads = 1;                   ///< Threads of a run.
+  double time_limit_s = 60.0;        ///< Time limit of a run.
 
   [[nodiscard]] std::size_t run_count() const {
     return problems.size() * planners.size() * seeds.size();
@@ -65,13 +65,13 @@ struct HANDWAY_PLANNING_EXPORT Campaign {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<Planner> make_planner(
     const CampaignPlanner& entry, const PlannerRegistry& registry);
 
-/// What one run of a campaign came to. Apart from the times, the same campaign gives the
-/// same records, whatever the machine was doing, unless a run ended at its time limit.
-/// Of the statistics, rejections are left out.
+/// Result of one run of a campaign. Apart from the times, the same campaign gives the same
+/// records on any machine, unless a run ended at its time limit. The statistics have no
+/// rejections.
 struct RunRecord : PlanStatistics {
   RunSpec spec;
   bool solved = false;
-  std::string status;  ///< As to_string(PlanStatus); "refused" if the planner couldn't begin.
+  std::string status;  ///< Text by to_string(PlanStatus); "refused" if the planner couldn't begin.
   std::string reason;  ///< One sentence.
 
   double time_s = 0.0;       ///< Planning alone, wall clock.
@@ -79,10 +79,10 @@ struct RunRecord : PlanStatistics {
 
   std::uint64_t path_nodes = 0;  ///< 0: no path.
   double path_length = 0.0;      ///< In joints normalised to [0, 1]; 0: no path.
-  double resolution_mm = 0.0;    ///< Of the certificate.
+  double resolution_mm = 0.0;    ///< Resolution of the certificate.
   double min_clearance_mm = 0.0;
   std::uint64_t certificate_checks = 0;
-  std::string path;  ///< As to_csv(); empty: no path.
+  std::string path;  ///< Text by to_csv(); empty: no path.
 };
 
 /// Reads a campaign file (YAML; docs/campaigns.md).

@@ -17,7 +17,7 @@ struct Interval {
   double upper = 0.0;
 };
 
-/// Of values without NaN; infinite ones (runs that never found a path) sort last.
+/// Mean of values without NaN; infinite ones (runs that never found a path) sort last.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double mean_of(std::span<const double> values);
 
 /// With n - 1 in the denominator; NaN for fewer than two.
@@ -25,14 +25,14 @@ struct Interval {
 
 using sampling::quantile_of;
 
-/// Of the mean, by Student's t distribution. NaN for fewer than two values.
+/// Interval of the mean, by Student's t distribution. NaN for fewer than two values.
 /// @param confidence in (0, 1).
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Interval mean_interval(std::span<const double> values,
                                                              double confidence = 0.95);
 
-/// Of the chance of success after `successes` in `trials` (E. B. Wilson, "Probable
-/// inference, the law of succession, and statistical inference", JASA 22, 1927; without
-/// correction for continuity). [0, 1] without trials.
+/// Interval of the probability of success after `successes` in `trials` (E. B. Wilson, "Probable
+/// inference, the law of succession, and statistical inference", JASA 22, 1927; without correction
+/// for continuity). [0, 1] without trials.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Interval wilson_interval(std::size_t successes,
                                                                std::size_t trials,
                                                                double confidence = 0.95);
@@ -47,8 +47,8 @@ struct EcdfStep {
 /// last share is below 1 if there are some.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<EcdfStep> ecdf_of(std::span<const double> values);
 
-/// What a box plot draws (J. W. Tukey, "Exploratory Data Analysis", 1977): quartiles,
-/// whiskers at the last values within 1.5 box lengths, and the outliers beyond.
+/// Values of a box plot (J. W. Tukey, "Exploratory Data Analysis", 1977): quartiles, whiskers at
+/// the last values within 1.5 box lengths, and the outliers beyond.
 struct BoxPlot {
   double lower_whisker = 0.0;
   double lower_quartile = 0.0;
@@ -89,7 +89,7 @@ struct RunMeasure {
   std::function<double(const RunRecord&)> value;
 };
 
-/// Those that every report has, planning time first.
+/// Measures of every report, planning time first.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const std::vector<RunMeasure>& run_measures();
 
 /// The runs of a planner on a problem.
@@ -99,7 +99,7 @@ struct CampaignCell {
   std::vector<RunRecord> runs;
 
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::size_t solved() const;
-  /// Of the runs that found a path.
+  /// Values of the runs that found a path.
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> of_solved(
       const RunMeasure& measure) const;
   /// Planning times of all runs, s; of those without a path infinite.

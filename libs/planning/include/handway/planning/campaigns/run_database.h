@@ -73,7 +73,7 @@ struct ArchivedRun {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<ArchivedRun> read_runs(
     const std::filesystem::path& file);
 
-/// The same of a run that was just made.
+/// Converts the record of a new run.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT ArchivedRun archived(const Campaign& campaign,
                                                            const RunRecord& record);
 

@@ -38,12 +38,12 @@ class HANDWAY_PLANNING_EXPORT RunExecutor {
 /// thread that called carry_out(). What it throws ends the work.
 using TakeRecords = std::function<void(std::span<const RunRecord>)>;
 
-/// Those who carry out a campaign's runs: threads, or processes.
+/// Workers that carry out a campaign's runs: threads, or processes.
 class HANDWAY_PLANNING_EXPORT RunWorkers {
  public:
   virtual ~RunWorkers() = default;
 
-  /// How many runs are carried out at a time.
+  /// Number of runs that are carried out at a time.
   [[nodiscard]] virtual int count() const = 0;
 
   /// Carries out `runs`, dealt out one by one, and hands over every record as soon as it is

@@ -7,7 +7,7 @@
 
 namespace handway::planning {
 
-/// One of several arms of a robot, with the hand that it carries.
+/// Arm of a robot with several arms, with the hand that it carries.
 struct Limb {
   std::vector<int> arm;   ///< Its own variables, ascending; none that moves other arms, too.
   std::vector<int> hand;  ///< In the order of those that were given.

@@ -18,17 +18,17 @@ namespace handway::planning {
 
 class ThreadPool;
 
-/// What an end of a path keeps at least from everything, m.
+/// Least clearance of an end of a path, m.
 inline constexpr double kLeastEndClearance = 2.0 * geometric::kLeastResolution;
 
-/// Whether `q`, in which nothing collides, keeps `clearance` (m) from everything, and
+/// Returns whether `q`, which is free of collision, keeps `clearance` (m) from everything, and
 /// kLeastEndClearance from the limit of each constraint.
 [[nodiscard]] bool keeps_end_clearance(geometric::CollisionChecker& checker, const Configuration& q,
                                        double clearance);
 
-/// Whether configurations and motions of a run are valid: free of collision, obeying the scene's
+/// Checks validity of configurations and motions of a run: free of collision, obeying the scene's
 /// constraints, keeping the request's margin. Edges are certified along the whole of their motion.
-/// What is asked is counted in the run's statistics.
+/// Checks are counted in the run's statistics.
 ///
 /// For the planner's own thread.
 class HANDWAY_PLANNING_EXPORT MotionValidator {
@@ -45,20 +45,20 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   /// Start and goal, with what is so near there that edges keep less than the resolution. Empty if
   /// either is no configuration of the robot.
   [[nodiscard]] const std::vector<geometric::EdgeEnd>& ends() const { return ends_; }
-  /// Why the start (0) or the goal (1) can't be an end of a path, as "is out of limits: …"; empty
-  /// if it can.
+  /// Describes why the start (0) or the goal (1) can't be an end of a path, as "is out of limits:
+  /// …"; empty if it can.
   [[nodiscard]] std::string objection(std::size_t end);
 
   /// The pair that touches in `q`, if any.
   [[nodiscard]] std::optional<int> collision(const Configuration& q);
 
-  /// The same for pairs of the arm alone, whatever the hand does (Algorithm 1's
+  /// Returns whether pairs of the arm alone touch, whatever the hand does (Algorithm 1's
   /// SELFCOLLISION of an arm configuration).
   [[nodiscard]] bool arm_collides(const Configuration& q);
 
   /// Outcome of `count` independent configurations, the first free one in order.
   struct FirstFree {
-    std::optional<int> index;          ///< Nothing: none is free.
+    std::optional<int> index;          ///< Empty: none is free.
     std::vector<int> rejecting_pairs;  ///< One for each of those before it, in order.
   };
   /// Asks `candidate(i)` for i = 0, 1, … on all threads and stops at the first
@@ -79,7 +79,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
       const Configuration& from, const Configuration& to,
       std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
 
-  /// Whether an edge or a configuration is free of some pairs, and of which it is not.
+  /// Checks whether an edge or a configuration is free of collisions of some pairs.
   [[nodiscard]] geometric::EdgeResult edge_among(std::span<const int> pairs,
                                                  const Configuration& from,
                                                  const Configuration& to);
@@ -91,7 +91,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count) {
     return !edge_probe(from, to, count);
   }
-  /// The same; a pair that touches, if the edge fails.
+  /// Returns the first colliding pair among `count` samples on the edge, if any.
   [[nodiscard]] std::optional<int> edge_probe(const Configuration& from, const Configuration& to,
                                               int count);
 

@@ -12,7 +12,7 @@
 
 namespace handway::planning {
 
-/// How much each property of a path counts in its cost; means are over its length.
+/// Weights of the properties of a path in its cost; means are over its length.
 struct ObjectiveWeights {
   double length = 1.0;          ///< Per length in joints normalised to [0, 1].
   double human_likeness = 0.0;  ///< Per mean distance of the hand from the PMD subspace.
@@ -22,7 +22,7 @@ struct ObjectiveWeights {
   friend bool operator==(const ObjectiveWeights&, const ObjectiveWeights&) = default;
 };
 
-/// What a path is made to be.
+/// Goal of path optimisation.
 enum class ObjectivePreset {
   kHumanLike,  ///< The hand stays near the PMD subspace; without a basis as kShortest.
   kShortest,
@@ -48,7 +48,7 @@ inline constexpr double kDefaultVelocity = 1.0;
                                                             const Configuration& from,
                                                             const Configuration& to);
 
-/// What motions are judged by; of several motions these add up.
+/// Cost terms of motions; of several motions these add up.
 struct MotionSums {
   double length = 0.0;             ///< In joints normalised to [0, 1].
   double outside = 0.0;            ///< Distance of the hand from the PMD subspace, times length.
@@ -86,10 +86,10 @@ class HANDWAY_PLANNING_EXPORT Objective {
   [[nodiscard]] Point point(const Configuration& q) const;
   [[nodiscard]] Point point_of_joints(Eigen::VectorXd joints) const;
 
-  /// Of the straight motion; only what has a weight is measured, and the length.
+  /// Measures the straight motion: its length, and all terms that have a weight.
   [[nodiscard]] MotionSums measure(const Point& from, const Point& to);
 
-  /// Of a whole path.
+  /// Returns the cost of a whole path.
   [[nodiscard]] double cost(const MotionSums& path) const;
   [[nodiscard]] double cost(const Path& path);
 
@@ -121,31 +121,31 @@ class HANDWAY_PLANNING_EXPORT Objective {
   const PlanningProblem& problem_;
   ObjectiveWeights weights_;
   std::optional<sampling::PostureSubspace> subspace_;
-  Eigen::MatrixXd axes_;  ///< Of the subspace times their half-sides, shape [joints, dimension].
+  Eigen::MatrixXd axes_;  ///< Subspace's axes times half-sides, shape [joints, dimension].
   std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: clearance counts nothing.
   std::uint64_t distance_queries_ = 0;
 };
 
 /// Properties of a path that objectives are made from.
 struct PathQuality {
-  /// Of the hand along the path; means are over its length.
+  /// Likeness of the hand along the path; means are over its length.
   struct HumanLikeness {
     double mean = 0.0;     ///< Distance from the PMD subspace.
-    double largest = 0.0;  ///< The same at most, the ends' stretches excepted.
+    double largest = 0.0;  ///< Largest distance, the ends' stretches excepted.
     /// Share of the length beyond kNearSubspace, the ends' stretches excepted.
     double share_beyond = 0.0;
     /// The mean if the hand went straight to the subspace, stayed in it and left it for the goal,
     /// in a path of this length: less is not possible with these ends.
     double forced = 0.0;
-    double mahalanobis_mean = 0.0;  ///< Of its coordinates in the recorded distribution.
+    double mahalanobis_mean = 0.0;  ///< Mean Mahalanobis distance from recordings.
     double mahalanobis_largest = 0.0;
   };
 
   double length = 0.0;                          ///< Joints normalised to [0, 1].
-  std::optional<HumanLikeness> human_likeness;  ///< Nothing without a basis.
+  std::optional<HumanLikeness> human_likeness;  ///< Empty without a basis.
   /// From all but the robot itself, m; kFarClearance: that or more.
   double least_clearance = 0.0;
-  double mean_clearance = 0.0;  ///< The same over the length, each at most kFarClearance.
+  double mean_clearance = 0.0;  ///< Mean over the length, each at most kFarClearance.
   double duration = 0.0;        ///< s, as least_duration().
 };
 

@@ -12,9 +12,9 @@ struct NodeEvent {
   int id = 0;
   const geometric::Configuration& q;
   int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.
-  double step = 0.0;   ///< Where on the arm segment, [0, 1]: its hypercube or arm_progress().
+  double step = 0.0;   ///< Place on the arm segment, [0, 1]: its hypercube or arm_progress().
   double rho_a = 0.0;  ///< Half-side of the hypercube it was drawn from.
-  int search = 0;      ///< Which of several searches that run side by side found it.
+  int search = 0;      ///< Number of the search that found it, if several run in parallel.
 };
 
 class AlgorithmObserver;
@@ -26,7 +26,7 @@ class Observer {
   virtual ~Observer() = default;
   virtual void on_node(const NodeEvent& /*node*/) {}
   virtual void on_edge(int /*from*/, int /*to*/) {}
-  /// Of several searches, the one whose path is the planner's.
+  /// The search among several whose path is the planner's.
   virtual void on_winner(int /*search*/) {}
   /// The stretch of the arm segment that is still being searched.
   virtual void on_search_range(double /*d_ini*/, double /*d_goal*/) {}
@@ -48,7 +48,7 @@ struct AlgorithmLine {
   friend bool operator==(const AlgorithmLine&, const AlgorithmLine&) = default;
 };
 
-/// Where a planner can be in them when it reports something.
+/// Lines of the algorithms at which a planner reports something.
 namespace algorithm_lines {
 inline constexpr AlgorithmLine kArmFree{1, 4};         ///< Is the arm's sample free of itself?
 inline constexpr AlgorithmLine kNoArm{1, 9};           ///< All draws for the arm are spent.
@@ -66,7 +66,7 @@ inline constexpr AlgorithmLine kSearchRange{4, 23};
 inline constexpr AlgorithmLine kFailure{4, 35};
 }  // namespace algorithm_lines
 
-/// What a planner has just done in a line. What a line has nothing to do with is as below.
+/// Step that a planner has just done in a line. Fields that the line does not use are as below.
 struct AlgorithmStep {
   AlgorithmLine line;
   bool yes = true;  ///< The answer, if the line asks something.

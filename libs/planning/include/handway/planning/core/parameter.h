@@ -26,8 +26,8 @@ struct BasicParameter {
   std::string unit;   ///< Empty: a bare number.
   std::string help;   ///< One or two sentences.
   Value value;
-  double lower = 0.0;  ///< Of numbers, inclusive.
-  double upper = 0.0;  ///< Of numbers, inclusive.
+  double lower = 0.0;  ///< Least number, inclusive.
+  double upper = 0.0;  ///< Largest number, inclusive.
   /// The value that follows the published algorithm as printed, where others depart from it.
   std::string as_printed = {};
 };
@@ -49,7 +49,7 @@ HANDWAY_PLANNING_EXPORT void set_from_text(Parameter& parameter, std::string_vie
 /// The value as text that set_from_text accepts.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_text(const Parameter& parameter);
 
-/// Those whose value departs from the algorithm as printed.
+/// Returns the parameters whose value departs from the algorithm as printed.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<Parameter> departures(
     const std::vector<Parameter>& parameters);
 
@@ -57,7 +57,7 @@ HANDWAY_PLANNING_EXPORT void set_from_text(Parameter& parameter, std::string_vie
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter* parameter_called(
     const std::vector<Parameter>& parameters, std::string_view key);
 
-/// The same of one that is there.
+/// Returns the parameter called `key`. @pre there is one.
 /// @throws InputError naming the keys there are.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter& find_parameter(
     const std::vector<Parameter>& parameters, std::string_view key);

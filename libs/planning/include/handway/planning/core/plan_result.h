@@ -16,14 +16,14 @@
 
 namespace handway::planning {
 
-/// How to run a planner.
+/// Options of a planner's run.
 struct PlanRequest {
   std::uint64_t seed = 1;
   int threads = 1;  ///< ≥ 1; the result does not depend on it.
   double time_limit_s = std::numeric_limits<double>::infinity();
   double resolution_mm = 0.05;  ///< Edges closer than this to anything are refused.
-  /// What the robot keeps from all else, where the ends allow it; see ContinuousCollisionChecker. ≥
-  /// 0.
+  /// Distance of the robot from all else, where the ends allow it; see ContinuousCollisionChecker.
+  /// ≥ 0.
   double margin_mm = 0.0;
   double optimize_s = 0.0;  ///< Seconds to go on with optimising the path that was found.
 };
@@ -35,15 +35,15 @@ enum class PlanStatus {
   kSamplesSpent,  ///< The sample budget is used up.
   kTimeLimit,
   kCancelled,
-  kStalled,     ///< Nothing is left to sample: going on would change nothing.
+  kStalled,     ///< Sampling is exhausted: going on would change nothing.
   kInfeasible,  ///< There is no path.
 };
 
 /// More clearance than this (m) is not distinguished.
 inline constexpr double kFarClearance = 0.05;
 
-/// What is known about a path: every configuration on it has at least this
-/// clearance, in every checked pair.
+/// Certificate of a path: every configuration on it has at least this clearance, in every checked
+/// pair.
 struct Certificate {
   double resolution_mm = 0.0;  ///< Along edges, pairs that move keep at least this; …
   /// … but next to an end, where it is less, half of what they have there; see
@@ -54,10 +54,10 @@ struct Certificate {
   std::uint64_t checks = 0;       ///< Configurations looked at.
 };
 
-/// What a planner did.
+/// Counts of a planner's work.
 struct HANDWAY_PLANNING_EXPORT PlanStatistics {
   std::uint64_t samples = 0;  ///< Hand trials in pmd-prm (numSamples); draws elsewhere.
-  std::uint64_t nodes = 0;    ///< Of the roadmap or the trees, start and goal included.
+  std::uint64_t nodes = 0;    ///< Roadmap or tree nodes, with start and goal.
   std::uint64_t edges = 0;
   std::uint64_t passes = 0;      ///< Sweeps of the corridor.
   std::uint64_t max_trials = 0;  ///< Most (j, h) trials that one hypercube needed (Table 2).
@@ -72,7 +72,7 @@ struct HANDWAY_PLANNING_EXPORT PlanStatistics {
   std::vector<std::uint64_t> rejections_per_pair;
   /// … by the names of those, of a constraint with an empty second one.
   std::map<std::pair<std::string, std::string>, std::uint64_t> rejections;
-  std::vector<std::uint64_t> rejections_per_tenth;  ///< Of the arm segment.
+  std::vector<std::uint64_t> rejections_per_tenth;  ///< Counts per tenth of the arm segment.
 
   /// Adds what another search did: counts and times are summed, of the rest the most is kept.
   PlanStatistics& operator+=(const PlanStatistics& other);
@@ -106,12 +106,12 @@ class PhaseClock {
   bool running_ = true;
 };
 
-/// How far a search came from both ends, along the straight motion from start to goal.
+/// Progress of a search from both ends, along the straight motion from start to goal.
 struct SearchReach {
   double from_start = 0.0;        ///< The farthest that is connected to the start, in [0, 1].
   double from_goal = 1.0;         ///< The nearest to the start that is connected to the goal.
   std::uint64_t start_nodes = 0;  ///< Free configurations that are connected to the start.
-  std::uint64_t goal_nodes = 0;   ///< The same of the goal.
+  std::uint64_t goal_nodes = 0;   ///< Free configurations connected to the goal.
   std::uint64_t nodes = 0;        ///< All that were found.
   geometric::Configuration farthest_from_start = {};  ///< The one at `from_start`.
   geometric::Configuration farthest_from_goal = {};   ///< The one at `from_goal`.
@@ -132,7 +132,7 @@ struct PlanResult {
   Certificate certificate;
   PlanStatistics statistics;
   std::vector<OutOfMargin> out_of_margin;
-  /// Of a problem with goal poses: where the path ends, an index into PlanningProblem::goals.
+  /// Index into PlanningProblem::goals of the goal that the path reaches, if there are goal poses.
   std::optional<std::size_t> goal;
   std::optional<SearchReach> reach;  ///< Without a path; nothing if the planner shows no nodes.
   double time_s = 0.0;               ///< Planning alone, wall clock.
@@ -147,10 +147,10 @@ struct PlanResult {
 /// "solved", "start invalid", …: the word in reports.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(PlanStatus status);
 
-/// Why a search found no path, one sentence each, as far as it is known: how far it came from both
-/// ends, whether an end is boxed in, which bodies collided in most of the samples that were
-/// rejected and where along the motion, and what to try. Empty for a path, and where an end is not
-/// valid: the result's reason says that.
+/// Explains why a search found no path, one sentence each, as far as it is known: its progress from
+/// both ends, whether an end is boxed in, which bodies collided in most rejected samples and where
+/// along the motion, and what to try. Empty for a path, and if an end is not valid: the result's
+/// reason says that.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> explain_failure(
     const PlanResult& result);
 

@@ -16,7 +16,7 @@
 
 namespace handway::planning {
 
-/// What a planner works with during one run: the problem, the validator of motions, samplers,
+/// Environment of a planner during one run: the problem, the validator of motions, samplers,
 /// statistics, time and cancellation, and threads.
 ///
 /// For the planner's own thread, apart from the functions handed to run_on_threads().
@@ -36,13 +36,13 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   /// kCancelled or kTimeLimit once the run has to end.
   [[nodiscard]] std::optional<PlanStatus> interruption() const;
 
-  /// Whether configurations and motions are valid.
+  /// Checker of configurations and motions.
   [[nodiscard]] MotionValidator& validator() { return *validator_; }
 
-  /// How the samplers of make_sampler() choose their points; at first at random.
+  /// Sets how the samplers of make_sampler() choose their points; at first at random.
   void set_sampler(sampling::SamplerKind kind) { sampler_ = kind; }
-  /// Where a search takes its points of the unit cube from. @param valid what samplers that look
-  /// for obstacles ask; on this context's thread.
+  /// Makes the sampler of points of the unit cube for a search. @param valid predicate for samplers
+  /// that look for obstacles; called on this context's thread.
   [[nodiscard]] std::unique_ptr<sampling::Sampler> make_sampler(
       int dimension, std::uint64_t seed, sampling::ValidityPredicate valid) const;
 

@@ -13,15 +13,15 @@ namespace handway::planning {
 /// A configuration in which the robot keeps one of the scene's goal poses, and that a path can end
 /// at.
 struct GoalCandidate {
-  geometric::Configuration q;  ///< Of the whole robot.
+  geometric::Configuration q;  ///< Configuration of the whole robot.
   std::size_t pose = 0;        ///< Index into Scene::goal_poses.
 };
 
-/// What inverse kinematics made of a scene's goal poses.
+/// Result of inverse kinematics for a scene's goal poses.
 struct PoseGoalSolutions {
   std::vector<GoalCandidate> candidates;  ///< The nearest to the start first, in normalised joints.
-  /// Why there is none, as a sentence: by how much the poses are missed, or what collides in all
-  /// configurations that reach them. Empty otherwise.
+  /// Reason if there are no candidates, as a sentence: by how much the poses are missed, or what
+  /// collides in all configurations that reach them. Empty otherwise.
   std::string fault;
   geometric::Configuration nearest;  ///< The first candidate, or else what comes nearest to a pose.
 };
@@ -37,8 +37,8 @@ struct PoseGoalSolutions {
 solve_pose_goals(const geometric::Scene& scene, const geometric::CollisionChecker& checker,
                  const geometric::Configuration& start);
 
-/// Which of the scene's goal poses the robot keeps in `q`, to within rounding (1 µm, 1 µrad); empty
-/// if it keeps one.
+/// Describes the goal poses that the robot misses in `q`, to within rounding (1 µm, 1 µrad); empty
+/// if it reaches one of them.
 /// @returns how far the nearest is, as "misses goal pose 2 of link tool by 3 mm and 1 degrees".
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string pose_goal_miss(const geometric::Scene& scene,
                                                                  const geometric::Configuration& q);

@@ -34,7 +34,7 @@ class HANDWAY_PLANNING_EXPORT Exporter {
   /// True if what executes the files stops at every waypoint, so that the motion has to be
   /// timed without arcs.
   [[nodiscard]] virtual bool stops_at_waypoints() const { return false; }
-  /// What robots the format is for, if the motion's seems to be none of them; else empty.
+  /// Robots that the format is for, if the motion's robot seems to be another one; else empty.
   [[nodiscard]] virtual std::string robot_objection(const Motion& /*motion*/) const { return {}; }
 
   /// The files for a motion, none of them written.

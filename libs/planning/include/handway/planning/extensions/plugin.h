@@ -17,7 +17,7 @@
 
 namespace handway::planning {
 
-/// What a scene file gives: the scene and, where the format has one, the hand's basis.
+/// Contents of a scene file: the scene and, if the format has one, the hand's basis.
 struct LoadedScene {
   std::shared_ptr<const geometric::Scene> scene;
   std::shared_ptr<const sampling::PmdBasis> basis;  ///< Null: none.
@@ -37,7 +37,7 @@ class HANDWAY_PLANNING_EXPORT Importer {
 /// Raised whenever a plugin built against an older header would misbehave.
 inline constexpr int kPluginApiVersion = 8;
 
-/// Of the sizes of what plugins and programs share: it differs for most other headers.
+/// Hash of the sizes of shared types: it differs for most other versions of the headers.
 inline constexpr std::uint64_t kPluginLayout = [] {
   std::uint64_t layout = 0;
   for (const std::size_t size :
@@ -50,8 +50,8 @@ inline constexpr std::uint64_t kPluginLayout = [] {
   return layout;
 }();
 
-/// What a plugin library hands over: a struct with this layout, exported as
-/// `extern "C" const handway::planning::Plugin* handway_plugin()`.
+/// Interface of a plugin library: a struct with this layout, exported as `extern "C" const
+/// handway::planning::Plugin* handway_plugin()`.
 struct Plugin {
   int api_version = kPluginApiVersion;
   const char* name = "";
@@ -59,7 +59,7 @@ struct Plugin {
   void (*register_planners)(PlannerRegistry& registry) = nullptr;        ///< May be null.
   std::unique_ptr<Importer> (*make_importer)() = nullptr;                ///< May be null.
   std::vector<std::unique_ptr<Exporter>> (*make_exporters)() = nullptr;  ///< May be null.
-  /// Of whole scenes; may be null.
+  /// Exporters of whole scenes; may be null.
   std::vector<std::unique_ptr<SceneExporter>> (*make_scene_exporters)() = nullptr;
   std::vector<geometric::RobotReader> (*make_robot_readers)() = nullptr;  ///< May be null.
   std::uint64_t layout = kPluginLayout;

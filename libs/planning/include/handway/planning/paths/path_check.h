@@ -17,13 +17,13 @@
 
 namespace handway::planning {
 
-/// What a check of a path found.
+/// Result of checking a path.
 struct PathCheckResult {
   std::vector<std::string> faults;  ///< A sentence each; empty: the path is valid.
-  /// What is worth a look and no fault, a sentence each: holding_warnings().
+  /// Warnings that are no faults, a sentence each: holding_warnings().
   std::vector<std::string> warnings;
   std::uint64_t configurations = 0;  ///< Checked ones.
-  std::uint64_t collisions = 0;      ///< Of these, in collision or violating a constraint.
+  std::uint64_t collisions = 0;      ///< Number in collision or violating a constraint.
   double min_clearance_mm = 0.0;     ///< At the checked configurations; 0 if one collides.
   std::string closest_pair;          ///< "A with B" at the smallest clearance.
 
@@ -73,7 +73,7 @@ class HANDWAY_PLANNING_EXPORT PathConflictSearch {
   /// @returns nothing if the polyline is free.
   [[nodiscard]] std::optional<PathConflict> run(std::span<const Configuration> waypoints,
                                                 const std::function<bool()>& stop = {});
-  /// What is wrong with one configuration, as PathConflict::text; empty: nothing.
+  /// Describes the conflict of one configuration, as PathConflict::text; empty if it is valid.
   [[nodiscard]] std::string conflict_at(const Configuration& q);
 
  private:

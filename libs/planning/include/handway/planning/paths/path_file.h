@@ -29,8 +29,8 @@ HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::R
 
 /// Joints that a path's file does not have, as a controller's of the arm has none of the hand.
 struct JointsAtRest {
-  geometric::Configuration q;           ///< Where they stay: at the start.
-  std::vector<std::string> names = {};  ///< Which they are.
+  geometric::Configuration q;           ///< Their values: those of the start.
+  std::vector<std::string> names = {};  ///< Their names.
   /// Jumps of continuous joints by about a whole turn, which were taken the short way round: one
   /// for each joint, as "joint J jumps by -356° after waypoint 2".
   std::vector<std::string> jumps = {};
@@ -41,8 +41,8 @@ struct JointsAtRest {
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string remark(const std::filesystem::path& file) const;
 };
 
-/// Whether a file is more likely such a table or message than anything else: by its name or how it
-/// begins. False if it can't be read.
+/// Returns whether a file is more likely such a table or message than anything else, by its name or
+/// its beginning. False if it can't be read.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_path_file(const std::filesystem::path& file);
 
 /// Reads what geometric::read_joint_table() reads: such a table, and what robots, plotters and data

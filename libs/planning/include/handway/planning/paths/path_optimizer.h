@@ -59,14 +59,14 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   /// So many replacements in a row were of no use that another one is not expected to be.
   [[nodiscard]] bool converged() const;
 
-  /// As in the constructor.
+  /// Sets the patience, see the constructor.
   void set_patience(int patience) { patience_ = patience; }
 
   [[nodiscard]] Path path() const;
   /// By how much the hand is on average farther from the PMD subspace than it would be if it went
   /// straight to it, stayed in it and left it for the goal; 0 if that does not count.
   [[nodiscard]] double avoidable_distance() const;
-  /// How many times as long as the straight motion between its ends the path is.
+  /// Ratio of the path's length to that of the straight motion between its ends.
   [[nodiscard]] double detour() const;
   [[nodiscard]] double cost() const;
 
@@ -78,17 +78,17 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
     Point point;
   };
 
-  /// Of the path between two waypoints that stay.
+  /// Replacement of the path between two waypoints.
   struct Replacement {
     std::size_t first = 0;  ///< The waypoints that stay.
     std::size_t last = 0;
     std::vector<Point> chain;         ///< The new path between them, both included; …
     std::size_t first_changed = 0;    ///< … new from this one of its points …
     std::size_t last_changed = 0;     ///< … to this one.
-    std::vector<MotionSums> motions;  ///< Of the chain.
-    double cost = 0.0;                ///< Of the whole path then, and of the waypoints it adds.
+    std::vector<MotionSums> motions;  ///< Motions of the chain.
+    double cost = 0.0;                ///< Cost of the path with it and of the added waypoints.
 
-    /// What has to be free.
+    /// Returns the points whose motions have to be checked.
     [[nodiscard]] std::span<const Point> changed() const {
       return std::span(chain).subspan(first_changed, last_changed - first_changed + 1);
     }
@@ -122,12 +122,12 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
 
   PlanningContext& context_;
   Objective objective_;
-  std::vector<int> planned_;  ///< Of planned_variables().
+  std::vector<int> planned_;  ///< The joints of planned_variables().
   sampling::RandomStream draw_;
   std::vector<Point> points_;
   std::vector<MotionSums> motions_;  ///< Between them.
-  std::vector<bool> is_needed_;      ///< Of points: without it the path was not free.
-  MotionSums sum_;                   ///< Of all motions.
+  std::vector<bool> is_needed_;      ///< Per point: without it the path was not free.
+  MotionSums sum_;                   ///< Sum of all motions.
   std::uint64_t last_check_ = 0;
   int patience_;
   int fruitless_ = 0;  ///< Replacements since one was of use.

@@ -9,7 +9,7 @@ namespace handway::planning {
 /// Edges of the roadmap by which a path is smoothed.
 enum class SmoothingEdges {
   kForwards,  ///< From nodes of the path to later ones.
-  kBothWays,  ///< And back, as printed: an edge of a roadmap has no direction.
+  kBothWays,  ///< Both directions, as printed: an edge of a roadmap has none.
 };
 
 /// The paper's smoothing (section 5.3, FINDPATH): "a new (small) roadmap composed

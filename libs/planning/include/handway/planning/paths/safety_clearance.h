@@ -13,7 +13,7 @@
 
 namespace handway::planning {
 
-/// How far a robot may be from where a motion wants it, and how much clearance has to remain then.
+/// Following error of a robot on a motion, and the clearance that has to remain.
 struct SafetyMargin {
   /// Following error of each variable at its velocity limit, rad or m; shape [variable_count], ≥ 0.
   /// Of size 0: assumed_following_error().
@@ -21,7 +21,7 @@ struct SafetyMargin {
   double margin = 0.0;  ///< m, ≥ 0.
 };
 
-/// What is assumed of a robot that nothing was measured of: 0.01 rad (0.57°) or 1 mm.
+/// Default following error if nothing was measured: 0.01 rad (0.57°) or 1 mm.
 /// @returns shape [variable_count].
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Eigen::VectorXd assumed_following_error(
     const geometric::RobotModel& model);
@@ -33,10 +33,10 @@ inline constexpr double kErrorAtRest = 5e-4;
 struct ClearanceShortfall {
   std::string a;
   std::string b;
-  double place = 0.0;  ///< Of the configuration, as it was looked at: s, or the waypoint.
+  double place = 0.0;  ///< Place of the configuration: s, or the waypoint.
   double clearance_mm = 0.0;
-  double following_mm = 0.0;     ///< How far the joints' errors may move the bodies together.
-  double margin_mm = 0.0;        ///< What was asked for beyond that.
+  double following_mm = 0.0;     ///< Approach of the bodies by the joints' errors.
+  double margin_mm = 0.0;        ///< The requested margin.
   double following_error = 0.0;  ///< rad or m, the largest of a joint there.
 
   [[nodiscard]] double needed_mm() const { return following_mm + margin_mm; }
@@ -57,11 +57,11 @@ class HANDWAY_PLANNING_EXPORT SafetyClearance {
   /// @param error rad or m, ≥ 0; shape [variable_count]. @param place see ClearanceShortfall.
   void look(const Configuration& q, const Eigen::VectorXd& error, double place);
 
-  /// Where the least share is there of what is needed; nothing if all is there everywhere.
+  /// Place with the least share of the needed clearance; nothing if it is sufficient everywhere.
   [[nodiscard]] const std::optional<ClearanceShortfall>& worst() const { return worst_; }
 
  private:
-  /// How far the pair's bodies may move together, m. @pre the checker is placed.
+  /// Bound of the pair's approach by the errors, m. @pre the checker is placed.
   [[nodiscard]] double approach(int pair, const Eigen::VectorXd& error) const;
   [[nodiscard]] double displacement(int body, int frame, const Eigen::VectorXd& error) const;
 
@@ -70,7 +70,7 @@ class HANDWAY_PLANNING_EXPORT SafetyClearance {
   double margin_;
   std::vector<int> near_;
   std::optional<ClearanceShortfall> worst_;
-  double share_ = 1.0;  ///< Of what is needed, at the worst place.
+  double share_ = 1.0;  ///< Share of the needed clearance at the worst place.
 };
 
 /// Looks along a path that is not timed, at rest everywhere. Places are waypoints, from 1.

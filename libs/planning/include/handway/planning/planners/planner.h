@@ -19,12 +19,12 @@ namespace handway::planning {
 
 class PlanningContext;
 
-/// What a planner can do; forms and the command line read it.
+/// Capabilities of a planner; forms and the command line read it.
 struct PlannerCapabilities {
   bool uses_pmds = false;     ///< Samples the hand in a PMD basis.
   bool needs_basis = false;   ///< Refuses problems without one.
   bool uses_threads = false;  ///< More threads make it faster.
-  bool deterministic = true;  ///< Same seed, same bits.
+  bool deterministic = true;  ///< The seed determines the result bitwise.
 };
 
 /// Finds a collision-free path from a problem's start to its goal.
@@ -45,7 +45,7 @@ class HANDWAY_PLANNING_EXPORT Planner {
   /// @throws InputError naming the keys there are, or what the setting takes.
   void set_parameter(std::string_view key, std::string_view text);
 
-  /// What paths are optimised for.
+  /// Objective of path optimisation.
   [[nodiscard]] ObjectiveSettings& objective() { return objective_; }
   [[nodiscard]] const ObjectiveSettings& objective() const { return objective_; }
 

@@ -17,8 +17,8 @@ struct CollisionRemedy {
   };
 
   Kind kind = Kind::kHollow;
-  std::vector<std::string> objects;  ///< One of kTouchLinks.
-  std::vector<std::string> links;    ///< Of kTouchLinks; else none.
+  std::vector<std::string> objects;  ///< For kTouchLinks a single one.
+  std::vector<std::string> links;    ///< For kTouchLinks; else none.
 };
 
 /// Returns the changes of the scene that would end some of the collisions of `q`, hollow objects

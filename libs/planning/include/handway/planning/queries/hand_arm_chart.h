@@ -23,11 +23,11 @@ class HANDWAY_PLANNING_EXPORT HandArmChart {
   struct Axis {
     enum class Kind { kArmWay, kArmDistance, kFreeJoint, kDirection, kHandDistance };
     Kind kind;
-    std::string name;  ///< Of the joint or direction, as in the basis; else empty.
+    std::string name;  ///< Joint or direction, as in the basis; else empty.
   };
-  /// How far along the straight motion of the arm (0: start, 1: goal; normalised joints) and how
-  /// far beside it; then, if there is a basis, its free joints and principal directions (the
-  /// coordinates e of Eq. 1) and how far the posture is from what these span.
+  /// Axes of the chart: progress along the straight motion of the arm (0: start, 1: goal;
+  /// normalised joints) and distance from it. With a basis, also its free joints and principal
+  /// directions (the coordinates e of Eq. 1), and the distance of the posture from their span.
   [[nodiscard]] const std::vector<Axis>& axes() const { return axes_; }
 
   /// @returns shape [axes].
@@ -38,7 +38,7 @@ class HANDWAY_PLANNING_EXPORT HandArmChart {
   std::vector<Axis> axes_;
   Eigen::VectorXd arm_start_;                          ///< Normalised.
   Eigen::VectorXd arm_motion_;                         ///< From there to the goal.
-  std::optional<sampling::PostureSubspace> subspace_;  ///< Nothing: no basis.
+  std::optional<sampling::PostureSubspace> subspace_;  ///< Empty: no basis.
 };
 
 }  // namespace handway::planning

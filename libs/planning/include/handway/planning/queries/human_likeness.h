@@ -11,7 +11,7 @@
 
 namespace handway::planning {
 
-/// How far a hand is from what a person's hand was seen to do; in normalised joints, 0 is as
+/// Distance of a hand from the recorded postures of human hands; in normalised joints, 0 is as
 /// human as can be.
 struct HandLikeness {
   double to_subspace = 0.0;           ///< See sampling::PostureSubspace.
@@ -45,10 +45,10 @@ struct DistanceAlong {
   double largest = 0.0;
 };
 
-/// How human the hand looks along a path.
+/// Likeness of the hand along a path to a human hand.
 struct PathLikeness {
   DistanceAlong to_subspace;
-  std::optional<DistanceAlong> to_recorded;  ///< Nothing without recorded postures.
+  std::optional<DistanceAlong> to_recorded;  ///< Empty without recorded postures.
 };
 
 /// Means are over the path's length in normalised joints, from steps of at most a hundredth.

@@ -12,16 +12,16 @@
 namespace handway::planning {
 
 struct NearestFreeOptions {
-  /// How far to look, rad: Euclidean over all variables, a metre counting as a radian.
+  /// Radius of the search, rad: Euclidean over all variables, a metre counting as a radian.
   double most_distance = geometric::radians(20.0);
-  /// What a configuration should keep to everything, m; less is taken if nothing keeps it, down to
-  /// what a path can end with (twice geometric::kLeastResolution).
+  /// Wanted clearance of a configuration, m; less is accepted if no configuration has it, down to
+  /// the least of a path's end (twice geometric::kLeastResolution).
   double clearance = geometric::metres(0.5);
   int most_checks = 20000;  ///< Configurations to look at.
   std::uint64_t seed = 1;
 };
 
-/// What a search for a free configuration found.
+/// Result of a search for a free configuration.
 struct NearestFree {
   std::optional<Configuration> q;  ///< Free and within limits; nothing if none was found.
   double distance = 0.0;           ///< From where the search began, as in the options.
@@ -38,8 +38,8 @@ struct NearestFree {
 find_nearest_free(const PlanningProblem& problem, const Configuration& q,
                   const NearestFreeOptions& options = {}, const std::stop_token& stop = {});
 
-/// How `to` differs from `from`, for a person: "shoulder +1.2°, elbow -0.4°, 3 more joints".
-/// The joints that move most come first. @param most joints to name, ≥ 1.
+/// Describes the difference from `from` to `to`: "shoulder +1.2°, elbow -0.4°, 3 more joints". The
+/// joints that move most come first. @param most joints to name, ≥ 1.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string describe_change(
     const geometric::RobotModel& model, const Configuration& from, const Configuration& to,
     int most = 2);

@@ -14,9 +14,9 @@
 
 namespace handway::planning {
 
-/// Where an arm got to when its palm was sent somewhere.
+/// Result of moving the palm of an arm to a pose.
 struct PalmMove {
-  Configuration q;       ///< Of the whole robot, within limits.
+  Configuration q;       ///< Whole robot, within limits.
   bool reached = false;  ///< Up to 0.1 mm and 0.01°; of an arm of few joints the place alone.
 };
 
@@ -71,7 +71,7 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
   std::unique_ptr<geometric::NumericInverseKinematics> searching_;  ///< From other starts, too.
 };
 
-/// How freely an arm holds a link, and how far out it is.
+/// Manipulability and reach of an arm that holds a link.
 struct ReachFigures {
   /// Yoshikawa's measure for the link's origin, of metres per radian (geometric::manipulability()):
   /// 0 where the arm can't move it in some direction.

@@ -26,12 +26,12 @@ struct SamplingRegion {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<SamplingRegion> first_region(Planner& planner,
                                                                                  int directions);
 
-/// The same of each search of a planner that has several, in the order of NodeEvent::search; of
-/// any other the one. Empty if it draws from everywhere.
+/// Returns one region for each search of the planner, in the order of NodeEvent::search; a planner
+/// without several searches has one. Empty if it samples everywhere.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<SamplingRegion> first_regions(Planner& planner,
                                                                                 int directions);
 
-/// Where palm and fingertips are in configurations drawn from a region; in the world, m.
+/// Palms and fingertips in configurations sampled from a region; in the world, m.
 struct RegionDraws {
   std::vector<Eigen::Vector3d> palms;       ///< One a configuration that the arm reaches.
   std::vector<Eigen::Vector3d> fingertips;  ///< One a finger and configuration.
@@ -55,7 +55,7 @@ struct RegionDraws {
                                                               int configurations,
                                                               const std::stop_token& stop = {});
 
-/// Where the palm goes in one hypercube B^a(p_i) of a corridor.
+/// Box around the palm's positions in one hypercube B^a(p_i) of a corridor.
 struct PalmBox {
   geometric::Pose X_WC;       ///< Middle, axes along the palm's widest extents.
   Eigen::Vector3d half_size;  ///< m

@@ -10,7 +10,7 @@
 
 namespace handway::planning {
 
-/// Where a path came from, from the cheapest to the dearest.
+/// Source of a path, from the cheapest to the most expensive.
 enum class ReplanSource {
   kNone,      ///< There is none.
   kLastPath,  ///< The path of the time before; it is still free.
@@ -31,7 +31,7 @@ enum class ReplanSource {
 /// bidirectional search in the paper's regions, there); a path planned from scratch. All but an
 /// unchanged path are smoothed, and all that was learned goes into the roadmap.
 ///
-/// The same calls give the same paths, for any number of threads. For one call at a time.
+/// Roadmap whose answers are deterministic, for any number of threads. For one call at a time.
 ///
 /// Sources: Bohlin, Kavraki, "Path planning using lazy PRM", ICRA 2000,
 /// doi:10.1109/ROBOT.2000.844107; Jaillet, Siméon, "A PRM-based motion planner for
@@ -52,12 +52,12 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
   /// more: other robots, carried objects or constraints, or an end that the scene has not.
   [[nodiscard]] bool follow(const geometric::Scene& scene);
 
-  /// As Planner::plan(). Where it fails, the roadmap and the last path are kept for the next time.
+  /// Plans as Planner::plan(). On failure, the roadmap and the last path stay for the next call.
   /// @param observer is notified of the nodes that this call adds.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, std::stop_token stop = {},
                                 Observer* observer = nullptr);
 
-  /// Where the path of the last plan() came from.
+  /// Source of the path of the last plan().
   [[nodiscard]] ReplanSource source() const;
 
  private:

@@ -18,9 +18,9 @@ struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
   struct Node {
     geometric::Configuration q;
     int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.
-    double step = 0.0;   ///< As NodeEvent::step.
+    double step = 0.0;   ///< Value of NodeEvent::step.
     double rho_a = 0.0;  ///< Half-side of the region it was drawn from.
-    int search = 0;      ///< Which of several searches found it.
+    int search = 0;      ///< Number of the search that found it.
   };
   using Edge = std::pair<int, int>;  ///< Indices of nodes.
 
@@ -57,7 +57,7 @@ class HANDWAY_PLANNING_EXPORT RoadmapRecorder : public Observer {
  private:
   std::size_t most_nodes_;
   Observer& next_;
-  std::unordered_map<int, int> places_;  ///< Of the nodes by their numbers.
+  std::unordered_map<int, int> places_;  ///< Index of each node number.
   RecordedRoadmap roadmap_;
 };
 

@@ -23,7 +23,7 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
 
   [[nodiscard]] const PlanningProblem& problem() const { return problem_; }
   [[nodiscard]] int dimension() const { return static_cast<int>(lower_.size()); }
-  /// Of continuous joints.
+  /// Periods of continuous joints.
   [[nodiscard]] const geometric::Periods& periods() const { return periods_; }
   /// Corners of the box, shape [dimension()]; a coordinate without limits is infinite there.
   [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
@@ -89,7 +89,7 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
   /// arm's coordinates; -1 of a coordinate without limits.
   void set_arm_coordinates(const std::vector<int>& arm_variables);
 
-  /// Of the straight motion, in the arm's coordinates.
+  /// Length of the straight motion, in the arm's coordinates.
   [[nodiscard]] virtual double corridor_length() const = 0;
   [[nodiscard]] virtual Eigen::VectorXd arm_coordinates(const Configuration& q) const = 0;
   /// `q`, with its hand posture, with the arm at `x`.
@@ -106,11 +106,11 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<CorridorSpace> make_corridor_space(
     const PlanningProblem& problem, CorridorForm form);
 
-/// Whether the inverse kinematics of the arm's last link is solved in closed form.
+/// Returns whether the inverse kinematics of the arm's last link is solved in closed form.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT bool has_closed_form_kinematics(
     const PlanningProblem& problem);
 
-/// Which hand postures a planner draws from.
+/// Hand postures from which a planner samples.
 enum class HandSpace {
   kPrincipalDirections,  ///< SC^h: free joints and principal motion directions (the paper's
                          ///< method).

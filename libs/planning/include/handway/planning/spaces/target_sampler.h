@@ -17,9 +17,9 @@
 
 namespace handway::planning {
 
-/// Where planners with PMDs draw the targets of their searches from: around the
-/// straight motion of the arm and around both ends. Lengths in joints normalised
-/// to [0, 1]; with a Cartesian corridor as make_corridor_space() has them.
+/// Region from which planners with PMDs sample the targets of their searches: around the straight
+/// motion of the arm and around both ends. Lengths in joints normalised to [0, 1]; with a Cartesian
+/// corridor as make_corridor_space() has them.
 struct TargetRegion {
   int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm.
   double near_ends = 0.7;   ///< Share of samples drawn around start and goal.
@@ -82,11 +82,11 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
   [[nodiscard]] Target in_corridor(const Eigen::VectorXd& u) const;
   [[nodiscard]] Target near_end(const Eigen::VectorXd& u) const;
 
-  /// What the next point of the unit cube stands for.
+  /// Interpretation of the next point of the unit cube.
   struct Draw {
     std::uint64_t sample = 0;
     int end = 0;
-    int axes = 0;  ///< Of the hand.
+    int axes = 0;  ///< Axes of the hand.
   };
 
   const PlanningProblem& problem_;
@@ -102,7 +102,7 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
 /// Descriptions of the parameters of regions.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter corridor_parameter(int& value);
 
-/// Of all that a region is made of but its corridor and PMDs.
+/// Appends all parameters of a region but its corridor and PMDs.
 HANDWAY_PLANNING_EXPORT void append_region_parameters(std::vector<BoundParameter>& list,
                                                       TargetRegion& region);
 

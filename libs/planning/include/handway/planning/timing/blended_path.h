@@ -11,9 +11,9 @@
 
 namespace handway::planning {
 
-/// How corners are rounded.
+/// Shape of rounded corners.
 enum class ArcShape {
-  kCircular,  ///< Of constant curvature, which jumps at both ends: as fast as can be.
+  kCircular,  ///< Constant curvature, which jumps at both ends: the fastest arc.
   kSmooth,    ///< Curvature rises from 0 and falls to it: jerk can be limited.
 };
 
@@ -28,7 +28,7 @@ struct HANDWAY_PLANNING_EXPORT PathPiece {
   double begin = 0.0;  ///< Arc length of the path up to it.
   double length = 0.0;
   double radius = 0.0;               ///< r; 0: straight; of a smooth arc length by angle.
-  geometric::Configuration origin;   ///< Where it begins.
+  geometric::Configuration origin;   ///< Start of the piece.
   geometric::Configuration tangent;  ///< t, of length 1: the direction in which it begins.
   geometric::Configuration normal;   ///< n, of length 1, square to t; of zeros if straight.
   geometric::Configuration turn;     ///< u - t of a smooth arc; of size 0: it is none.
@@ -40,7 +40,7 @@ struct HANDWAY_PLANNING_EXPORT PathPiece {
   [[nodiscard]] bool is_smooth_arc() const { return turn.size() > 0; }
   /// dⁿq/dsⁿ, 0 ≤ n ≤ 3: of order 0 the position.
   [[nodiscard]] geometric::Configuration derivative(int order, double s) const;
-  /// What |dq/ds| of each joint stays below all along.
+  /// Upper bound of |dq/ds| of each joint over the piece.
   [[nodiscard]] geometric::Configuration fastest() const;
 };
 
@@ -59,13 +59,13 @@ class HANDWAY_PLANNING_EXPORT BlendedPath {
               ArcShape shape = ArcShape::kCircular);
 
   [[nodiscard]] double length() const { return pieces_.empty() ? 0.0 : pieces_.back().end(); }
-  /// None if all waypoints are the same.
+  /// Pieces of the path; none if all waypoints are the same.
   [[nodiscard]] const std::vector<PathPiece>& pieces() const { return pieces_; }
   /// The one at arc length s; at a join the later one. @pre there are pieces.
   [[nodiscard]] const PathPiece& piece_at(double s) const;
   /// Arc length at which each waypoint is passed, in the middle of its arc; shape [waypoints].
   [[nodiscard]] const std::vector<double>& passages() const { return passages_; }
-  /// How far each waypoint's arc really passes from it; shape [waypoints], 0: through it.
+  /// Distance of each waypoint from its arc; shape [waypoints], 0: the path goes through it.
   [[nodiscard]] const std::vector<double>& deviations() const { return deviations_; }
   [[nodiscard]] const Path& polyline() const { return polyline_; }
 

@@ -30,12 +30,12 @@ enum class Rate { kVelocity, kAcceleration, kJerk };
 struct AssumedLimit {
   std::string joint;  ///< The variable's.
   Rate rate = Rate::kAcceleration;
-  double value = 0.0;  ///< Of the variable: rad/s, rad/s² or rad/s³, or m.
+  double value = 0.0;  ///< Limit in rad/s, rad/s² or rad/s³, or m.
 
   bool operator==(const AssumedLimit&) const = default;
 };
 
-/// How fast the variables of a robot may change; all rates > 0.
+/// Limits of the rates of a robot's variables; all > 0.
 struct JointKinematicLimits {
   Eigen::VectorXd velocity;      ///< Shape [variable_count], rad/s or m/s.
   Eigen::VectorXd acceleration;  ///< Shape [variable_count], rad/s² or m/s².
@@ -46,8 +46,8 @@ struct JointKinematicLimits {
   Eigen::VectorXd lower{};
   Eigen::VectorXd upper{};
 
-  /// Of the same motions at `speed` times their pace: velocities by it, accelerations
-  /// by its square, jerk by its cube; without `assumed`. @pre speed > 0.
+  /// Returns the limits of the same motions at `speed` times their pace: velocities by it,
+  /// accelerations by its square, jerk by its cube; without `assumed`. @pre speed > 0.
   [[nodiscard]] JointKinematicLimits at_speed(double speed) const {
     return {velocity * speed,
             acceleration * (speed * speed),
@@ -57,7 +57,7 @@ struct JointKinematicLimits {
             upper};
   }
 
-  /// The same without limits of jerk, assumed ones included.
+  /// Returns the limits without those of jerk, assumed ones included.
   [[nodiscard]] HANDWAY_PLANNING_EXPORT JointKinematicLimits without_jerk() const;
 };
 

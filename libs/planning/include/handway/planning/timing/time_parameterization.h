@@ -42,7 +42,7 @@ struct TimeParameterization {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization
 time_optimal(const BlendedPath& path, const JointKinematicLimits& limits);
 
-/// The same motion with every stretch from stop to stop slowed down to the next multiple of
+/// Returns the motion with every stretch from stop to stop slowed down to the next multiple of
 /// `period` (s), so that samples at this period meet the stops. @pre period > 0.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization
 align_stops(const TimeParameterization& law, double period);

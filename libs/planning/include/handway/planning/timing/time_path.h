@@ -21,7 +21,7 @@ struct Motion {
   std::shared_ptr<const geometric::RobotModel> model;
   std::vector<int> arm;                ///< Variables of the arm, in order.
   std::vector<int> hand;               ///< Variables of the hand, in order.
-  JointKinematicLimits limits;         ///< Of the robot, at full speed.
+  JointKinematicLimits limits;         ///< The robot's, at full speed.
   double speed = 1.0;                  ///< In (0, 1]: at what share of it the motion was timed.
   Path path;                           ///< The waypoints, …
   std::vector<double> waypoint_times;  ///< … and when they are passed, s; shape [waypoints].
@@ -33,11 +33,11 @@ struct TimingOptions {
   double period = 0.004;  ///< s between points; 4 ms is the cycle of a CS8 controller.
   BlendOptions blends;    ///< Their shape is of no account: it follows from limit_jerk.
   bool limit_jerk = false;
-  JointKinematicLimits limits;    ///< Of size 0: those of the robot.
-  Configuration measured_start;   ///< Of size 0: the start is not compared.
+  JointKinematicLimits limits;    ///< If of size 0: those of the robot.
+  Configuration measured_start;   ///< If of size 0: the start is not compared.
   double start_tolerance = 1e-3;  ///< rad or m, of that comparison.
   std::stop_token stop = {};      ///< Timing ends with geometric::PreparationStopped.
-  SafetyMargin safety;            ///< What the clearance is weighed against.
+  SafetyMargin safety;            ///< Required clearance.
 };
 
 /// Largest share that a motion takes of a limit, and where.
@@ -47,10 +47,10 @@ struct LimitShare {
   double share = 0.0;  ///< 1: at the limit.
 };
 
-/// What is known about a trajectory before it runs.
+/// Results of validating a trajectory before it runs.
 struct PreflightReport {
   std::vector<TrajectoryFault> faults;  ///< Empty: cleared to run.
-  /// What is worth a look and no fault, a sentence each: holding_warnings().
+  /// Warnings that are no faults, a sentence each: holding_warnings().
   std::vector<std::string> warnings;
   std::size_t points = 0;
   double duration = 0.0;  ///< s
@@ -60,18 +60,18 @@ struct PreflightReport {
   double min_clearance_time = 0.0;    ///< s
   std::string closest_pair;           ///< "A with B"
   std::vector<AssumedLimit> assumed;  ///< Limits that it was checked against and no file has.
-  /// Where the clearance is less than following errors and the margin need; nothing: nowhere.
-  /// Places are times, s.
+  /// Place where the clearance is least compared with following errors and the margin; empty:
+  /// sufficient everywhere. Its `place` is a time, s.
   std::optional<ClearanceShortfall> shortfall;
-  bool assumed_following_error = false;  ///< None was measured.
+  bool assumed_following_error = false;  ///< True if none was measured.
 
   [[nodiscard]] bool cleared() const { return faults.empty(); }
-  /// Whether it may run, but not everything keeps a safe distance.
+  /// Returns whether it may run, but without a safe distance from everything.
   [[nodiscard]] bool is_tight() const { return cleared() && shortfall.has_value(); }
-  /// Whether the shortfall is between the ends of the motion, where another path can have more
-  /// clearance. @pre is_tight().
+  /// Returns whether the shortfall is between the ends of the motion, where another path can have
+  /// more clearance. @pre is_tight().
   [[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_under_way() const;
-  /// What to do about the shortfall, a sentence. @pre is_tight().
+  /// Advice about the shortfall, a sentence. @pre is_tight().
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string advice() const;
 };
 

@@ -30,8 +30,8 @@ struct Trajectory {
   }
 };
 
-/// Where the motion is at `time`, which is clamped to the law's. At a join the earlier
-/// acceleration counts, at the very end rest.
+/// State of the motion at `time`, which is clamped to the law's. At a join the earlier acceleration
+/// counts, at the very end rest.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TrajectoryPoint point_at(const BlendedPath& path,
                                                                const TimeParameterization& law,
                                                                double time);
@@ -56,11 +56,11 @@ struct Trajectory {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double least_duration(const Path& path,
                                                             const JointKinematicLimits& limits);
 
-/// Why a trajectory must not run.
+/// Reason why a trajectory must not run.
 struct TrajectoryFault {
   std::string joint;   ///< Empty: not of a joint.
   double time = 0.0;   ///< s, of the first point that is at fault.
-  double value = 0.0;  ///< What is there: rad, rad/s, rad/s² (or m), s.
+  double value = 0.0;  ///< Actual value: rad, rad/s, rad/s² (or m), s.
   std::string text;    ///< A sentence with all of this.
 };
 
