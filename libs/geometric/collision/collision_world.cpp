@@ -227,8 +227,8 @@ void CollisionWorld::list_pairs() {
   pairs_.clear();
   moving_.clear();
   const int count = static_cast<int>(bodies_.size());
-  // A body with a scaled copy behind it is checked against what moves, the copy against what
-  // stands still.
+  // A body that is followed by a scaled copy is checked against moving bodies, the copy against
+  // fixed ones.
   const auto is_checked_against = [&](int index, bool still) {
     const bool has_copy = index + 1 < count && body(index + 1).is_scaled_copy;
     return still ? !has_copy : !body(index).is_scaled_copy;

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file may be about more than this robot, as about the gripper on it. But a joint that the file
-// leaves out, and nearly names, is meant.
+// A file may have joints of other robots, such as the gripper on it. But a name that is almost that
+// of a missing joint is refused as a misspelling.
 void refuse_slip(const YamlElement& limits, const YamlElement& joint, const std::string& name,
                  std::span<const std::string> joints) {
   std::vector<std::string> left_out;

@@ -65,7 +65,7 @@ std::string_view without_brackets(std::string_view name) {
   return begin == std::string_view::npos || begin == 0 ? name : trimmed(name.substr(0, begin));
 }
 
-// A joint's name, alone or with what says that positions are meant.
+// Finds a joint by its name, alone or with a word for positions.
 std::optional<int> joint_called(const JointLookup& lookup, std::string_view name) {
   constexpr std::array<std::string_view, 13> kEndings = {
       "_position", ".position", "_pos",     ".pos",     "_rad",     "_deg", ".deg",
@@ -433,7 +433,7 @@ class Messages {
     table_.columns.assign(static_cast<std::size_t>(count), 0);
   }
 
-  // Messages are parsed one by one: what was recorded for an hour would be too much for a document.
+  // Messages are parsed one by one: an hour's recording would be too large for a document.
   JointTable read(const std::string& text) {
     std::string document;
     for (const TextLine& line : text_lines(text)) {
@@ -451,7 +451,7 @@ class Messages {
   }
 
  private:
-  // Who stops a recording stops it within a message.
+  // A recording that was stopped ends within a message.
   void take_last(const std::string& document) {
     try {
       take(document);

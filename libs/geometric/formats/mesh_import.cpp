@@ -202,7 +202,7 @@ class Reading {
   [[nodiscard]] std::optional<MeshReadingEnd> ask(MeshReaderProcess& process,
                                                   const fs::path& absolute) {
     try {
-      // The pipe closes with this call: a process that goes on writing ends.
+      // The pipe closes with this call: a process that continues to write ends.
       whole_ = receive(process.ask(limits_.request, absolute));
     } catch (const std::runtime_error& error) {
       refuse(error.what(), "Close other files, or raise the limit (ulimit -n)");

@@ -200,7 +200,7 @@ fs::path mesh_reader_program() {
   if (const char* given = std::getenv("HANDWAY_MESH_READER"); given != nullptr && *given != '\0') {
     return given;
   }
-  // This library's folder, whatever program has loaded it.
+  // This library's folder, independent of the program that has loaded it.
   Dl_info library{};
   std::error_code error;
   if (::dladdr(reinterpret_cast<const void*>(&mesh_reader_program), &library) != 0 &&
@@ -217,7 +217,7 @@ struct MeshReaderPool::Idle {
   pid_t owner = ::getpid();
 };
 
-// The processes end when the program does, which closes their sockets; nobody waits for them.
+// The processes end with the program, which closes their sockets, without being waited for.
 MeshReaderPool::MeshReaderPool() : idle_(*new Idle) {}
 
 MeshReaderPool& MeshReaderPool::instance() {

@@ -44,7 +44,7 @@ class MeshReaderProcess {
   MeshReaderProcess& operator=(const MeshReaderProcess&) = delete;
 
   [[nodiscard]] const std::filesystem::path& program() const { return program_; }
-  /// Is it there, with nothing left to say?
+  /// Returns whether the process runs and has sent everything.
   [[nodiscard]] bool idle() const;
   /// Has it reported before how a reading ended?
   [[nodiscard]] bool has_served() const { return has_served_; }

@@ -94,8 +94,8 @@ std::string last_words(const fs::path& messages) {
 /// long as this is there.
 class ExpandedXacro {
  public:
-  /// @throws InputError if there is no such program, or with what it says if it fails or takes
-  /// longer than a minute.
+  /// @throws InputError if there is no such program, or with its output if it fails or takes longer
+  /// than a minute.
   explicit ExpandedXacro(const fs::path& xacro);
   ~ExpandedXacro();
   ExpandedXacro(const ExpandedXacro&) = delete;
@@ -111,7 +111,7 @@ ExpandedXacro::ExpandedXacro(const fs::path& xacro) : folder_(new_folder(xacro))
   const fs::path messages = folder_ / "messages.txt";
   const pid_t process = start(xacro, file(), messages);
   std::error_code ignored;
-  // The shell's way to say that a program is not there, of systems that find out after the start.
+  // Exit code of the shell for a missing program, on systems that detect it after the start.
   constexpr int kNoProgram = 127;
   const int status = process == 0 ? kNoProgram : wait_for(process);
   if (status == 0) {

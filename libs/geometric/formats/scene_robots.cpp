@@ -220,7 +220,8 @@ void read_paddings(const std::vector<Entry>& entries, std::size_t index, RobotIn
   }
 }
 
-// First of the robot that stands in the world, which may name all joints, then of what it carries.
+// Reads first the values of the fixed robot, which may name all joints, then those of carried
+// robots.
 void read_configurations(const std::vector<Entry>& entries, std::size_t index,
                          RobotInstance& robot) {
   if (const auto configuration = entries[index].element.find("configuration")) {
@@ -258,7 +259,7 @@ Configuration configuration_of(const YamlElement& element, const RobotModel& mod
   Configuration q = defaults;
   std::vector<std::string> given_by(static_cast<std::size_t>(model.variable_count()));
   const auto entries = element.entries();
-  // Leaders first, so that the coupled joints are checked against what was said of them.
+  // Leaders come first, so that coupled joints are checked against their leaders' values.
   for (const bool coupled : {false, true}) {
     for (const auto& [name, value] : entries) {
       const bool is_own = part != nullptr && part->joints.contains(name);

@@ -11,8 +11,8 @@
 
 namespace handway::geometric {
 
-/// `model`, with a root that moves if the robot's "moving_base" asks for it, and slides of its
-/// bases within the robot's "bounds".
+/// Returns `model`, with a moving root if the robot has "moving_base", and slides of its bases
+/// within the robot's "bounds".
 /// @throws InputError naming the line.
 [[nodiscard]] std::shared_ptr<const RobotModel> with_bases(
     const YamlElement& robot, const std::shared_ptr<const RobotModel>& model);
@@ -66,7 +66,7 @@ void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
                                              const Configuration& defaults,
                                              const RobotPart* part = nullptr);
 
-/// The link that the named joint carries. @throws InputError if there is none or it is fixed.
+/// Returns the child link of the named joint. @throws InputError if it is missing or fixed.
 [[nodiscard]] int carried_link(const YamlElement& element, const RobotModel& model,
                                const std::string& name);
 

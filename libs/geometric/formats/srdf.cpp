@@ -31,7 +31,7 @@ class UnknownNames {
   bool check(const XmlDocument& document, const pugi::xml_node& node, const std::string& kind,
              const std::string& name, const std::vector<std::string>& known);
 
-  /// "2 lines of the SRDF about …: FILE:LINE: link "x" ("y"?); …"; empty if there is none.
+  /// Text "2 lines of the SRDF about …: FILE:LINE: link "x" ("y"?); …"; empty without any.
   [[nodiscard]] std::string summary() const;
 
  private:
@@ -136,7 +136,7 @@ class GroupReader {
     return carrier == robot_.joints.end() ? nullptr : &*carrier;
   }
 
-  // An empty node if there is none of that name.
+  // Returns the subgroup's node; an empty node if it is missing.
   [[nodiscard]] pugi::xml_node subgroup(const pugi::xml_node& part) const {
     const std::string name = document_.need(part, "name");
     std::vector<std::string> names;
@@ -243,8 +243,8 @@ const XmlVocabulary& vocabulary() {
   return kVocabulary;
 }
 
-// The planar and floating ones, by which MoveIt lets the root move. Those that a group names become
-// joints of the robot.
+// Adds planar and floating joints, by which MoveIt lets the root move. Those that a group names
+// become joints of the robot.
 void add_virtual_joints(const XmlDocument& document, RobotDescription& robot) {
   const pugi::xml_node top = document.root("robot");
   const auto is_root = [&](const std::string& link) {

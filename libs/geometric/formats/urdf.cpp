@@ -101,8 +101,8 @@ void note_joints(const std::vector<std::string>& names, const char* what, RobotD
   }
 }
 
-/// All joints in the order of the file; chains of `mimic` are resolved to the
-/// joint that moves on its own. Adds to the robot's warnings.
+/// Adds all joints in the order of the file; chains of `mimic` are resolved to the independent
+/// joint. Adds to the robot's warnings.
 /// @throws InputError if `mimic` forms a ring.
 void add_joints(const XmlDocument& document, const urdf::ModelInterface& model,
                 RobotDescription& robot) {
@@ -180,7 +180,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostLinks = 2000;  // a longer chain could exhaust the stack
 constexpr const char* kWhat = "a robot file (URDF)";
 
-// urdfdom says what is wrong but not where: the line of the first link, joint or
+// Finds the line of an error: urdfdom describes it without a line. Takes the first link, joint or
 // material whose name it quotes.
 std::string place_of(const XmlDocument& document, const std::vector<std::string>& messages) {
   for (const std::string& message : messages) {
@@ -218,7 +218,7 @@ void check_size(const XmlDocument& document) {
   }
 }
 
-// The link that a node describes. Whatever urdfdom drops, no collision element is lost.
+// Reads the link of a node. Collision elements that urdfdom drops are not lost.
 Link read_link(const XmlDocument& document, const pugi::xml_node& node, std::ptrdiff_t collisions,
                const urdf::ModelInterface& model, const fs::path& folder, LinkFiles& files) {
   const std::string name = node.attribute("name").value();

@@ -248,7 +248,7 @@ class ElementReader {
     }
   }
 
-  /// The only child of this name; an empty node if there is none.
+  /// Returns the only child of this name; an empty node if it is missing.
   [[nodiscard]] pugi::xml_node only(const pugi::xml_node& parent, const std::string& element,
                                     const char* name) const {
     const pugi::xml_node child = parent.child(name);

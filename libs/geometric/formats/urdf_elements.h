@@ -15,8 +15,8 @@ class DrawingFaults {
  public:
   void add(const InputError& fault);
 
-  /// "3 visual elements can't be read, the collision geometry is drawn instead: …"; empty
-  /// if there is nothing to tell.
+  /// Text "3 visual elements can't be read, the collision geometry is drawn instead: …"; empty
+  /// without faults.
   [[nodiscard]] std::string summary() const;
 
  private:
@@ -28,19 +28,19 @@ inline constexpr const char* kCapsule = "capsule";
 
 /// The elements of a URDF file, checked.
 struct UrdfElements {
-  std::string text;  ///< The file for urdfdom: what is read of it, and no more.
+  std::string text;  ///< Input of urdfdom: only the elements that are read.
   /// The links of the text, with how many collision elements each has.
   std::map<std::string, std::ptrdiff_t> links;
   std::vector<std::string> warnings;  ///< Elements that are ignored.
   DrawingFaults drawing;              ///< Elements that can't be drawn.
 };
 
-/// Checks what urdfdom drops without a word or with one for the log: shapes, origins and
-/// joints with broken numbers, misspelt and misplaced elements, and with them the rest of
-/// their link. What planning does without (inertia, dynamics, materials, what vendors add)
-/// is left out of the text, so that it can't cost a link its geometry; visual elements that
-/// can't be read too, as drawing faults.
-/// @throws InputError naming the line of what planning needs and can't be read.
+/// Checks elements that urdfdom drops silently or with a line in the log: shapes, origins and
+/// joints with broken numbers, misspelt and misplaced elements, and with them the rest of their
+/// link. Elements that planning ignores (inertia, dynamics, materials, vendors' elements) are left
+/// out of the text, so that they can't cost a link its geometry. So are visual elements that can't
+/// be read, which become drawing faults.
+/// @throws InputError naming the line of an element that planning needs and that can't be read.
 [[nodiscard]] UrdfElements check_urdf_elements(const XmlDocument& document);
 
 }  // namespace handway::geometric

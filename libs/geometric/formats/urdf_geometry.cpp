@@ -34,8 +34,8 @@ std::string mesh_advice(const std::string& filename, const fs::path& folder,
                : otherwise;
 }
 
-// The file in the robot's folder or the one above it that the end of a name means, as where a robot
-// was copied out of its package, or the package has another name.
+// Finds a file by the end of its name in the robot's folder or the one above, for robots that were
+// copied out of their package, or whose package was renamed.
 std::optional<fs::path> find_nearby(const std::string& filename, const fs::path& folder) {
   const fs::path whole = with_slashes(filename);
   for (auto begin = whole.begin(); begin != whole.end(); ++begin) {

@@ -24,13 +24,13 @@ struct MujocoCompiler {
 /// Notes about the files that links name.
 struct LinkFiles {
   std::optional<MujocoCompiler> compiler;  ///< Settings of MuJoCo in the file.
-  std::set<std::string> by_compiler;       ///< Meshes that are where it says.
+  std::set<std::string> by_compiler;       ///< Meshes found by its settings.
   DrawingFaults drawing;                   ///< Elements that can't be drawn.
   std::set<std::string> renamed;  ///< Mesh files whose names have other letters than written.
   std::set<std::string> found;    ///< Meshes that were not there, with the files taken instead.
   MissingMeshes missing;          ///< Collision meshes that are nowhere.
 
-  /// "meshes that are not where the file says were looked for: …"; empty if there are none.
+  /// Text "meshes that are not where the file says were looked for: …"; empty without any.
   [[nodiscard]] std::string found_elsewhere() const;
 };
 

@@ -17,7 +17,7 @@ constexpr int kDeepest = 100;
 constexpr std::ptrdiff_t kMostTags = 1'000'000;
 constexpr std::ptrdiff_t kMostAttributes = 200;  // of one element
 
-// Finds a node that is nested too deep or has too many attributes; an empty node if there is none.
+// Finds a node that is nested too deep or has too many attributes; else an empty node.
 pugi::xml_node find_excessive(const pugi::xml_node& root) {
   struct Walker : pugi::xml_tree_walker {
     bool for_each(pugi::xml_node& node) override {

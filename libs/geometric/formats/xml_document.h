@@ -56,11 +56,11 @@ using XmlVocabulary = std::map<std::string, XmlElementKind, std::less<>>;
 
 /// Finds what a reader would pass over without a word, below the top element.
 ///
-/// A name within two letters of one that may stand there is a slip: refused, unless the attribute
-/// that may be meant is there, too. So is what xacro should have expanded, and an element
-/// of `needed` where it may not stand: what it says would be lost. Other names are those of
-/// vendors and later versions: gathered, to be reported in one warning.
-/// @returns "<gazebo> (3)", …: what is not read, and how often it is there; sorted.
+/// A name within two letters of an allowed one is a misspelling: refused, unless the intended
+/// attribute is there, too. Unexpanded xacro elements and misplaced elements of `needed` are
+/// refused too: their contents would be lost. Other names belong to vendors and later versions:
+/// they are collected, to be reported in one warning.
+/// @returns "<gazebo> (3)", …: names of ignored elements and their numbers; sorted.
 /// @throws InputError naming the line.
 [[nodiscard]] std::vector<std::string> unread_elements(const XmlDocument& document,
                                                        const pugi::xml_node& top,

@@ -405,7 +405,7 @@ const char* name_of(double unit) {
   return unit == 1.0 ? "s" : unit == 1e-3 ? "ms" : unit == 1e-6 ? "\u00B5s" : "ns";
 }
 
-/// Clocks start anew at midnight.
+/// Clocks restart at midnight.
 void run_past_midnight(std::vector<double>& times) {
   double days = 0.0;
   double last = 0.0;

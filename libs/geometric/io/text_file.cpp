@@ -55,7 +55,7 @@ bool is_text(unsigned char byte) {
   return byte >= 0x20 ? byte != 0x7F : byte == '\t' || byte == '\n' || byte == '\r' || byte == '\f';
 }
 
-// Length of the UTF-8 sequence that starts at `at`; 0 if there is none.
+// Length of the UTF-8 sequence that starts at `at`; 0 if there is no sequence.
 std::size_t sequence_length(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(at);

@@ -39,8 +39,8 @@ class VertexGroups {
   std::vector<Item> items_;
 };
 
-/// Numbers places in the order in which they come, equal ones alike: -0 equals 0. An open table,
-/// since meshes have millions of vertices.
+/// Numbers places in the order of their first occurrence; equal places share a number: -0 equals 0.
+/// An open-addressing table, since meshes have millions of vertices.
 class VertexTable {
  public:
   /// The place's number; a new one is appended to vertices().

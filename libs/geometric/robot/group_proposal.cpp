@@ -101,7 +101,7 @@ class GroupFinder {
     }
   }
 
-  // A robot stands, unless somebody says that its base moves.
+  // A robot is fixed, unless its description has a moving base.
   [[nodiscard]] bool is_of_base(int link) const {
     return std::ranges::any_of(model_.description().base_joints, [&](const BaseJoint& base) {
       return std::ranges::count(joints_of(base), model_.joint(link).name) > 0;
@@ -122,7 +122,7 @@ class GroupFinder {
     return joints_to_palm_[static_cast<std::size_t>(link)];
   }
 
-  // The most joints on the way from `link`, its own counted, to an end.
+  // The largest number of joints from `link`, its own counted, to an end.
   [[nodiscard]] int joints_to_end(int link) const {
     int most = 0;
     for (const int branch : moving_branches(link)) {

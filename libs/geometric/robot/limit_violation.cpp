@@ -31,7 +31,7 @@ bool violates(const RobotModel& model, int link, const Configuration& q,
   return value < lower - limit_tolerance(lower) || value > upper + limit_tolerance(upper);
 }
 
-// "22.9°" or "0.4 mm", with two digits of what is smaller than a tenth.
+// Formats "22.9°" or "0.4 mm", with two digits of amounts below a tenth.
 std::string amount(const LimitViolation& violation, double beyond) {
   const bool slides = violation.type == JointType::kPrismatic;
   const double shown = slides ? millimetres(beyond) : degrees(beyond);
@@ -101,7 +101,7 @@ void require_configuration(const RobotModel& model, const Configuration& q,
   }
 }
 
-// With as many digits as it takes to tell the value from the limit.
+// Formats with as many digits as needed to distinguish the value from the limit.
 std::string to_string(const LimitViolation& violation) {
   const double limit = violation.value < violation.lower ? violation.lower : violation.upper;
   const auto text = [](double number, int digits) {

@@ -35,8 +35,8 @@ class DampedLeastSquares {
     double cost = 0.0;                  ///< Half the error's square, m².
   };
 
-  /// Moves q downhill until it is within the tolerances, at a local minimum, out
-  /// of iterations or `expired` says so.
+  /// Moves q downhill until it is within the tolerances, at a local minimum, out of iterations or
+  /// `expired` returns true.
   /// @param[in,out] q of the whole robot, the solved variables within limits.
   /// @param[in,out] iterations is counted up.
   [[nodiscard]] Miss descend(Configuration& q, int& iterations,
@@ -51,8 +51,8 @@ class DampedLeastSquares {
 
  private:
   [[nodiscard]] Miss miss(const Configuration& q);
-  /// Jacobian of the error in the configuration of the last miss(). @param error its error: what is
-  /// within the slack is free to move.
+  /// Jacobian of the error in the configuration of the last miss(). @param error its error:
+  /// components within the slack are free to move.
   [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> error_jacobian(
       const Eigen::Matrix<double, 6, 1>& error) const;
   /// Marks the variables that are free to follow the gradient.

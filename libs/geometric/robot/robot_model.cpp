@@ -270,8 +270,8 @@ void RobotModel::set_ranges() {
   turns_ = Periods(std::move(turns));
 }
 
-// After a turn of a continuous joint, what follows it is where it was only if it turns by whole
-// turns, too. Where it does not, the joint has a place for each turn, and so needs limits.
+// After a turn of a continuous joint, its followers return to their place only if they turn by
+// whole turns, too. Otherwise the joint has a distinct place for each turn, and so needs limits.
 void RobotModel::limit_joints_with_gears() {
   for (int i = 1; i < link_count(); ++i) {
     if (drive(i).variable < 0 || !joint(i).mimic) {

@@ -21,10 +21,10 @@
 namespace handway::geometric {
 namespace {
 
-/// The lengths and directions of an arm built like the TX90, from its joint
-/// axes with all joints at 0, however its file places the link frames:
-/// axis 2 square to axis 1, axis 3 parallel to axis 2, axes 4, 5 and 6 meeting
-/// in the wrist centre W, axis 5 square to axes 4 and 6.
+/// The lengths and directions of an arm built like the TX90, from its joint axes with all joints
+/// at 0, independent of the file's link frames: axis 2 perpendicular to axis 1, axis 3 parallel
+/// to axis 2, axes 4, 5 and 6 meeting in the wrist centre W, axis 5 perpendicular to axes 4 and
+/// 6.
 ///
 /// Frame C has its origin on axis 1 at the height of axis 2, z along axis 1 and
 /// y along axis 2. In it the arm moves in a plane y = const, turned about z.
@@ -121,8 +121,8 @@ Eigen::Vector3d nearest_point(const AxisLine& a, const AxisLine& b) {
 /// Angle about y from z to the vector's projection in the plane y = 0.
 double angle_about_y(const Eigen::Vector3d& v) { return std::atan2(v.x(), v.z()); }
 
-/// @throws InputError if there are not exactly six revolute joints on the way
-/// from the root to `tip_link`, all of them moving on their own.
+/// @throws InputError unless exactly six revolute joints, all independent, are on the chain from
+/// the root to `tip_link`.
 Tx90Chain tx90_chain(const RobotModel& model, int tip_link) {
   const auto refuse = [&](const std::string& element, const std::string& found,
                           const std::string& expected) {

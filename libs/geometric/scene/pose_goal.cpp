@@ -17,7 +17,7 @@ bool is_within_tolerance(const PoseGoal& goal, const PoseGoalMiss& miss, double 
   const auto keeps = [slack](const Eigen::Vector3d& by, const Eigen::Vector3d& tolerance) {
     return (by.array().abs() <= tolerance.array() + slack).all();
   };
-  // No rotation vector is longer than half a turn, whatever its rounding.
+  // No rotation vector is longer than half a turn, up to rounding.
   const Eigen::Vector3d rotation =
       (goal.rotation_tolerance.array() >= std::numbers::pi).select(0.0, miss.rotation);
   return keeps(miss.position, goal.position_tolerance) && keeps(rotation, goal.rotation_tolerance);

@@ -20,8 +20,8 @@ bool is_of_base(const RobotModel& model, int link) {
   });
 }
 
-// The closest ancestor with collision geometry; -1 if there is none, or a planar or floating joint
-// between: what moves freely may hit what it moves against.
+// The closest ancestor with collision geometry; -1 if it does not exist, or a planar or floating
+// joint is between: a free body may collide with its parent.
 int solid_ancestor(const RobotModel& model, int link) {
   while (link > 0 && !is_of_base(model, link)) {
     link = model.parent(link);

@@ -95,7 +95,7 @@ void warn_of_overlaps(const OverlapsAtMounts& overlaps, RobotDescription& descri
   }
 }
 
-// Only what is of different parts: each part has its own matrix already.
+// Allows links of different parts only: each part has its own matrix already.
 void allow_at_mounts(const std::vector<RobotPart>& parts, RobotDescription& description) {
   const auto owners = part_of_links(parts);
   const AllowedCollisions sampled =
@@ -117,7 +117,7 @@ void allow_at_mounts(const std::vector<RobotPart>& parts, RobotDescription& desc
   warn_of_overlaps(overlaps, description);
 }
 
-/// Old and new names of what is in parts that both robots have.
+/// Old and new names of links and joints in parts that both robots have.
 struct Renaming {
   std::map<std::string, std::string> links;
   std::map<std::string, std::string> joints;
@@ -360,7 +360,7 @@ Split split(const Scene& scene, const std::string& part) {
   return split;
 }
 
-// The first robot goes on as `after`, which has a part of it.
+// Continues the first robot's settings with `after`, which has a part of it.
 void go_on_with(Scene& scene, const RobotInstance& before, const RobotInstance& after) {
   for (std::optional<Configuration>* q : {&scene.start, &scene.goal}) {
     if (*q) {

@@ -303,7 +303,7 @@ Vector3d off_the_middle(const Aabb& box) {
   return box.lower + Vector3d(0.487, 0.521, 0.5).cwiseProduct(box.size());
 }
 
-/// Something that stands in the way, in the world.
+/// Obstacle for a placement, in the world.
 class Obstacle {
  public:
   Obstacle(TriangleMesh mesh, bool is_solid)
@@ -320,7 +320,7 @@ class Obstacle {
   [[nodiscard]] Corners corners_of(const std::array<std::uint32_t, 3>& triangle) const {
     return {mesh_.vertices[triangle[0]], mesh_.vertices[triangle[1]], mesh_.vertices[triangle[2]]};
   }
-  // In one of its pieces, whatever the others have around it.
+  // Returns whether the point is in one of its pieces, regardless of the other pieces.
   [[nodiscard]] bool is_inside(const Vector3d& point) const {
     std::vector<std::uint32_t> above;  // a vertex of each triangle
     for (const auto& triangle : mesh_.triangles) {
@@ -378,7 +378,7 @@ std::vector<Obstacle> obstacles_of(const Scene& scene, const Configuration& q) {
   return obstacles;
 }
 
-// Along x and y to what a person would type.
+// Rounds along x and y to values that a user would type.
 Vector3d rounded(const Vector3d& place) {
   constexpr double kGrid = 5e-3;  // m
   return {std::round(place.x() / kGrid) * kGrid, std::round(place.y() / kGrid) * kGrid, place.z()};
@@ -386,7 +386,7 @@ Vector3d rounded(const Vector3d& place) {
 
 class FreeFoot {
  public:
-  /// @param falls onto what is below.
+  /// @param falls whether the box drops onto its support.
   FreeFoot(const Scene& scene, const Configuration& q, const Vector3d& size, bool falls)
       : scene_(scene), size_(size), falls_(falls), obstacles_(obstacles_of(scene, q)) {}
 

@@ -15,15 +15,15 @@
 
 namespace handway::geometric {
 
-/// The bodies of a world that stand still in a tree of their boxes, so that those
-/// near a place are found without looking at all.
+/// Fixed bodies of a world in a tree of their boxes, so that the bodies near a place are found
+/// without testing all.
 class StaticBodies {
  public:
   /// @param p_WO origin of the coordinates, m.
   StaticBodies(const CollisionWorld& world, const Eigen::Vector3d& p_WO);
 
-  /// Adds the pairs of the moving body `body` with what stands still nearer than
-  /// `reach` (m) to `centre`, by its box along the axes of the world, and maybe some more.
+  /// Adds the pairs of the moving body `body` with fixed bodies nearer than `reach` (m) to
+  /// `centre`, by its box along the axes of the world, and maybe some more.
   void append_near(int body, const Eigen::Vector3f& centre, float reach,
                    std::vector<int>& pairs) const;
 
@@ -32,17 +32,17 @@ class StaticBodies {
   std::vector<std::vector<int>> pair_of_;  ///< Per body and still body: the pair; -1: none.
 };
 
-/// Lower bounds of the distances of all pairs of a world from one volume a body:
-/// the sphere around what moves, against another such sphere or against the box
-/// of what stands still. They are reckoned in single precision, from an origin O near the robot;
-/// what that loses, which grows with the coordinates, is taken off.
+/// Lower bounds of the distances of all pairs of a world from one volume per body: the sphere
+/// around a moving body, against another such sphere or against the box of a fixed body. They are
+/// computed in single precision, from an origin O near the robot; the rounding error, which grows
+/// with the coordinates, is subtracted.
 class BroadPhase {
  public:
   /// Positions of the spheres in one configuration.
   struct Placement {
     std::vector<float> x, y, z;       ///< m, from O; shape [moving bodies, to full lanes].
     float rounding = 0.0F;            ///< m: of coordinates that are far from O.
-    std::vector<std::uint32_t> near;  ///< Room for what is found.
+    std::vector<std::uint32_t> near;  ///< Buffer for results.
     std::vector<int> candidates;
   };
 
@@ -92,7 +92,7 @@ class BroadPhase {
 
   Eigen::Vector3d p_WO_;
   std::vector<BoundingSphere> spheres_;
-  std::vector<int> bodies_;       ///< That move.
+  std::vector<int> bodies_;       ///< The moving bodies.
   std::vector<Cell> cells_;       ///< Cell of each pair in either table.
   float most_padding_ = 0.0F;     ///< m, of all pairs.
   std::size_t moving_pairs_ = 0;  ///< So many pairs come first in which both move.

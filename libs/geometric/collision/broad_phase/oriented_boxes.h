@@ -12,8 +12,8 @@ namespace handway::geometric {
 /// A box around each body of a world, along the axes of its mesh's frame: long and slim
 /// bodies side by side, as fingers are, whose spheres overlap.
 ///
-/// Two boxes are apart where the axis of a face separates them; those of pairs of edges, which
-/// tell hardly more, aren't looked at (Gottschalk, Lin and Manocha, "OBBTree", 1996).
+/// Two boxes are separated if the axis of a face separates them. Axes of pairs of edges are not
+/// tested: they add hardly anything (Gottschalk, Lin and Manocha, "OBBTree", 1996).
 class OrientedBoxes {
  public:
   /// Axis that separated each pair last. It affects the time of an answer, not the answer.
@@ -24,8 +24,8 @@ class OrientedBoxes {
   /// For every pair.
   [[nodiscard]] LastAxes last_axes() const { return LastAxes(pairs_.size()); }
 
-  /// Are the boxes of the pair's bodies at least `distance` (m) apart, as far as their faces
-  /// tell? @param X_WBody shape [bodies].
+  /// Returns whether face axes show that the boxes of the pair's bodies are at least `distance` (m)
+  /// apart. @param X_WBody shape [bodies].
   [[nodiscard]] bool are_apart(int pair, std::span<const Pose> X_WBody, double distance,
                                LastAxes& last) const;
 

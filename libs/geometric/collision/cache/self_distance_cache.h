@@ -15,10 +15,10 @@
 
 namespace handway::geometric {
 
-/// Distances of a pair of bodies that one or two joints alone move against each
-/// other (neighbouring finger links, wrist and palm), remembered on a grid over
-/// those joints. Cells are filled when first asked for, by any thread, with the other
-/// joints at rest: to the last bit, what is in a cell does not depend on who fills it.
+/// Distances of a pair of bodies that only one or two joints move against each other (neighbouring
+/// finger links, wrist and palm), cached on a grid over those joints. Cells are filled on first
+/// access, by any thread, with the other joints at rest: a cell's content is bitwise the same
+/// whichever thread fills it.
 class DistanceTable {
  public:
   /// The exact distance (m) of the pair in a configuration.
@@ -30,8 +30,8 @@ class DistanceTable {
                                                            int link_b, int pair,
                                                            const MotionBound& motion);
 
-  /// A lower bound (m) of the distance in `q`: that of the cell's centre less
-  /// what the motion from there can take; 0 or less if it can't tell.
+  /// A lower bound (m) of the distance in `q`: that of the cell's centre minus the largest motion
+  /// from there; 0 or less if unknown.
   [[nodiscard]] double bound(const Configuration& q, const Distance& exact) const;
 
   /// Returns the known distances, shape [cells]; negative where unknown.
@@ -59,17 +59,17 @@ class DistanceTable {
   mutable std::vector<std::atomic<float>> cells_;  ///< Negative: not known yet.
 };
 
-/// Poses of the robot's links and of what it carries in its base, shape [bodies]; bodies that
-/// stand still are left at the identity. What is derived from them does not depend on where
-/// the robot stands.
+/// Poses of the robot's links and attached objects in its base, shape [bodies]; fixed
+/// bodies are left at the identity. Values derived from them do not depend on the robot's
+/// place.
 [[nodiscard]] std::vector<Pose> poses_at_base(const CollisionWorld& world, const Configuration& q);
 
-/// The distance tables of a robot's pairs. What they learn is kept in the user's
-/// cache when the last checker goes, for the same robot in later runs.
+/// The distance tables of a robot's pairs. New distances are stored in the user's cache when the
+/// last checker is destroyed, for later runs with the same robot.
 class SelfDistanceCache {
  public:
   /// @param surfaces shape [bodies].
-  /// @param keeps whether to keep what is learned even if the cache knows nothing of the robot yet.
+  /// @param keeps whether to store distances even if the cache has none of the robot yet.
   SelfDistanceCache(const CollisionWorld& world,
                     const std::vector<std::shared_ptr<const Surface>>& surfaces, bool keeps);
   ~SelfDistanceCache();

@@ -153,7 +153,7 @@ class LivingSurfaces {
 
   std::mutex mutex_;
   std::map<CacheKey, std::weak_ptr<const Surface>> surfaces_;
-  std::size_t enough_ = kFew;  ///< Entries at which those that nobody holds are removed.
+  std::size_t enough_ = kFew;  ///< Number of entries at which unused ones are removed.
 };
 
 LivingSurfaces& living_surfaces() {
@@ -184,8 +184,8 @@ MeshVolumes make_volumes(const TriangleMesh& mesh, const OnDemand<TriangleTree>&
   return volumes;
 }
 
-// From the cache, or into it, but for what is only being edited: a drag would leave an entry behind
-// for every size.
+// Loads the volumes from the cache, or adds them to it. Meshes that are being edited are not added:
+// a drag would leave an entry behind for every size.
 MeshVolumes volumes_of(const CacheKey& key, const TriangleMesh& mesh,
                        const OnDemand<TriangleTree>& triangles, const Preparation& preparation) {
   const DiskCache cache = DiskCache::of_user();

@@ -31,7 +31,7 @@ struct MeshVolumes {
 /// @pre `bytes` are what archive_volumes() gave.
 [[nodiscard]] MeshVolumes unarchive_volumes(const std::string& bytes);
 
-/// A mesh with what makes questions about it fast. Immutable, shared.
+/// A mesh with the volumes that make queries fast. Immutable, shared.
 struct Surface {
   CacheKey key;  ///< Hash of the mesh's content.
   std::shared_ptr<const TriangleMesh> mesh;
@@ -41,11 +41,11 @@ struct Surface {
   OnDemand<ConvexCover> hull;
 };
 
-/// The surfaces of `meshes`, in order. Meshes of the same content share one; what
-/// another part of the program still holds is not made again. Of primitives next to nothing is made
-/// before it is asked for; of other meshes, what an earlier run made is read from the user's cache,
-/// and all processors make the rest.
-/// @throws PreparationStopped where `preparation` asks for it.
+/// Makes the surfaces of `meshes`, in order. Meshes of the same content share one;
+/// surfaces in use elsewhere in the program are reused. Primitives are made almost
+/// entirely on demand; other meshes are read from the user's cache, or made by all
+/// processors.
+/// @throws PreparationStopped if `preparation` is stopped.
 [[nodiscard]] std::vector<std::shared_ptr<const Surface>> make_surfaces(
     const std::vector<std::shared_ptr<const TriangleMesh>>& meshes,
     const Preparation& preparation = {});

@@ -222,19 +222,19 @@ Closeness ContinuousCollisionChecker::closeness_within(int pair, double need, do
 struct ContinuousCollisionChecker::Clearance {
   double tolerance;  ///< m, or …
   double share;      ///< … of the least distance: how far below it the answer may be.
-  double at_most;    ///< m: a distance that there is, or what is asked for.
+  double at_most;    ///< m: a distance found so far, or the limit requested.
   double at_least;   ///< m, of all that has been settled.
   std::optional<int> pair = std::nullopt;
 
-  /// Half of what the answer may be below the least distance: motion takes the other half.
+  /// Half of the answer's tolerance below the least distance: motion takes the other half.
   [[nodiscard]] double share_of_distances() const { return 0.5 * share; }
 
-  /// m: what is farther apart is of no interest.
+  /// m: larger distances are of no interest.
   [[nodiscard]] double good_enough() const {
     return at_most - kShy * std::max(tolerance, share * at_most);
   }
 
-  /// @returns whether a pair that may come closer by `loss` (m) need not be looked at again.
+  /// @returns whether a pair that may come closer by `loss` (m) is settled.
   [[nodiscard]] bool settle(int index, const DistanceRange& distance, double loss) {
     if (distance.upper < at_most) {
       at_most = distance.upper;

@@ -19,7 +19,7 @@ double slide(const RobotModel& model, int link) {
   if (model.joint(link).type != JointType::kPrismatic) {
     return 0.0;
   }
-  // A coupled slide goes where its leader's limits let it, whatever its own say.
+  // A coupled slide follows the limits of its leader, not its own.
   const RobotModel::MimicMapping& drive = model.drive(link);
   return std::max(std::abs(drive.multiplier * model.lower()[drive.variable] + drive.offset),
                   std::abs(drive.multiplier * model.upper()[drive.variable] + drive.offset));

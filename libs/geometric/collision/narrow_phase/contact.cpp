@@ -14,7 +14,7 @@
 #include <utility>
 
 namespace handway::geometric {
-/// Trees of the bodies that were asked for, and where the bodies are.
+/// Trees of the requested bodies, and the bodies' poses.
 struct ClosestPointFinder::Trees {
   FclTrees of_meshes;
   std::vector<Pose> X_BL;

@@ -24,7 +24,7 @@ std::shared_ptr<FclTree> make_fcl_tree(const TriangleMesh& mesh) {
 
 namespace {
 
-// The tree of a mesh, built when it is first asked for, by any thread.
+// The tree of a mesh, built on first access, by any thread.
 class LazyTree {
  public:
   explicit LazyTree(std::shared_ptr<const TriangleMesh> mesh) : mesh_(std::move(mesh)) {}

@@ -17,7 +17,7 @@ using FclTree = fcl::BVHModel<fcl::OBBRSSd>;
 
 [[nodiscard]] std::shared_ptr<FclTree> make_fcl_tree(const TriangleMesh& mesh);
 
-/// Trees of meshes, each made when it is first asked for: bodies share meshes.
+/// Trees of meshes, each made on first access: bodies share meshes.
 class FclTrees {
  public:
   /// @param mesh outlives the trees.

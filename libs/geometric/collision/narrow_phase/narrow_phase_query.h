@@ -20,12 +20,12 @@ class NarrowPhaseQuery {
   NarrowPhaseQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
                    std::vector<std::uint32_t>& near);
 
-  /// A lower bound (m) of the distance, at most `enough`, from spheres alone; 0 if
-  /// they can't tell. @param effort nodes of spheres to look into.
+  /// A lower bound (m) of the distance, at most `enough`, from spheres alone; 0 if they are not
+  /// sufficient. @param effort number of sphere nodes to visit.
   [[nodiscard]] double bound(double enough, int effort);
 
   /// The distance (m) to within a `share` of it, or from `enough` up if the surfaces are at least
-  /// that far apart; 0 where they surely cross. The less is enough, the sooner it ends.
+  /// that far apart; 0 where they surely cross. A smaller `enough` ends sooner.
   [[nodiscard]] DistanceRange distance(double enough, double share = 0.0);
 
   /// Returns whether the sphere around A allows surfaces closer than `tolerance` (m).
@@ -48,7 +48,7 @@ class NarrowPhaseQuery {
   [[nodiscard]] bool was_exact() const { return exact_; }
 
  private:
-  /// Sets out for what is nearer than `least` (m), each distance known to within 1 - `keep` of it.
+  /// Starts a search below `least` (m), with each distance known to within 1 - `keep` of it.
   void start(double least, double keep = 1.0);
   void found(double distance);
   /// Returns whether the sphere around A may be nearer than `reach_`; then X_BA is known.
@@ -73,9 +73,9 @@ class NarrowPhaseQuery {
   bool placed_ = false;
   Pose X_BA_;
   FloatPose moves_;
-  double least_ = 0.0;    ///< The least distance known so far, or what is asked for.
+  double least_ = 0.0;    ///< The least distance known so far, or the limit.
   double reach_ = 0.0;    ///< Distances from here up are ignored.
-  double keep_ = 1.0;     ///< That much of the least distance found: how precisely it is known.
+  double keep_ = 1.0;     ///< Share of the least distance found: its precision.
   double ends_at_ = 0.0;  ///< No need to look further below this.
   int effort_ = 0;
   int patience_ = 0;

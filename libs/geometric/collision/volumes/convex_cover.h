@@ -39,8 +39,8 @@ class ConvexCover {
   std::vector<float> x_, y_, z_;  ///< Padded with the last one to full vectors.
 };
 
-/// A lower bound (m) of the distance of what two hulls contain, from a few of the
-/// planes that may part them; 0 if none does. It looks no further once that is `enough`.
+/// A lower bound (m) of the distance of the contents of two hulls, from a few candidates for a
+/// separating plane; 0 if none separates them. The search ends once the bound is `enough`.
 /// @param X_BA pose of A's frame in B's.
 ///
 /// Source: Gilbert's algorithm for the nearest points of two convex sets (Gilbert,

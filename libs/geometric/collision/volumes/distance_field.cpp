@@ -282,8 +282,8 @@ class DistanceFieldBuilder {
   std::priority_queue<Open> open_;
 };
 
-/// A field whose cells are made when a point is first looked for in them, by any thread: each
-/// depends on the mesh and the cell around it alone. Which of two threads made it doesn't show.
+/// A field whose cells are made when a point is first looked up in them, by any thread: each
+/// depends on the mesh and its own cube alone, whichever thread makes it.
 class DistanceFieldGrowth {
  public:
   DistanceFieldGrowth(std::shared_ptr<const TriangleMesh> mesh, OnDemand<TriangleTree> triangles,

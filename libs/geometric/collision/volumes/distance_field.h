@@ -23,14 +23,14 @@ class DistanceFieldGrowth;
 /// A lower bound of the distance of any point from a mesh's surface, in constant
 /// time.
 ///
-/// The space around the mesh is cut into cubic cells, finer where that helps.
+/// The space around the mesh is divided into cubic cells, finer where that helps.
 /// Each holds a slab: on either side of it the distance is at least that from the
-/// slab. Along flat and gently curved surfaces that is the distance itself,
-/// whatever the cell's size. The distance from a convex piece, a triangle or a
-/// box, is convex, so that its tangent in the cell's middle bounds it; a side's
-/// function is the lowest of these over a tree of boxes, brought to the slope of
-/// the nearest one. Where that is not good enough but a few triangles are all that
-/// matters to a cell, it lists these.
+/// slab. For flat and gently curved surfaces that is the distance itself, whatever
+/// the cell's size. The distance from a convex piece, a triangle or a box, is convex,
+/// so that its tangent in the cell's middle bounds it; a side's function is the
+/// lowest of these over a tree of boxes, brought to the slope of the nearest one. If
+/// that is too coarse but only a few triangles matter to a cell, the cell lists
+/// these.
 ///
 /// Primitives have distances in closed form, and no cells.
 class DistanceField {
@@ -76,8 +76,8 @@ class DistanceField {
 
   explicit DistanceField(const PrimitiveDistance& primitive);
 
-  /// A field without a budget, whose cells are made where it is asked: for meshes of which only a
-  /// part is ever come near to.
+  /// A field without a budget, whose cells are made on access: for meshes of which only a part is
+  /// ever near to other bodies.
   /// @pre the mesh has a triangle.
   [[nodiscard]] static DistanceField growing(std::shared_ptr<const TriangleMesh> mesh,
                                              OnDemand<TriangleTree> triangles);

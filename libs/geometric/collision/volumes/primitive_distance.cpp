@@ -73,8 +73,8 @@ bool is_stretched(const TriangleMesh& mesh, const TriangleMesh& unit, const Eige
   return true;
 }
 
-// Returns the radius of the circle within the regular polygon that a round primitive looks like
-// from above, as a share of the radius of the circle around it.
+// Returns the inner radius of the regular polygon that a round primitive is from above, as a share
+// of its outer radius.
 double share_within(const TriangleMesh& unit_cylinder) {
   const Eigen::Vector3d& a = unit_cylinder.vertices[0];
   const Eigen::Vector3d& b = unit_cylinder.vertices[1];

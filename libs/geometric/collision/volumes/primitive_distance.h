@@ -31,7 +31,7 @@ class PrimitiveDistance {
   /// A plane that bounds the distance outside of the surface: in any point q it is at least
   /// distance + slope · (q - p).
   struct Tangent {
-    float distance;  ///< m; 0 or less if `p` is not outside: then there is none.
+    float distance;  ///< m; 0 or less if `p` is not outside: then without a slope.
     Eigen::Vector3f slope;
   };
   [[nodiscard]] Tangent tangent(const Eigen::Vector3f& p) const;

@@ -28,9 +28,9 @@ bool is_in(const Aabb& box, const Eigen::Vector3d& p) {
   return (p.array() >= box.lower.array()).all() && (p.array() <= box.upper.array()).all();
 }
 
-// Seen along z, does the edge from a to b cross the ray from p along x, upwards (1) or downwards
-// (-1)? What two triangles with the same edge get never differs in more than the sign, so that
-// no ray slips through between them.
+// Returns whether, seen along z, the edge from a to b crosses the ray from p along x, upwards (1)
+// or downwards (-1). Results of two triangles for a common edge differ in the sign at most, so that
+// no ray passes between them.
 int crossing(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   if ((a.y() > p.y()) == (b.y() > p.y())) {
     return 0;
@@ -55,8 +55,8 @@ int winding_above(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eige
   return below ? winding : 0;
 }
 
-// Returns for each piece whether its triangles are wound alike: every edge is used as often one way
-// as the other.
+// Returns for each piece whether its triangles are wound consistently: every edge is used equally
+// often in both directions.
 std::vector<bool> find_oriented(const TriangleMesh& mesh,
                                 const std::vector<std::uint32_t>& piece_of, std::size_t pieces) {
   struct DirectedEdge {  // from its lower vertex
@@ -114,7 +114,7 @@ struct ShapeSolid {
   std::shared_ptr<const Solid> solid;
 };
 
-// The meshes of files are shared by scenes, worlds and robots: each is looked at once.
+// Cache of shapes: the meshes of files are shared by scenes, worlds and robots.
 class KnownShapes {
  public:
   std::shared_ptr<const ShapeSolid> get(const std::shared_ptr<const TriangleMesh>& mesh) {

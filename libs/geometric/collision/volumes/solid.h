@@ -18,7 +18,7 @@
 namespace handway::geometric {
 
 /// The sides of a closed surface, by the cells of a regular grid around it. Cells that the surface
-/// does not enter are inside or outside as a whole: of each, one point has to be looked at.
+/// does not enter are inside or outside as a whole: one test point per cell decides.
 class SideGrid {
  public:
   /// @param box around the surface.
@@ -42,8 +42,8 @@ class SideGrid {
   mutable std::vector<std::atomic<Side>> sides_;  ///< Per cell.
 };
 
-/// The inside of a closed surface. Every connected piece of the surface is a solid of its own: what
-/// is inside any of them is inside, also where a piece lies in another one.
+/// The inside of a closed surface. Every connected piece of the surface is a solid of its own: a
+/// point inside any piece is inside, also where a piece lies in another one.
 class Solid {
  public:
   /// @param surface with a triangle; welded(), distinct_triangles() and is_closed().
@@ -67,8 +67,8 @@ class Solid {
     SideGrid sides;
     BoxTree tree;
     std::vector<std::uint32_t> piece_of;  ///< Shape [triangles].
-    /// Shape [pieces]: whether neighbours are wound alike; then windings tell the inside also where
-    /// a piece runs through itself.
+    /// Shape [pieces]: true if neighbours are wound consistently; then windings give the inside
+    /// also where a piece intersects itself.
     std::vector<bool> is_oriented;
   };
 

@@ -23,12 +23,12 @@ struct BoundingSphere {
 
 class SphereTreeGrowth;
 
-/// A tree of spheres in the mesh's frame, sixteen to a node so that they are
-/// asked together. The spheres of every level together contain the whole
-/// surface; those of a node contain what its parent's sphere is for.
+/// A tree of spheres in the mesh's frame, sixteen to a node so that they are tested together. The
+/// spheres of every level together contain the whole surface; those of a node contain their
+/// parent's part of it.
 ///
-/// It is complete, or it grows where it is asked for: a node is made at its first visit, by any
-/// thread, and depends on nothing but the mesh and the nodes above it. Copies grow together.
+/// It is complete, or it grows on access: a node is made at its first visit, by any thread, and
+/// depends on nothing but the mesh and the nodes above it. Copies grow together.
 class SphereTree {
  public:
   static constexpr std::size_t kWidth = 16;
@@ -46,7 +46,7 @@ class SphereTree {
 
   SphereTree() = default;
 
-  /// A tree that grows. Its leaves are as small as asked for whatever the triangles.
+  /// A tree that grows. Its leaves are as small as requested, independent of the triangles' size.
   /// @pre the mesh has a triangle.
   [[nodiscard]] static SphereTree growing(std::shared_ptr<const TriangleMesh> mesh,
                                           double leaf_radius);
@@ -54,9 +54,9 @@ class SphereTree {
   static constexpr std::size_t kMostPieces = 1U << 16;
 
   /// A complete tree.
-  /// @param leaf_radius (m) spheres are split until they are this small; large
-  /// triangles are cut for that, but into no more than kMostPieces beyond their
-  /// number: where that is too few, spheres stay larger.
+  /// @param leaf_radius (m) spheres are split until they are this small; large triangles are cut
+  /// for that, but into at most kMostPieces more than their number: beyond that, spheres stay
+  /// larger.
   /// @pre the mesh has a triangle.
   SphereTree(const TriangleMesh& mesh, double leaf_radius);
 
@@ -92,7 +92,7 @@ class SphereTree {
 /// roundings of 6e-8 each.
 inline constexpr float kMoveRounding = 2e-6F;
 
-/// A rigid transform in single precision, with what its roundings can amount to.
+/// A rigid transform in single precision, with the bound of its rounding error.
 struct FloatPose {
   FloatPose() = default;
   /// @param reach (m) how far from A's origin points are that it will move.
@@ -105,7 +105,7 @@ struct FloatPose {
 
 /// Bounds of a node's spheres.
 struct SphereBounds {
-  std::uint32_t near = 0;  ///< Bit k: sphere k may be nearer than asked for.
+  std::uint32_t near = 0;  ///< Bit k: sphere k may be within the tolerance.
   alignas(64) std::array<float, SphereTree::kWidth> bound;  ///< m, of those; negative: overlap.
 };
 

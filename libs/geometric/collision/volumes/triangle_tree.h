@@ -15,8 +15,8 @@ namespace handway::geometric {
 
 using TriangleCorners = std::array<Eigen::Vector3d, 3>;
 
-/// Below this (m) surfaces count as touching unless FCL says otherwise: a hair,
-/// so that roundings can't hide a touch.
+/// Below this (m) surfaces count as touching unless FCL decides otherwise: a small distance, so
+/// that rounding can't hide a contact.
 inline constexpr double kTouch = 1e-9;
 
 /// The plane of a triangle, made once for all triangles that are compared with it.
@@ -24,8 +24,8 @@ class TrianglePlane {
  public:
   explicit TrianglePlane(const TriangleCorners& triangle);
 
-  /// Is all of the other triangle more than `tolerance` (m) away, on one side? Says no where it
-  /// can't tell.
+  /// Returns whether all of the other triangle is more than `tolerance` (m) away, on one side;
+  /// false if undecided.
   [[nodiscard]] bool is_beside(const TriangleCorners& other, double tolerance) const;
 
  private:
@@ -63,9 +63,9 @@ class TriangleBlock {
   Vectors normals_{};  ///< Unit normals, or 0 for triangles without area.
 };
 
-/// The triangles of a mesh, eight to a leaf, below axis-aligned boxes, eight to a
-/// node: what is near to a point is found with few looks at the memory. It reckons in
-/// single precision, and takes for nearer what roundings leave in doubt.
+/// The triangles of a mesh, eight to a leaf, below axis-aligned boxes, eight to a node: a search
+/// for near triangles needs few memory accesses. It computes in single precision and counts
+/// undecided triangles as near.
 class TriangleTree {
  public:
   /// @pre the mesh has a triangle.

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Before a function: the compiler makes a version of it for each kind of vector
-/// unit, and the program takes the widest that the machine has when it starts.
-/// All give the same bits: none reorders or fuses operations.
+/// Attribute of a function: the compiler makes a version of it for each kind of vector unit, and
+/// the program selects the widest of the machine at its start. All are bitwise equal: none reorders
+/// or fuses operations.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define HANDWAY_VECTOR_UNITS \

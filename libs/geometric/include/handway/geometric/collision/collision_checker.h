@@ -18,8 +18,8 @@ namespace handway::geometric {
 /// Number of queries of each kind that a checker has answered.
 struct CheckCounts {
   std::uint64_t configurations = 0;   ///< Placed configurations.
-  std::uint64_t pair_collisions = 0;  ///< Pairs asked "do they touch?".
-  std::uint64_t pair_distances = 0;   ///< Pairs asked "how far apart?".
+  std::uint64_t pair_collisions = 0;  ///< Collision queries of pairs.
+  std::uint64_t pair_distances = 0;   ///< Distance queries of pairs.
   std::uint64_t exact_tests = 0;      ///< Pair queries answered on triangles.
 
   CheckCounts& operator+=(const CheckCounts& other) {
@@ -57,11 +57,11 @@ struct Enclosed {
 
 /// Answers collision questions about the pairs of a CollisionWorld.
 ///
-/// A checker holds the state of one configuration and is for one thread; clones
-/// share the immutable parts. Touching counts as collision, and so does a body inside of another
-/// one's solids (see CollisionWorld): what is said of bodies that touch holds for both. Distances
-/// are those between the surfaces less the pair's padding, and a pair nearer than its padding
-/// counts as touching.
+/// A checker holds the state of one configuration and is for one thread; clones share the
+/// immutable parts. Touching counts as collision, and so does a body inside of another one's
+/// solids (see CollisionWorld): statements about touching bodies hold for both. Distances are
+/// those between the surfaces minus the pair's padding, and a pair nearer than its padding counts
+/// as touching.
 class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
  public:
   virtual ~CollisionChecker() = default;
@@ -117,19 +117,19 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
     return std::max(0.0, do_pair_bound(pair, enough + padding) - padding);
   }
 
-  /// A lower bound of the pair's distance that costs next to nothing: what
-  /// bounding volumes of the two bodies tell.
+  /// A cheap lower bound of the pair's distance, from the bounding volumes of the two
+  /// bodies.
   [[nodiscard]] double pair_quick_bound(int pair) {
     const LinkConstraint* constraint = world_->constraint(pair);
     return std::max(0.0, constraint ? constraint->slack(X_BL_)
                                     : do_pair_quick_bound(pair) - world_->padding(pair));
   }
 
-  /// Sets `pairs` to all that may be nearer than `distance` (m), as far as
-  /// bounding volumes tell, in order. In a large scene not every pair is looked at. No constraints.
+  /// Sets `pairs` to all that may be nearer than `distance` (m) by their bounding volumes, in
+  /// order. In a large scene not every pair is tested. No constraints.
   void near_pairs(double distance, std::vector<int>& pairs) { do_near_pairs(distance, pairs); }
 
-  /// near_pairs(), those first that are likely to be the closest, where that is cheap to tell.
+  /// Lists near_pairs(), the likely closest ones first where an estimate is cheap.
   void near_pairs_closest_first(double distance, std::vector<int>& pairs) {
     do_near_pairs(distance, pairs);
     do_closest_first(distance, pairs);
@@ -179,7 +179,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// Questions about all pairs take their padding into account.
   virtual void do_near_pairs(double distance, std::vector<int>& pairs);
   virtual void do_closest_first(double /*distance*/, std::vector<int>& /*pairs*/) {}
-  /// Asks `hint` first, then in a fixed order. There are pairs.
+  /// Tests `hint` first, then all in a fixed order. @pre there are pairs.
   [[nodiscard]] virtual std::optional<int> do_first_collision(int hint);
 
  private:
@@ -188,7 +188,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   std::vector<Pose> X_BL_;
   std::vector<Pose> X_WBody_;
   CheckCounts counts_;
-  int last_collision_ = 0;  ///< Asked first: neighbours in space collide in the same pair.
+  int last_collision_ = 0;  ///< Tested first: neighbours in space collide in the same pair.
 };
 
 /// Two bodies by name, with their distance (m, 0 if they touch or one is inside of the other); or a

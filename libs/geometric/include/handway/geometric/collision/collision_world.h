@@ -21,21 +21,21 @@ struct BodySolids;
 /// beyond 1 µm of contact, and distances are right within 1 µm.
 inline constexpr double kFarthestPoint = 1e6;
 
-/// One rigid set of triangles: a link of the planned robot with all its
-/// collision shapes, a carried object, or something that stands still.
+/// One rigid set of triangles: a link of the planned robot with all its collision shapes, an
+/// attached object, or a fixed body.
 struct CollisionBody {
-  std::string name;  ///< Link or object; "robot/link" for a robot that stands still.
-  int link = -1;     ///< Link of the planned robot that carries the body; -1: stands still.
-  Pose X_FB = Pose::Identity();              ///< In the carrying link's frame, or in the world.
+  std::string name;              ///< Link or object; "robot/link" for a robot that is fixed.
+  int link = -1;                 ///< Link of the planned robot that carries the body; -1: fixed.
+  Pose X_FB = Pose::Identity();  ///< In the carrying link's frame, or in the world.
   std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
   bool is_carried = false;                   ///< An object on a link.
-  /// The body is a scaled copy of the body before it: this one is checked against what stands
-  /// still, the other one against what moves.
+  /// The body is a scaled copy of the body before it: this one is checked against fixed bodies, the
+  /// other one against moving ones.
   bool is_scaled_copy = false;
-  /// The distance (m) that the body keeps from what stands still, or, standing still itself, from
-  /// what moves. Of a pair the paddings of both bodies add up.
+  /// Distance (m) that a moving body keeps from fixed ones, or a fixed body from moving ones.
+  /// Paddings of both bodies of a pair add up.
   double padding = 0.0;
-  std::vector<std::string> touching = {};  ///< Names of bodies that a carried object may touch.
+  std::vector<std::string> touching = {};  ///< Names of bodies that an attached object may touch.
   /// Its closed shapes, inside of which nothing may be; never null.
   std::shared_ptr<const BodySolids> solids = nullptr;
   /// Centre of B in the link's or the object's frame, along its axes, m: other than 0 for a mesh
@@ -51,34 +51,34 @@ struct BodyPair {
   int b = -1;
 };
 
-/// Everything that collision checking needs to know of a scene, for its first
-/// robot: bodies and the pairs to check. Immutable; shared by all threads.
+/// Bodies of a scene and the pairs to check for collisions, for the scene's first robot. Immutable;
+/// shared by all threads.
 ///
 /// Primitives and closed meshes (is_closed()) are solids, each connected piece of its own: a body
 /// with a piece inside of another one's collides with it. Open meshes, and objects that are not
 /// `solid`, are surfaces.
 ///
-/// Not checked are pairs that the robot's allowed-collision matrix names, pairs
-/// that no joint moves against each other, and a carried object against the link
-/// that carries it and the links it may touch; what the scene says of pairs goes before all
-/// but the second. A link that is scaled has two bodies. A pair with padding collides where its
-/// bodies are nearer to each other than that; its distance is what is left beyond it.
+/// Three kinds of pairs are not checked: those that the robot's allowed-collision matrix names,
+/// those that no joint moves against each other, and an attached object with its link and the links
+/// that it may touch. The scene's pairs override all but the second. A link that is scaled has two
+/// bodies. A pair with padding collides where its bodies are nearer to each other than that; its
+/// distance is the rest beyond it.
 class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
  public:
   /// @throws InputError if the scene has no robot, an attachment names none, or a point is
   /// farther away than kFarthestPoint; as LinkConstraint.
   explicit CollisionWorld(const Scene& scene);
 
-  /// This world after a change of one object that stands still, all else shared: what
-  /// CollisionWorld(scene) would be for the changed scene, without making its meshes again.
-  /// @throws InputError if there is no such object, or one is to be added under a name that
-  /// is taken or is attached to a link.
+  /// This world after a change of one fixed object, all else shared: equal to CollisionWorld(scene)
+  /// for the changed scene, without making its meshes again.
+  /// @throws InputError if there is no such object, or an object to be added has a name that is
+  /// taken or is attached to a link.
   [[nodiscard]] CollisionWorld with_object_at(std::string_view name, const Pose& X_WO) const;
   [[nodiscard]] CollisionWorld with_object(const SceneObject& object) const;
   [[nodiscard]] CollisionWorld without_object(std::string_view name) const;
   [[nodiscard]] CollisionWorld with_change(const ObjectChange& change) const;
 
-  /// This world with the constraints of `scene`, which has the same robots and carried objects.
+  /// This world with the constraints of `scene`, which has the same robots and attached objects.
   /// @throws InputError as LinkConstraint.
   [[nodiscard]] CollisionWorld with_constraints_of(const Scene& scene) const;
 
@@ -123,7 +123,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   /// Indices of the bodies that move, rising.
   [[nodiscard]] const std::vector<int>& moving() const { return moving_; }
 
-  /// Pairs with a body of that name that stands still, in order.
+  /// Pairs with a fixed body of that name, in order.
   [[nodiscard]] std::vector<int> pairs_with(std::string_view still_body) const;
 
  private:

@@ -14,9 +14,9 @@ namespace handway::geometric {
 
 /// A PathConstraint in terms of the link that carries its body.
 ///
-/// Its slack is what is left of the angle (rad) or, for a position, the distance from the nearest
-/// side of the box (m): at least 0 where the constraint holds. When the joints move it changes by
-/// no more than the axis turns or the point travels.
+/// Its slack is the remaining angle (rad) or, for a position, the distance from the nearest side of
+/// the box (m): at least 0 where the constraint holds. When the joints move, it changes by at most
+/// the rotation of the axis or the travel of the point.
 class HANDWAY_GEOMETRIC_EXPORT LinkConstraint {
  public:
   /// @param scene has a robot; the constraint is of the first one.

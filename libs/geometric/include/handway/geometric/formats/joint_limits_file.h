@@ -21,22 +21,22 @@ struct FiledJointLimits {
   std::optional<double> upper;
 };
 
-/// Reads a file of the form that MoveIt and ros2_control know: a map `joint_limits` of joints, each
-/// with `has_position_limits`, `min_position`, `max_position`, `has_velocity_limits`,
-/// `max_velocity`, `has_acceleration_limits`, `max_acceleration`, `has_deceleration_limits`,
-/// `max_deceleration`, `has_jerk_limits`, `max_jerk`, `has_soft_limits`, `soft_lower_limit`,
-/// `soft_upper_limit` (all optional). What a flag denies does not count.
+/// Reads a file in the format of MoveIt and ros2_control: a map `joint_limits` of joints, each with
+/// `has_position_limits`, `min_position`, `max_position`, `has_velocity_limits`, `max_velocity`,
+/// `has_acceleration_limits`, `max_acceleration`, `has_deceleration_limits`, `max_deceleration`,
+/// `has_jerk_limits`, `max_jerk`, `has_soft_limits`, `soft_lower_limit`, `soft_upper_limit` (all
+/// optional). Limits whose flag is false don't count.
 /// @param joints names of the robot's joints. The file may be about others, too.
-/// @throws InputError naming line and key, also for a name that is nearly that of a joint which the
-/// file leaves out: limits that somebody relies on must not be passed over.
+/// @throws InputError naming line and key, also for a name that is almost that of a joint missing
+/// in the file: limits that a user relies on must not be ignored.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<FiledJointLimits> read_joint_limits(
     const std::filesystem::path& file, std::span<const std::string> joints);
 
-/// Names of the joints that move on their own.
+/// Names of the independent joints.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> independent_joints(
     const RobotDescription& robot);
 
-/// Returns the file joint_limits.yaml beside the robot's file; empty if there is none.
+/// Returns the file joint_limits.yaml beside the robot's file; empty if it does not exist.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::filesystem::path joint_limits_beside(
     const RobotDescription& robot);
 

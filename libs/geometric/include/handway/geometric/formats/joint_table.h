@@ -17,7 +17,7 @@
 /// writes them: what recordings of a hand's joints and files of paths have in common.
 namespace handway::geometric {
 
-/// The number of the joint of exactly this name; nothing if it is none of those asked for.
+/// Function from a joint's exact name to its number; nothing for joints that were not requested.
 using JointLookup = std::function<std::optional<int>(std::string_view)>;
 
 /// Rows as they come, with gaps.
@@ -34,15 +34,15 @@ struct JointTable {
   bool times_are_spelled = false;       ///< They are dates or clock times.
   std::vector<Eigen::VectorXd> values;  ///< rad, m, or what the file has; NaN: not there.
   std::vector<std::size_t> lines;       ///< Line of each row; empty for messages.
-  std::set<std::string> others;         ///< Columns and joints that are none of those asked for.
+  std::set<std::string> others;         ///< Columns and joints that were not requested.
   std::vector<int> columns;             ///< Number of columns of each joint.
   std::optional<BadCell> bad_cell;      ///< The first one.
-  bool units_are_named = false;         ///< Columns say degrees or radians; degrees were turned.
+  bool units_are_named = false;         ///< Columns name their unit; degrees were converted.
   bool holds = false;                   ///< Missing values repeat the row before.
   bool is_cut_off = false;              ///< The last row or message was no whole one.
 };
 
-/// Reads such a file. What kind it is, its content tells:
+/// Reads such a file. The content decides its kind:
 ///   - a table of text with the joints' names above the columns, alone or in a longer name: "pan",
 ///     "pan_pos", "pan [deg]", "/joint_states/pan/position". Velocities and efforts are passed
 ///     over. Times are found by time_columns();

@@ -7,16 +7,16 @@
 /// Messages between the library and its program handway-mesh-reader, as these structures' bytes:
 /// both are of one build on one machine.
 ///
-/// The library sends, over a socket of type SOCK_SEQPACKET that the program has as descriptor 3, a
-/// MeshRequest and behind it the file's path; with it goes, as SCM_RIGHTS, the writing end of a
-/// pipe. A process of its own reads the file and writes into the pipe a MeshReply and behind it
-/// the text, the vertices (three doubles each) and the triangles (three 32-bit indices each). When
-/// that process is gone, whatever became of it, a MeshReadingEnd comes back over the socket.
+/// The library sends a MeshRequest, followed by the file's path, over a socket of type
+/// SOCK_SEQPACKET that the program has as descriptor 3; with it goes, as SCM_RIGHTS, the writing
+/// end of a pipe. A process of its own reads the file and writes into the pipe a MeshReply,
+/// followed by the text, the vertices (three doubles each) and the triangles (three 32-bit indices
+/// each). When that process has ended, for any reason, a MeshReadingEnd comes back over the socket.
 namespace handway::geometric {
 
 /// Library that reads the file.
 enum class MeshFormat : std::uint32_t {
-  kAssimp,    ///< STL, OBJ, DAE, PLY, glTF, …: whatever assimp knows.
+  kAssimp,    ///< All formats of assimp: STL, OBJ, DAE, PLY, glTF, …
   kInventor,  ///< Open Inventor and VRML, by Coin.
 };
 
@@ -61,7 +61,7 @@ enum class MeshReadingOutcome : std::uint32_t {
 struct MeshReadingEnd {
   std::uint32_t mark = kMeshStreamMark;
   MeshReadingOutcome outcome = MeshReadingOutcome::kDone;
-  std::int32_t signal = 0;  ///< That ended the process; 0 if none did.
+  std::int32_t signal = 0;  ///< Signal that ended the process, or 0.
 };
 
 static_assert(std::is_trivially_copyable_v<MeshRequest> &&

@@ -13,9 +13,9 @@ namespace handway::geometric {
 /// Reads robots of another format than URDF; plugins hand them over.
 struct RobotReader {
   std::string name;  ///< "an SDF model (.sdf)"
-  /// Looks at the name and the first bytes; must not throw on any readable file.
+  /// Tests the name and the first bytes; must not throw on any readable file.
   std::function<bool(const std::filesystem::path&)> can_read;
-  /// @throws InputError naming file, element, what was found and expected.
+  /// @throws InputError naming file, element, the value found and the expected one.
   std::function<RobotDescription(const std::filesystem::path&)> read;
 };
 
@@ -26,11 +26,11 @@ HANDWAY_GEOMETRIC_EXPORT void register_robot_reader(RobotReader reader);
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_robot_file(const std::filesystem::path& file);
 
 /// Reads a robot file (`.urdf`, with the `.srdf` beside it) and makes the model. A `.xacro` file is
-/// first turned into URDF by the program `xacro`; the SRDF of its name (`x.srdf` for
-/// `x.urdf.xacro`) is read as well, and so is that of files of other formats. If no SRDF disables
-/// any collision, the links that a joint connects and those that overlap
-/// (sample_overlapping_links()) are allowed to touch. Where it names no group "arm" or "hand", that
-/// one is of propose_groups(). Warnings in the description say so of robots without an SRDF.
+/// first turned into URDF by the program `xacro`. The SRDF of its name (`x.srdf` for
+/// `x.urdf.xacro`) is read as well; so are SRDFs of files of other formats. If no SRDF disables any
+/// collision, adjacent links and links that overlap (sample_overlapping_links()) are allowed to
+/// touch. A missing group "arm" or "hand" is taken from propose_groups(). The description has a
+/// warning about both for robots without an SRDF.
 /// @throws InputError if the file can't be read or makes no robot.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const RobotModel> load_robot(
     const std::filesystem::path& file);

@@ -14,28 +14,28 @@ inline constexpr int kSceneVersion = 1;
 
 /// Reads a scene file (YAML; docs/scene-format.md), its robots and its meshes.
 ///
-/// RobotInstance::file and Scene::hand_basis keep the reference as the file
-/// names it (find_resource() makes a path of it); Mesh::file is absolute.
-/// A joint that `configuration` leaves out stands at the model's neutral();
-/// one that `start` or `goal` leave out stands as in `configuration`.
-/// Start and goal may be out of limits or in collision: planners say so.
+/// RobotInstance::file and Scene::hand_basis keep the reference as written in the file
+/// (find_resource() makes a path of it); Mesh::file is absolute. A joint missing in
+/// `configuration` has the model's neutral() value; one missing in `start` or `goal` has the
+/// value in `configuration`. Start and goal may be out of limits or in collision: planners report
+/// it.
 ///
-/// @throws InputError naming file, line and element of what is wrong.
+/// @throws InputError naming file, line and element of the error.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Scene read_scene(const std::filesystem::path& file);
 
-/// The objects of a text that is a scene file or its part `objects`, as objects_text() writes it,
-/// and what it says of them to the window. Meshes are named by absolute paths or of the library.
+/// Reads the objects of a text that is a scene file or its part `objects`, as objects_text() writes
+/// it, with their display settings. Meshes are named by absolute paths or are of the library.
 /// @param source where the text is from, for messages. @param scene with its robots, which objects
 /// may be attached to.
 /// @returns a scene of objects alone, under the names of the text.
-/// @throws InputError naming source, line and element of what is wrong.
+/// @throws InputError naming source, line and element of the error.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Scene read_objects(const std::string& text,
                                                           const std::string& source,
                                                           const Scene& scene);
 
 /// The constraints of a text that is a list of them, as a scene file has it. @param source where
 /// the text is from, for messages. @param scene whose bodies they are about.
-/// @throws InputError naming source, line and element of what is wrong.
+/// @throws InputError naming source, line and element of the error.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<PathConstraint> read_constraints(
     const std::string& text, const std::string& source, const Scene& scene);
 

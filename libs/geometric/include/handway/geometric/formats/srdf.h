@@ -9,24 +9,24 @@
 
 namespace handway::geometric {
 
-/// Adds what an SRDF file says (http://wiki.ros.org/srdf) to the robot that it
-/// belongs to: `group` (by joints, links, chains and subgroups), `group_state`
-/// and `disable_collisions`; and, of Handway's own, `coupling` (see couple_joint()): its joint, an
-/// offset, and for each joint that it `follows` a multiplier. Reasons other than Adjacent, Always
-/// and Never are read as User. Lines about links, joints and groups that are not there are passed
-/// over, as are elements that are not known: one warning each.
+/// Adds the contents of an SRDF file (http://wiki.ros.org/srdf) to its robot: `group` (by
+/// joints, links, chains and subgroups), `group_state` and `disable_collisions`. Handway's own
+/// element is `coupling` (see couple_joint()): its joint, an offset, and for each joint that it
+/// `follows` a multiplier. Reasons other than Adjacent, Always and Never are read as User. Lines
+/// about unknown links, joints and groups are skipped, as are unknown elements: one warning
+/// each.
 /// @throws InputError naming the line if the file can't be read, an element is
 /// misspelt or a number is none; `robot` is then unchanged.
 HANDWAY_GEOMETRIC_EXPORT void read_srdf(const std::filesystem::path& file, RobotDescription& robot);
 
-/// The names of its groups, in the file's order, without looking at what is in them.
+/// Returns the names of its groups, in the file's order, without reading the groups.
 /// @throws InputError if the file can't be read or is no SRDF.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> srdf_group_names(
     const std::filesystem::path& file);
 
 /// Replaces all `disable_collisions` of an SRDF file by those of the robot, adds the groups and end
-/// effectors whose names it has not, and keeps the rest, comments included; makes the file if there
-/// is none. The file is replaced whole.
+/// effectors whose names it lacks, and keeps the rest, comments included; creates a missing file.
+/// The file is replaced whole.
 /// @param decided groups that become those of the robot also where the file has others; where the
 /// robot has none, they go with their postures, and so do all end effectors that the robot has not.
 /// @throws InputError if the old file is no SRDF or the new one can't be

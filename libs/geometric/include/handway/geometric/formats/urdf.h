@@ -18,8 +18,8 @@ class HANDWAY_GEOMETRIC_EXPORT MissingMeshError : public InputError {
   using InputError::InputError;
 };
 
-/// Collision meshes that a robot file names and that can't be had: so that one message says how
-/// many.
+/// Collects missing collision meshes of a robot file, so that one message reports
+/// all.
 class HANDWAY_GEOMETRIC_EXPORT MissingMeshes {
  public:
   /// @param name of the mesh, which counts once.

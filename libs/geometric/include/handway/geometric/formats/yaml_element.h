@@ -14,8 +14,8 @@
 
 namespace handway::geometric {
 
-/// A part of a YAML file that knows its name and line, so that what is wrong
-/// with it can be said precisely. Cheap to copy; not for several threads at once.
+/// A part of a YAML file that knows its name and line, for precise messages about errors in it.
+/// Cheap to copy; not for several threads at once.
 ///
 /// All functions throw InputError naming file, line and element if the part is
 /// not what they ask for.
@@ -44,8 +44,8 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   /// Checks that this is a map in which every key is known and occurs once;
   /// advises the nearest known key.
   void allow_keys(std::initializer_list<std::string> known) const;
-  /// Checks that no key of this map is misspelt: is none of the known ones and at most two
-  /// letters off one. Other keys may be there. For formats of others.
+  /// Checks that no key of this map is misspelt: neither a known one nor within two letters of one.
+  /// Other keys are allowed. For third-party formats.
   void refuse_slips(std::initializer_list<std::string> known) const;
   /// The value of a key; nothing if the key is absent or its value empty.
   [[nodiscard]] std::optional<YamlElement> find(const std::string& key) const;
@@ -66,7 +66,7 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   [[nodiscard]] std::string text() const;
   /// True or false, in these words.
   [[nodiscard]] bool flag() const;
-  /// Finite and within ±10⁶ (metres, radians: what is beyond is a slip of units).
+  /// Finite and within ±10⁶ (metres, radians: larger numbers are in wrong units).
   [[nodiscard]] double number() const;
   /// A list of `count` numbers, shape [count].
   [[nodiscard]] Eigen::VectorXd numbers(int count) const;

@@ -7,9 +7,9 @@
 
 namespace handway::geometric {
 
-/// Merges lines that say the same of several things: at least six of ten words are the same, in
-/// their order. The first of them stands for all, with a count and the names of some others:
-/// "joint a is limited … (2 more alike: b, c)". The order is kept.
+/// Merges similar lines: at least six of ten words are the same, in their order. The first line
+/// stands for all, with a count and the names of some others: "joint a is limited (2 more alike: b,
+/// c)". The order is kept.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> merged_alike(
     const std::vector<std::string>& lines);
 

@@ -13,7 +13,7 @@
 
 namespace handway::geometric {
 
-/// Tells contents apart (XXH3, 128 bits), for all that the program remembers of any.
+/// Hash of a content (XXH3, 128 bits), for all caches of the program.
 using Digest = std::array<std::uint8_t, 16>;
 
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Digest digest_of(std::string_view content);
@@ -24,15 +24,15 @@ using Digest = std::array<std::uint8_t, 16>;
 
 using CacheKey = Digest;
 
-/// The key of what this version of the program derives from `content`.
-/// @param layout what is derived and how it is laid out as bytes: to change with either.
+/// The key of data that this version of the program derives from `content`.
+/// @param layout kind of the data and its layout as bytes: to change with either.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT CacheKey cache_key(std::string_view layout,
                                                           std::string_view content);
 
-/// A folder of what takes long to derive, an entry a key. Each carries a checksum of its key and
-/// its bytes: what is truncated, changed, copied from another entry or no file at all counts as
-/// not there. Nothing here fails: without a folder that can be read and written, nothing is kept.
-/// For any thread and several processes at a time.
+/// A folder of data that take long to derive, one entry per key. Each carries a checksum of its key
+/// and its bytes: entries that are truncated, changed, copied from another entry or no file count
+/// as missing. Nothing here fails: without a folder that can be read and written, nothing is
+/// stored. For any thread and several processes at a time.
 class HANDWAY_GEOMETRIC_EXPORT DiskCache {
  public:
   static constexpr std::uintmax_t kBudget = std::uintmax_t{512} << 20;  ///< Bytes.

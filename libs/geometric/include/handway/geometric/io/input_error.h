@@ -34,7 +34,7 @@ class HANDWAY_GEOMETRIC_EXPORT InputError : public std::runtime_error {
   InputProblem problem_;
 };
 
-/// Thrown for a result that can't be written to where it was asked for; tools exit with code 1.
+/// Thrown for a result that can't be written to its destination; tools exit with code 1.
 class HANDWAY_GEOMETRIC_EXPORT OutputError : public InputError {
  public:
   using InputError::InputError;
@@ -49,7 +49,7 @@ class HANDWAY_GEOMETRIC_EXPORT OutputError : public InputError {
 /// nearest first, however far they are.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> nearest_names(
     std::string_view word, std::span<const std::string> names, std::size_t count);
-/// The one of `names` that `word`, which is none of them, must be a slip of: at most two
+/// The one of `names` of which `word`, which is not among them, is a misspelling: at most two
 /// letters off, whatever their case, and not the whole word.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<std::string> slip_of(
     std::string_view word, std::span<const std::string> names);

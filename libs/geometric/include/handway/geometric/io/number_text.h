@@ -10,8 +10,8 @@
 /// Numbers in text files, and lines of cells that hold them.
 namespace handway::geometric {
 
-/// The finite number that the whole of `text` spells, whatever the locale; blanks
-/// around it do not matter. Nothing for anything else, NaN and infinity included.
+/// Returns the finite number that the whole of `text` spells, in any locale; surrounding blanks are
+/// ignored. Nothing for anything else, NaN and infinity included.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<double> parse_number(std::string_view text);
 
 /// The shortest text that parse_number() reads back as the same number.

@@ -14,7 +14,7 @@ namespace handway::geometric {
 /// $HANDWAY_RESOURCE_DIR if set; else `resources` or `share/handway/resources`
 /// in the folder of the running program, or of this library, or one above; else
 /// that of the source tree that the program was built from.
-/// @throws InputError if there is none, or the variable names none.
+/// @throws InputError if it does not exist, or the variable names a missing one.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::filesystem::path resource_dir();
 
 /// A part of the library and how its names become files.
@@ -32,7 +32,7 @@ enum class ResourceKind {
 /// letters (existing_file()). Absolute and normal.
 /// @param folder of the file that holds the reference.
 /// @param referenced_by "FILE:LINE" of it, for messages.
-/// @throws InputError if there is no such file, with the places looked at.
+/// @throws InputError if there is no such file, with the places searched.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::filesystem::path find_resource(
     ResourceKind kind, const std::filesystem::path& reference, const std::filesystem::path& folder,
     const std::string& referenced_by = "");

@@ -30,7 +30,7 @@ struct TimeName {
   enum class Kind { kTime, kDate, kSeconds, kNanoseconds };
   Kind kind = Kind::kTime;     ///< The last two are the halves of a stamp of ROS.
   std::optional<double> unit;  ///< s, if it is named: 1e-3 of "t_ms" or "time [ms]".
-  bool plain = true;           ///< It says nothing else.
+  bool plain = true;           ///< The name has no other meaning.
 };
 
 /// Returns nothing if the column is not one of times by its name. Names may be German, French,
@@ -56,15 +56,15 @@ enum class CellContent { kOther, kNumbers, kDates, kClocks, kDatesAndClocks };
 /// The content of a column with such a cell.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT CellContent content_of(std::string_view cell);
 
-/// Takes columns that say nothing else by their names before others, and of several the first.
+/// Prefers columns whose names have no other meaning, and of several the first.
 /// @param names of all columns.
 /// @param contents of each.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TimeColumns
 time_columns(const std::vector<std::string>& names, const std::vector<CellContent>& contents);
 
 /// Makes seconds that never fall of the times in a table.
-///   - The unit is the named one. Where none is named, or the values contradict it, their size
-///     (of times since 1970) and their steps tell: rows are less than 5 s apart.
+/// - The unit is the named one. If none is named, or the values contradict it, it follows from
+///   their size (of times since 1970) and their steps: rows are less than 5 s apart.
 ///   - Times since 1970 begin at 0.
 ///   - A clock without a date that passes midnight runs on.
 /// - If time runs back, the clock was set: times run on from there by a usual step. A few rows

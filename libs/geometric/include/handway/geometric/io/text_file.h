@@ -9,8 +9,8 @@
 
 namespace handway::geometric {
 
-/// Notes which files a thread reads while it lives: all that a scene is made of, whatever refers
-/// to what. Those of one thread may be nested.
+/// Records which files a thread reads during its lifetime: all files of a scene, with those that
+/// they refer to. Recorders of one thread may be nested.
 class HANDWAY_GEOMETRIC_EXPORT FilesRead {
  public:
   FilesRead();
@@ -40,8 +40,8 @@ HANDWAY_GEOMETRIC_EXPORT void note_file_read(const std::filesystem::path& file);
     const std::filesystem::path& file, const std::string& what,
     std::size_t limit = std::size_t{64} << 20);
 
-/// The first `size` bytes of a file, fewer of a shorter one; empty if it can't be read. For those
-/// who look whether a file is theirs.
+/// The first `size` bytes of a file, fewer of a shorter one; empty if it can't be read. For readers
+/// that recognize their files.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string head_of(const std::filesystem::path& file,
                                                            std::size_t size = std::size_t{1} << 16);
 

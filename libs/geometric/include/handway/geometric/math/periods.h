@@ -10,8 +10,8 @@ namespace handway::geometric {
 /// Periods of a vector's coordinates, as 2π of an angle: values that differ by whole periods in
 /// them are the same place.
 ///
-/// Vectors stay plain numbers. What moves from one place to another goes to the value next to where
-/// it is, so that straight motions take the shorter arc.
+/// Vectors stay plain numbers. A motion goes to the equivalent value nearest to its start, so that
+/// straight motions take the shorter arc.
 class Periods {
  public:
   /// Makes periods of no coordinate.

@@ -31,7 +31,7 @@ make_arm_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int 
 /// A ball that the origin of a link does not leave, in the robot's base frame.
 struct ReachBall {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< The arm's first joint, m.
-  double radius = 0.0;  ///< m; larger than the reach by what bends between the joints cost.
+  double radius = 0.0;                               ///< m; above the reach by the losses of bends.
 
   [[nodiscard]] bool contains(const Eigen::Vector3d& p_B) const {
     return (p_B - centre).norm() <= radius;

@@ -25,9 +25,9 @@ struct BasePlace {
 /// Appends a planar or floating joint as a chain of slides and turns, with links without shape
 /// between them that are called like the joints:
 /// - planar: NAME/x, NAME/y, and NAME/theta about the normal, as MoveIt calls them;
-/// - floating: NAME/trans_x, NAME/trans_y, NAME/trans_z, as MoveIt calls them, then NAME/yaw about
-///   z, NAME/pitch about the new y and NAME/roll about the newest x: the angles of URDF's `rpy`. So
-///   every orientation is reached; next to a pitch of ±90°, yaw and roll do the same.
+/// - floating: NAME/trans_x, NAME/trans_y, NAME/trans_z, as MoveIt calls them, then NAME/yaw
+///   about z, NAME/pitch about the new y and NAME/roll about the newest x: the angles of URDF's
+///   `rpy`. So every orientation is reached; next to a pitch of ±90°, yaw and roll are equivalent.
 ///
 /// All turns are continuous but the pitch, which has ±90°. Slides have ±kDefaultBaseReach.
 HANDWAY_GEOMETRIC_EXPORT void add_base_joint(RobotDescription& robot, const BaseJoint& base,

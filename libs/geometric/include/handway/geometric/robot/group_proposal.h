@@ -22,22 +22,22 @@ struct GroupProposal {
   std::vector<std::string> hand;         ///< Joints of the fingers, without `wrist`.
   std::vector<std::string> wrist;        ///< Up to three joints between the root and the palm.
   std::string palm;                      ///< The link that carries the fingers; empty without hand.
-  std::vector<std::string> fingertips;   ///< The last link of each finger; bars beside it are none.
+  std::vector<std::string> fingertips;   ///< The last link of each finger, bars beside it excluded.
   std::string tip;                       ///< Last link of an arm without a hand.
   std::vector<GroupQuestion> questions;  ///< Questions that the user has to decide.
 
-  /// `hand`, and `wrist`, which comes with the hand unless somebody says that the arm has it.
+  /// Joints of `hand` and `wrist`, which belongs to the hand unless the user gives it to the arm.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> hand_with_wrist() const;
 };
 
-/// Finds arm and hand by the tree, and how large what it carries is. A hand is what branches into
-/// fingers of at most 0.4 m that can reach each other, wheels being none, nor eyes; all that leads
-/// there is the arm. One or two joints that lead to the fingers
-/// of a robot without other arm are a wrist, and three within 0.15 m. Where branches are longer
-/// they are arms, each with what it carries: those with a hand, if any has one, so that wheels,
-/// heads and legs are neither arm nor hand, and nor is a base that moves. What leads
-/// there by up to three joints is a neck, whatever is on its head, beside arms of more joints. A
-/// robot that does not branch is an arm.
+/// Finds arm and hand by the tree and the size of its branches. A hand branches into fingers
+/// of at most 0.4 m that can reach each other; wheels and eyes are not fingers. All joints
+/// that lead to it are the arm. One or two joints that lead to the fingers of a robot
+/// without other arm are a wrist, and three within 0.15 m. Longer branches are arms, each
+/// with the links that it carries: those with a hand, if any has one, so that wheels, heads
+/// and legs are neither arm nor hand, and nor is a moving base. A chain of up to three
+/// joints beside longer arms is a neck, whatever it carries. A robot that does not branch is
+/// an arm.
 ///
 /// If there are several hands, `palm` is the first one's.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal propose_groups(const RobotModel& model);

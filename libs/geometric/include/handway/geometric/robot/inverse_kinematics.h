@@ -85,7 +85,7 @@ class HANDWAY_GEOMETRIC_EXPORT InverseKinematics {
   std::vector<int> variables_;
 };
 
-/// Variables of the joints on the way from the root to `link`, ascending.
+/// Variables of the joints on the chain from the root to `link`, ascending.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> chain_variables(const RobotModel& model,
                                                                         int link);
 

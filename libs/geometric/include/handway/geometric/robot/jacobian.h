@@ -29,18 +29,18 @@ point_jacobian(const RobotModel& model, std::span<const Pose> X_BL, int link,
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Jacobian point_jacobian(
     const RobotState& state, int link, const Eigen::Vector3d& p_LQ = Eigen::Vector3d::Zero());
 
-/// Yoshikawa's measure of manipulability: the volume, up to a constant, of the ellipsoid that a
-/// chain's joint speeds of length 1 make of a task's speeds; 0 in a singular posture. Of chains
-/// with fewer joints than task coordinates: the volume in the directions that they can move in.
+/// Yoshikawa's measure of manipulability: the volume, up to a constant, of the ellipsoid of a
+/// task's speeds for joint speeds of norm 1; 0 in a singular posture. For chains with fewer joints
+/// than task coordinates: the volume in the directions in which they can move.
 ///
 /// Source: T. Yoshikawa, "Manipulability of robotic mechanisms", Int. J. Robotics Research 4(2),
 /// 1985.
-/// @param J shape [task, joints], both at least 1: rows and columns of a Jacobian. Its units say
-/// what the measure weighs; three rows of one unit are the usual choice.
+/// @param J shape [task, joints], both at least 1: rows and columns of a Jacobian. Its units weight
+/// the measure; three rows of one unit are the usual choice.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT double manipulability(const Eigen::MatrixXd& J);
 
-/// The part of joint speeds `wanted` that moves a redundant chain and leaves the task alone: its
-/// projection into the null space of J. Zero, but for rounding, of a chain that is not redundant.
+/// The part of joint speeds `wanted` that moves a redundant chain without effect on the task: its
+/// projection into the null space of J. Zero, but for rounding, for a chain that is not redundant.
 /// @param J shape [task, joints]. @param wanted shape [joints].
 /// @param damping of the inverse, in J's units squared, > 0: near singular postures, where
 /// directions of the task are all but lost, larger values let the task give way instead of the

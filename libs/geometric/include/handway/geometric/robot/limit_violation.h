@@ -11,13 +11,13 @@
 
 namespace handway::geometric {
 
-/// Describes why `q` is not a configuration of the robot, whatever its limits: "has 5 values where
+/// Describes why `q` is not a configuration of the robot, regardless of limits: "has 5 values where
 /// the robot has 7 variables", or "has no number for joint J"; empty if it is one.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string configuration_fault(const RobotModel& model,
                                                                        const Configuration& q);
 
 /// Tolerance (rad or m) within which a joint beyond a limit counts as at it: encoders and files
-/// round. A limit is also met by what single precision makes of it.
+/// round. Values rounded to single precision also meet a limit.
 [[nodiscard]] inline double limit_tolerance(double limit) {
   constexpr double kTolerance = 1e-6;
   constexpr double kSingle = 1.0 / (1 << 23);
@@ -30,7 +30,7 @@ struct LimitViolation {
   double value = 0.0;
   double lower = 0.0;
   double upper = 0.0;
-  std::string leader;  ///< The joint that it follows; empty if it moves on its own.
+  std::string leader;  ///< The joint that it follows; empty if independent.
   JointType type = JointType::kRevolute;
 };
 
@@ -38,7 +38,7 @@ struct LimitViolation {
 /// of the links. Of a joint that is limited only for the sake of a coupled one, the coupled one is
 /// named.
 /// @param q finite, shape [variable_count].
-/// @param fixed variables that do not count: what nobody moves can't be brought back.
+/// @param fixed variables that are ignored: joints that don't move can't be brought back.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<LimitViolation> limit_violations(
     const RobotModel& model, const Configuration& q, std::span<const int> fixed = {});
 

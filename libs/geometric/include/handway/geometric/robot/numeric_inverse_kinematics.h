@@ -55,9 +55,9 @@ struct NumericIkResult {
   std::string reason;  ///< Reason of a failure; empty on success.
 };
 
-/// Damped least squares for any chain: Levenberg-Marquardt steps on the pose
-/// error, variables at a limit that would leave it being held (projection),
-/// random restarts where a start ends in a local minimum or in a posture that is refused.
+/// Damped least squares for any chain: Levenberg-Marquardt steps on the pose error, holding
+/// variables at a limit that they would leave (projection), with random restarts after a local
+/// minimum or a refused posture.
 ///
 /// Source: C. W. Wampler, "Manipulator inverse kinematic solutions based on
 /// vector formulations and damped least-squares methods", IEEE Trans. SMC 16(1),
@@ -75,7 +75,7 @@ class HANDWAY_GEOMETRIC_EXPORT NumericInverseKinematics : public InverseKinemati
 
   /// @param X_BT where T shall be, in the robot's base frame.
   /// @param reference the first start and the other variables' values.
-  /// @param accept starts go on until a posture that reaches the pose passes this; empty: any does.
+  /// @param accept predicate that ends the starts with a posture that reaches the pose; or empty.
   /// @returns the first that does, or else the best posture: `converged` if it reaches the pose.
   /// @throws InputError as solve().
   [[nodiscard]] NumericIkResult find(const Pose& X_BT, const Configuration& reference,

@@ -63,7 +63,7 @@ struct LinkGeometry {
   Color color;
 };
 
-/// A rigid body of a robot. What is seen and what collides may differ.
+/// A rigid body of a robot. Visual and collision geometry may differ.
 struct Link {
   std::string name;
   std::vector<LinkGeometry> visual;
@@ -137,7 +137,7 @@ struct JointCoupling {
   std::string joint;
   std::vector<std::pair<std::string, double>> terms;  ///< Joints, each once, and multipliers.
   double offset = 0.0;                                ///< rad or m
-  bool of_scene = false;                              ///< A scene says so; the robot's files don't.
+  bool of_scene = false;                              ///< From a scene, not from the robot's files.
 };
 
 /// Contents of a robot file before they are checked: the input of RobotModel.
@@ -149,31 +149,31 @@ struct RobotDescription {
   std::vector<JointGroup> groups;
   std::vector<EndEffector> end_effectors;
   std::vector<BaseJoint> base_joints;
-  std::vector<BaseJoint> virtual_joints;  ///< From the SRDF; fixed unless a scene says otherwise.
-  std::vector<JointCoupling> couplings;   ///< That couple_joint() has made.
+  std::vector<BaseJoint> virtual_joints;  ///< From the SRDF; fixed unless a scene frees them.
+  std::vector<JointCoupling> couplings;   ///< Made by couple_joint().
   std::vector<NamedPosture> postures;
   AllowedCollisions allowed_collisions;
   std::vector<std::string> warnings;  ///< Warnings of the reader.
 };
 
-/// Narrows the limits of a joint of `robot` to those that `source` has beside the joint's own. What
-/// leaves the joint no range, or gives a joint without ends but one, is not kept: a warning of the
-/// robot says so.
+/// Narrows the limits of a joint of `robot` by those in `source`. Limits that leave the
+/// joint no range, or give a joint without ends only one, are ignored with a warning of the
+/// robot.
 /// @param lower, upper rad or m; nothing: not limited there.
 HANDWAY_GEOMETRIC_EXPORT void narrow_limits(RobotDescription& robot, Joint& joint,
                                             std::optional<double> lower,
                                             std::optional<double> upper, const std::string& source);
 
 /// Couples a joint to several others. It becomes a chain of joints about or along the same axis,
-/// one for each term, each of which follows one joint: the values of such a chain add up. Those
-/// before the last, JOINT/1, JOINT/2, …, carry links without shape of their names; the last keeps
-/// name and link.
+/// one for each term, each of which follows one joint: the values of such a chain add up. All but
+/// the last, JOINT/1, JOINT/2, …, carry links of their names without shape; the last keeps name and
+/// link.
 ///
 /// The joint keeps its limits: where the sum could leave them, the ranges of the joints that it
 /// follows are narrowed towards their neutral values by one share, which keeps the sum within for
 /// any of their values, with a warning.
 /// @param source, element of the coupling, for messages.
-/// @throws InputError if a joint is not there, fixed, of another kind or a follower, the coupling
+/// @throws InputError if a joint is missing, fixed, of another kind or a follower, the coupling
 /// names the joint itself, or the limits are never kept at the neutral values.
 HANDWAY_GEOMETRIC_EXPORT void couple_joint(RobotDescription& robot, const JointCoupling& coupling,
                                            const std::string& source, const std::string& element);

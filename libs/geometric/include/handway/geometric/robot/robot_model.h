@@ -46,9 +46,9 @@ struct ForwardKinematicsStep {
 
 /// A robot as an immutable kinematic tree, shared by all threads.
 ///
-/// Links are numbered parents first, link 0 being the root; joint i (i ≥ 1)
-/// carries link i. *Variables* are the joints that move on their own: neither
-/// fixed nor coupled. A Configuration lists them in link order.
+/// Links are numbered parents first, link 0 being the root; joint i (i ≥ 1) carries link i.
+/// *Variables* are the independent joints: neither fixed nor coupled. A Configuration lists them in
+/// link order.
 class HANDWAY_GEOMETRIC_EXPORT RobotModel {
  public:
   /// Mapping from a configuration to a joint's value: q_joint = multiplier * q[variable] + offset;

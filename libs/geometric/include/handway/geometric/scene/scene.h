@@ -30,7 +30,7 @@ struct PlannerRequest {
   std::vector<std::pair<std::string, std::string>> settings;  ///< Key and value as written.
 };
 
-/// An axis of the body stays near a direction of the world: a can that is carried upright.
+/// An axis of the body stays near a direction of the world: a can that is held upright.
 struct OrientationConstraint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();       ///< In the body's frame, not zero.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< In the world, not zero.
@@ -108,8 +108,8 @@ struct Scene {
   std::optional<Configuration> goal;
   std::vector<PoseGoal> goal_poses;         ///< Any of them will do; empty: `goal` it is.
   std::vector<PathConstraint> constraints;  ///< Constraints on paths of robots[0].
-  /// Pairs of bodies (links of robots[0], objects, "robot/link" of others) that are never checked
-  /// (true), or are though the robot's own matrix leaves them out (false).
+  /// Pairs of bodies (links of robots[0], objects, "robot/link" of others): true: never checked;
+  /// false: checked although the robot's own matrix excludes them.
   std::map<AllowedCollisions::Pair, bool> may_touch;
   std::vector<NamedPosture> postures;  ///< Postures of robots[0] or a part of it; names are unique.
   std::filesystem::path hand_basis;    ///< PMD basis file as the scene names it; may be empty.
@@ -118,13 +118,13 @@ struct Scene {
   std::vector<std::string> warnings;   ///< Warnings of the reader.
 };
 
-/// First robot or object of that name; nullptr if there is none.
+/// First robot or object of that name; nullptr if it does not exist.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const RobotInstance* find_robot(const Scene& scene,
                                                                        std::string_view name);
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const SceneObject* find_object(const Scene& scene,
                                                                       std::string_view name);
 
-/// The robot of that name, or that has a part of that name; nullptr if there is none.
+/// The robot of that name, or with a part of that name; nullptr if it does not exist.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const RobotInstance* find_robot_with_part(
     const Scene& scene, std::string_view name);
 
@@ -132,8 +132,8 @@ struct Scene {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_carried_by(const SceneObject& object,
                                                           const RobotInstance& robot);
 
-/// Removes the objects of these names and what the scene says about them: how the window treats
-/// them, whether they may touch, and constraints, unless these are about a link of the same name.
+/// Removes the objects of these names and the settings about them: display, allowed collisions, and
+/// constraints, unless these are about a link of the same name.
 HANDWAY_GEOMETRIC_EXPORT void remove_objects(Scene& scene, const std::vector<std::string>& names);
 
 /// Names of bodies that a constraint may refer to: the objects that the first robot carries, then

@@ -19,7 +19,7 @@ struct ObjectChange {
   SceneObject object;  ///< The object afterwards, or before if it is removed.
 };
 
-/// Difference of two scenes as far as collisions go, with the same robots and carried objects.
+/// Difference of two scenes as far as collisions go, with the same robots and attached objects.
 struct SceneDifference {
   /// One after the other. An object of another shape is removed, and added at the end.
   std::vector<ObjectChange> changes;
@@ -31,9 +31,9 @@ struct SceneDifference {
   [[nodiscard]] bool empty() const { return changes.empty() && !other_constraints; }
 };
 
-/// Returns the difference from `before` to `after`; nothing if robots, carried
-/// objects or allowed collisions differ. The configuration of the first robot does
-/// not matter.
+/// Returns the difference from `before` to `after`; nothing if robots, attached
+/// objects or allowed collisions differ. The configuration of the first robot does not
+/// matter.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<SceneDifference> scene_difference(
     const Scene& before, const Scene& after);
 

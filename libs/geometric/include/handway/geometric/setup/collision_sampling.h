@@ -25,7 +25,7 @@ struct SampledPair {
   bool at_middle = false;   ///< With every joint in the middle of its range.
   /// One joint moves both, and is at the end of its range at neutral.
   bool jaws = false;
-  bool by_user = false;  ///< The robot allows it, as somebody said so (AllowedReason::kUser).
+  bool by_user = false;  ///< The robot allows it by AllowedReason::kUser.
 
   /// In collision at the neutral posture and in at least half of the samples: the shapes overlap by
   /// construction, as those of a knuckle and its palm may.
@@ -45,8 +45,8 @@ struct SelfCollisionSamples {
 };
 
 /// Counts collisions of all pairs of links that move against each other and are not adjacent, in
-/// configurations drawn uniformly between the limits. Of the robot's allowed collisions those by
-/// the user play a part. Same model, samples and seed give the same counts. One thread.
+/// configurations sampled uniformly between the limits. Only allowed collisions by the user are
+/// taken into account. Same model, samples and seed give the same counts. One thread.
 /// @param stop ends it after the sample that it is at: `samples` is the number of those drawn.
 /// @param progress is called with the share that is done, from 0 to 1; may be empty.
 /// @throws std::invalid_argument if `samples` < 1.

@@ -17,7 +17,7 @@ namespace handway::geometric {
 HANDWAY_GEOMETRIC_EXPORT void compose_parts(RobotInstance& robot);
 
 /// Mounts a robot of the scene, with all that it carries, on a link of another one: it becomes a
-/// part of that robot. What the scene says of joints and links by name goes on to hold.
+/// part of that robot. Settings of the scene that name joints and links stay valid.
 /// @param carrier name of a robot or of a part. @param link by the carrier's own name.
 /// @param X_LB base of the mounted robot in that link.
 /// @throws InputError if there is no such robot or link, or the carrier is the robot itself; the
@@ -30,19 +30,19 @@ HANDWAY_GEOMETRIC_EXPORT void mount_robot(Scene& scene, const std::string& robot
 /// @throws InputError if no part of that name is mounted.
 HANDWAY_GEOMETRIC_EXPORT void move_mount(Scene& scene, const std::string& part, const Pose& X_LB);
 
-/// Takes a part, with all that it carries, off the robot that carries it: it stands in the world
-/// from now on, where it is with its robot at `configuration`, after that robot. Of the first
-/// robot, what the scene says of links and joints that it has no more goes.
+/// Takes a part, with all that it carries, off the robot that carries it: it is fixed to the world
+/// from now on, in its pose with its robot at `configuration`, after that robot. Settings of the
+/// first robot's links and joints that are gone are removed.
 /// @throws InputError if no part of that name is mounted.
 HANDWAY_GEOMETRIC_EXPORT void unmount_robot(Scene& scene, const std::string& part);
 
 /// Removes a robot or a mounted part, with all robots that it carries. Objects that it carries stay
-/// where they are. With the first robot go start, goal and all else that the scene says of it.
+/// in place. With the first robot, start, goal and all its other settings are removed.
 /// @throws InputError if there is no such robot.
 HANDWAY_GEOMETRIC_EXPORT void remove_robot(Scene& scene, const std::string& name);
 
-/// Makes a robot that stands in the world the first, which is planned for. Start, goal and all else
-/// that the scene says of the former one goes.
+/// Makes a robot that is fixed to the world the first, which is planned for. Start, goal and all
+/// other settings of the former one are removed.
 /// @throws InputError if there is no such robot.
 HANDWAY_GEOMETRIC_EXPORT void put_first(Scene& scene, const std::string& name);
 

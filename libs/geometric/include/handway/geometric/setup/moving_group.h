@@ -11,7 +11,7 @@ namespace handway::geometric {
 
 /// The variables of a robot that `name` stands for: those of a group, of the robot or a part of it,
 /// or of a joint. `PART/NAME` means a group or joint of that part, by the part's own name for it.
-/// @returns ascending; empty if the robot has nothing of that name that moves on its own.
+/// @returns ascending; empty if the robot has no independent joint of that name.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> named_variables(const RobotInstance& robot,
                                                                         std::string_view name);
 
@@ -22,7 +22,7 @@ namespace handway::geometric {
 /// Names that Scene::group may contain: groups of the first robot, robots, their parts, joints.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> movable_names(const Scene& scene);
 
-/// "a group, robot or joint that moves: …", with all movable_names(): what was expected of a name.
+/// Text "a group, robot or joint that moves: …" with all movable_names(), for messages.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string movable_names_text(const Scene& scene);
 
 /// Returns whether a robot of the scene has a movable group, part or joint of that name.
@@ -31,9 +31,9 @@ namespace handway::geometric {
 /// Gives the goal the start's values for what does not move.
 HANDWAY_GEOMETRIC_EXPORT void keep_still_in_goal(Scene& scene);
 
-/// Lets what `group` names move, and nothing else; everything, if it is empty. Robots that stand
-/// beside the first one and of which something is named become one robot with it, fixed to its base
-/// where they stand (mount_robot()). Joints that don't move any more take the start's values in the
+/// Restricts motion to `group`; everything moves if it is empty. Fixed robots that
+/// `group` names become one robot with the first one, fixed to its base in their place
+/// (mount_robot()). Joints that don't move any more take the start's values in the
 /// goal.
 /// @throws InputError for a name that no robot has, with those that there are; the scene is then
 /// as it was.

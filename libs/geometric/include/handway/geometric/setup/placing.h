@@ -37,17 +37,17 @@ namespace handway::geometric {
                                                    const std::vector<std::string>& names);
 
 /// Distance that `upper` can sink along -z until it touches `lower`; both in the
-/// world. Negative if it must be lifted because they overlap. Nothing if they are not
-/// above each other anywhere. Exact for triangles: the least vertical distance is
-/// found at a vertex over a face, a face over a vertex, or where two edges cross in
-/// the view from above. Of `lower`, only what is not higher than the middle of `upper`
-/// counts.
+/// world. Negative if it must be lifted because they overlap. Nothing if they are
+/// not above each other anywhere. Exact for triangles: the least vertical
+/// distance is at a vertex over a face, a face over a vertex, or where two edges
+/// cross in the view from above. Parts of `lower` above the middle of `upper` are
+/// ignored.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<double> vertical_gap(
     const TriangleMesh& upper, const TriangleMesh& lower);
 
-/// The least vertical gap between an object that stands in the world and those of the scene
-/// that it is above, m; negative where they overlap. Nothing if it is above none.
-/// @param scene what is attached in it, and an object of that name, do not count.
+/// The least vertical gap between an object that is fixed to the world and objects of the scene
+/// below it, m; negative where they overlap. Nothing if it is above none.
+/// @param scene attached objects, and an object of that name, are ignored.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<double> gap_to_support(
     const Scene& scene, const SceneObject& object);
 
@@ -59,9 +59,9 @@ inline constexpr double kRestingGap = 0.5e-3;
 
 /// Finds a free place (world, m) for the middle of the underside of a box along the world's axes,
 /// so that nothing is in the box: no object, no robot as it is shown, and not the first one at
-/// start or goal. The nearest such place beside `wanted`, at its height where something is below it
-/// there, or else as low as it falls, at whole 5 mm along x and y. It keeps kRestingGap to what it
-/// stands on and some millimetres to the rest.
+/// start or goal. It is the nearest place beside `wanted`, at its height if an object is below it
+/// there, or else dropped as far as it falls, at whole 5 mm along x and y. It keeps kRestingGap to
+/// its support and some millimetres to the rest.
 /// @param size of the box, m.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Eigen::Vector3d free_foot(const Scene& scene,
                                                                  const Configuration& q,

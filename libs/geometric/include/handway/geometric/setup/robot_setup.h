@@ -12,18 +12,18 @@
 
 namespace handway::geometric {
 
-/// Something of a robot file that can be read and yet looks wrong, or that a person has to decide.
+/// Suspicious part of a readable robot file, or a decision that the user has to make.
 struct RobotFinding {
   std::string found;
   std::string mend;
-  std::vector<std::string> links = {};  ///< That it is about; may be empty.
+  std::vector<std::string> links = {};  ///< Links concerned; may be empty.
   /// Seen with every joint in the middle of its range, not at the neutral posture.
   bool at_middle = false;
 };
 
-/// Looks at shapes (faces that point inwards, sizes that speak of wrong units, open surfaces), at
-/// joints without velocity limit, at pairs of links that touch at the neutral or the middle posture
-/// or in most samples, and at what is open about the groups. Empty if nothing is suspicious.
+/// Examines shapes (inward faces, sizes that suggest wrong units, open surfaces), joints without
+/// velocity limit, pairs of links that touch at the neutral or the middle posture or in most
+/// samples, and open questions about the groups. Empty if nothing is suspicious.
 /// @param sampled of this model.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<RobotFinding> examine_robot(
     const RobotModel& model, const SelfCollisionSamples& sampled, const GroupProposal& groups);
@@ -31,7 +31,7 @@ struct RobotFinding {
 /// Owner of the joints between root and palm, which the tree alone does not determine.
 enum class WristOwner { kUndecided, kArm, kHand };
 
-/// propose_groups(), with the wrist counted to the arm or the hand if somebody has decided that.
+/// Returns propose_groups(), with the wrist assigned to the arm or the hand if that is decided.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal decided_groups(const RobotModel& model,
                                                                     WristOwner wrist);
 
@@ -41,8 +41,8 @@ struct SetupDecisions {
   std::map<AllowedCollisions::Pair, bool> may_touch = {};
 };
 
-/// The robot with the allowed-collision matrix that was sampled and the groups and end effectors
-/// that it has not. Pairs that somebody has allowed (User) stay, unless `decisions` say otherwise.
+/// Returns the robot with the sampled allowed-collision matrix and the groups and end effectors
+/// that it lacks. Pairs allowed by the user (User) stay, unless `decisions` overrides them.
 /// @param sampled of this model. @param groups decided_groups() of it.
 /// @param decisions if the wrist is decided, the groups "arm" and "hand" that there are are
 /// replaced.

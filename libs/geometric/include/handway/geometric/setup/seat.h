@@ -15,11 +15,11 @@ struct Seat {
   Pose X_LB;         ///< Root link of the mounted robot in that link.
 };
 
-/// The seat at the end of an arm: on its tip (propose_groups()), with the fingers, or else the
-/// root's z axis, along that axis of the tip that points out of the arm, and so far out that no
+/// Returns the seat at the end of an arm: on its tip (propose_groups()), with the fingers, or else
+/// the root's z axis, along that axis of the tip that points out of the arm, and so far out that no
 /// collision geometry of the mounted robot, in its neutral posture, is behind the tip's origin. A
-/// hand whose root is at its mounting face sits right there; one whose root is within the palm is
-/// moved out.
+/// hand with its root at the mounting face sits directly on the tip; one whose root is within the
+/// palm is moved out.
 /// @returns std::nullopt if the carrier is not one arm with a free end.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<Seat> find_seat(const RobotModel& carrier,
                                                                      const RobotModel& mounted);

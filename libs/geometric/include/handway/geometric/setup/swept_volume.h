@@ -9,9 +9,9 @@
 
 namespace handway::geometric {
 
-/// The surface of what the links of a robot pass through in `postures` (world, m), as smooth as
-/// cells of `cell` (m) allow; links that don't move among them are left out. Good to look at, not
-/// to check collisions with. Empty if `stop` comes first.
+/// The surface of the volume that a robot's links pass through in `postures` (world, m), as smooth
+/// as cells of `cell` (m) allow; links that don't move among them are left out. For display, not
+/// for collision checks. Empty if `stop` comes first.
 ///
 /// The cells that surface points of the links come into are filled; the faces between filled and
 /// empty ones are smoothed by moving their corners towards the middle of their neighbours.

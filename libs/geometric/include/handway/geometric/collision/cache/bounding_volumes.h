@@ -21,8 +21,8 @@ struct CoveringSphere {
 struct BoundingVolumes {
   /// Spheres of the sphere tree: together they contain the surface.
   std::vector<CoveringSphere> spheres;
-  /// The convex hull of what may part two bodies, grown if it is flat. The surface is nowhere
-  /// farther out than `margin`, m.
+  /// The convex hull that separating planes are found with, grown if it is flat. The surface is
+  /// nowhere farther out than `margin`, m.
   TriangleMesh hull;
   double margin = 0.0;
 };

@@ -12,12 +12,12 @@ namespace handway::geometric {
 
 class NarrowPhaseQuery;
 
-/// The everyday checker: the answers of FclChecker, most of them from bounding
-/// spheres or remembered distances alone, the rest from the triangles that are
-/// closer than what was asked for. Only what seems to touch goes to FCL.
+/// The default checker: gives FclChecker's answers, most of them from bounding spheres or cached
+/// distances alone, the rest from the triangles within the query's distance. Only pairs that seem
+/// to touch go to FCL.
 class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChecker {
  public:
-  /// @throws PreparationStopped where `preparation` asks for it.
+  /// @throws PreparationStopped if `preparation` is stopped.
   explicit ExactCollisionChecker(std::shared_ptr<const CollisionWorld> world,
                                  const Preparation& preparation = {});
   ~ExactCollisionChecker() override;
@@ -50,7 +50,7 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   /// The distance (m) below which the pair collides.
   [[nodiscard]] double collision_distance(int pair) const;
 
-  /// The closeness of a pair whose bounding volumes don't tell.
+  /// The closeness of a pair whose bounding volumes leave it undecided.
   [[nodiscard]] Closeness nearby_closeness(int pair, double tolerance);
 
   /// Tests the triangles, and then whether one body contains the other.
@@ -88,8 +88,8 @@ enum class CheckerKind {
   kFclBroadphase,  ///< FclBroadphaseChecker.
 };
 
-/// @param kind the one that programs use unless asked for another is exact and fast.
-/// @throws PreparationStopped where `preparation` asks for it.
+/// @param kind the default of all programs is exact and fast.
+/// @throws PreparationStopped if `preparation` is stopped.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<CollisionChecker> make_collision_checker(
     std::shared_ptr<const CollisionWorld> world, CheckerKind kind = CheckerKind::kFast,
     const Preparation& preparation = {});

@@ -26,9 +26,9 @@ class HANDWAY_GEOMETRIC_EXPORT FclChecker final : public CollisionChecker {
   std::shared_ptr<const Trees> trees_;
 };
 
-/// FCL as its users set it up: a dynamic AABB tree over the bodies that move, one
-/// over those that stand still, OBBRSS trees on the raw triangles behind them. The
-/// baseline that the fast checker is measured against.
+/// FCL in its usual setup: a dynamic AABB tree over the moving bodies, one over the fixed ones,
+/// OBBRSS trees on the raw triangles behind them. The baseline to which the fast checker is
+/// compared.
 ///
 /// If several pairs touch, first_collision() returns the one that the trees meet first.
 class HANDWAY_GEOMETRIC_EXPORT FclBroadphaseChecker final : public CollisionChecker {

@@ -21,15 +21,15 @@ struct EdgeResult {
   /// If not free, and settled: the pair that touches, or comes closer than the resolution, …
   std::optional<int> pair;
   double at = 0.0;           ///< … and where on the edge, in [0, 1].
-  std::uint64_t checks = 0;  ///< Configurations looked at.
+  std::uint64_t checks = 0;  ///< Configurations checked.
 };
 
-/// No resolution is finer than this, m: what is nearer than twice of it at an end is too near to
-/// leave the end with certainty.
+/// Finest resolution, m: if a pair is nearer than twice of it at an end, an edge can't be certified
+/// to leave the end.
 inline constexpr double kLeastResolution = 1e-6;
 
-/// A configuration that motions begin or end at, with what is so near in it that edges need a finer
-/// resolution to get there.
+/// Start or goal of motions, with the pairs that are so near in it that edges need a finer
+/// resolution there.
 struct EdgeEnd {
   struct NearPair {
     int pair;
@@ -56,23 +56,23 @@ struct EdgeEnd {
 /// Decides whether the straight motion between two configurations is free, for
 /// every configuration on it and not just for samples.
 ///
-/// A pair is free on a stretch if its distance in the middle is more, by the
-/// resolution, than it can lose on the way to either end (bounded motion). Stretches that this does
-/// not settle are halved, level by level, so that configurations are visited in the order of the
-/// Van der Corput sequence's levels. A pair that still isn't settled when it can move less than the
-/// resolution is closer than one and a half of it: the edge is refused. On a free edge, every pair
-/// that moves keeps the resolution as its distance everywhere.
+/// A pair is free on a stretch if its distance in the middle exceeds, by the resolution, its
+/// largest loss towards either end (bounded motion). Stretches that this does not settle are
+/// halved, level by level, so that configurations are visited in the order of the Van der Corput
+/// sequence's levels. A pair that is still undecided when it can move less than the resolution is
+/// closer than one and a half of it: the edge is refused. On a free edge, every pair that moves
+/// keeps the resolution as its distance everywhere.
 ///
-/// Around ends with near pairs (set_ends()) the resolution of these pairs is smaller: half of what
-/// they have there, and a hundredth more of every way that the pair can have moved since. So it is
+/// Around ends with near pairs (set_ends()) the resolution of these pairs is smaller: half of their
+/// distance there, plus a hundredth of the distance that the pair can have moved since. So it is
 /// the usual one again where it can have moved by a hundred resolutions.
 ///
-/// With a margin, the robot moreover keeps that distance from what it is not made of. Next to an
+/// With a margin, the robot moreover keeps that distance from all bodies but its own. Next to an
 /// end where a pair is nearer, it keeps half of the distance there, plus a fiftieth of the distance
 /// that the pair can have moved since.
 ///
 /// Constraints are held in the same way, on every configuration of a free edge: the resolution is
-/// what is left of an angle (in rad) or of the distance to a region's side.
+/// the remaining angle (rad) or distance to a region's side.
 ///
 /// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
 class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
@@ -82,8 +82,8 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   ContinuousCollisionChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
                              double resolution);
 
-  /// Questions end early once `stop` says so; it is asked every few configurations,
-  /// and once at the beginning of each question. Empty: they never do.
+  /// Ends checks early once `stop` returns true; it is called every few configurations, and once at
+  /// the beginning of each check. Empty: checks never end early.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
 
   /// Sets the ends near which resolutions and the margin shrink, also of edges that only pass by.
@@ -93,15 +93,15 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   void set_margin(double margin) { margin_ = margin; }
 
   /// From now on pairs keep three fifths of all this. Every piece of an edge that was found free
-  /// before is then free, too, however it is cut: for checks of what was planned. Otherwise a piece
+  /// before is then free, too, however it is cut: for checks of planned paths. Otherwise a piece
   /// may be refused where the edge passes closer than one and a half of the resolution.
   void accept_pieces() { kept_ = 0.6; }
 
   /// A pair that does not keep the margin at `q`.
   [[nodiscard]] std::optional<int> too_near(const Configuration& q);
 
-  /// @param most_checks looks at no more configurations: an edge that they do not
-  /// settle is said not to be free, without a pair; and so is one that was stopped.
+  /// @param most_checks largest number of configurations: an edge that they do not settle is
+  /// reported as not free, without a pair; so is one that was stopped.
   /// @pre both ends are free of collision.
   [[nodiscard]] EdgeResult check(
       const Configuration& from, const Configuration& to,
@@ -113,11 +113,11 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
       std::span<const int> pairs, const Configuration& from, const Configuration& to,
       std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
 
-  /// The smallest distance (m) of any pair on the whole path, but not above `enough`:
-  /// a lower bound, below the true one by at most `tolerance` (m) or by at most `share`
-  /// of it, whichever is more. Branch and bound over the same stretches, once all
-  /// waypoints were looked at. Stopped, it gives the least resolution at most, which every
-  /// free edge keeps.
+  /// The smallest distance (m) of any pair on the whole path, but not above `enough`: a lower
+  /// bound, below the true one by at most `tolerance` (m) or by at most `share` of it,
+  /// whichever is more. Branch and bound over the same stretches, once all waypoints were
+  /// checked. If stopped, it returns at most the least resolution, which every free edge
+  /// keeps.
   /// @pre the edges between the waypoints are free.
   [[nodiscard]] NamedPair clearance(std::span<const Configuration> waypoints, double enough,
                                     double tolerance, double share = 0.0);
@@ -125,7 +125,7 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   [[nodiscard]] double resolution() const { return resolution_; }
 
  private:
-  /// @param list_pairs sets the pairs to look at once the middle of the edge is in place.
+  /// @param list_pairs sets the pairs to check once the middle of the edge is in place.
   [[nodiscard]] EdgeResult search(const Configuration& from, const Configuration& to,
                                   std::uint64_t most_checks,
                                   const std::function<void(std::vector<int>&)>& list_pairs);
@@ -163,7 +163,7 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   double resolution_;
   double margin_ = 0.0;
   double kept_ = 1.0;          ///< Share of the resolution, of all kinds, and of the margin.
-  std::vector<EdgeEnd> ends_;  ///< That have near pairs.
+  std::vector<EdgeEnd> ends_;  ///< Ends that have near pairs.
   std::function<bool()> stop_;
 };
 

@@ -12,8 +12,8 @@ namespace handway::geometric {
 
 /// Bound of the relative motion of two bodies of a pair as the joints move: the farthest that any
 /// point of one can travel in the frame of the other per unit of each variable, over all
-/// configurations. Couplings are included. Of a constraint (see CollisionWorld::constraints()): how
-/// far its point can travel, or its axis turn (rad).
+/// configurations. Couplings are included. For a constraint (see CollisionWorld::constraints()) it
+/// bounds the travel of its point, or the rotation of its axis (rad).
 ///
 /// Source: Schwarzer, Saha, Latombe, "Adaptive dynamic collision checking for
 /// single and multiple articulated robots in complex environments", IEEE
@@ -28,8 +28,8 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
     return reach_.col(motion(pair)).dot(travel);
   }
 
-  /// Pairs that move against each other alike share a motion: those of
-  /// one body with all that stands still. Constraints have a motion each, after those of the pairs.
+  /// Pairs with the same relative motion share it: those of one body with all fixed bodies.
+  /// Constraints have a motion each, after those of the pairs.
   [[nodiscard]] int motion(int pair) const { return motions_[static_cast<std::size_t>(pair)]; }
 
   /// Motions of pairs: those from there on are of constraints.
@@ -59,8 +59,8 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
     return frames_[static_cast<std::size_t>(pair)];
   }
 
-  /// A ball around a body, in the frame of the link that carries it. What a constraint holds is
-  /// numbered after the bodies: a point, or a direction, whose "centre" is a unit vector.
+  /// A ball around a body, in the frame of its link. Constraints are numbered after the bodies:
+  /// they have a point, or a direction, whose "centre" is a unit vector.
   struct Ball {
     int link = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -69,8 +69,8 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   };
   [[nodiscard]] const Ball& ball(int body) const { return balls_[static_cast<std::size_t>(body)]; }
 
-  /// The farthest that a point of `body` can travel per unit of the joint of
-  /// `link`, over all configurations: m per rad, or 1. 0: it is not carried by it.
+  /// The farthest that a point of `body` can travel per unit of the joint of `link`, over all
+  /// configurations: m per rad, or 1. 0: the joint does not move it.
   [[nodiscard]] double reach(int link, int body) const { return of_link_(link, body); }
 
  private:
@@ -88,8 +88,8 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
 /// how they really move in the part's middle.
 ///
 /// If several joints turn at once, their motions largely cancel out. A point's velocity in the
-/// middle is known; on the way to either end it changes by no more than the joints turn each
-/// other's axes. Both together bound the displacement.
+/// middle is known; its change up to either end is bounded by the joints' rotation of each other's
+/// axes. Both together bound the displacement.
 class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
  public:
   explicit EdgeMotion(std::shared_ptr<const MotionBound> motion);

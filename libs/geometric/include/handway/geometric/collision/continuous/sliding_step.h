@@ -16,9 +16,9 @@ struct FreeStep {
   std::optional<int> pair;  ///< Pair that stops the step; empty if it is free.
 };
 
-/// Goes straight from `from` towards `to`, as far as every configuration is free that is looked at
-/// on the way: one at least every `resolution`, and near the contact five halvings of that.
-/// If `from` itself touches, only `to` counts: a robot that has got into something can be led out.
+/// Goes straight from `from` towards `to` as long as all checked configurations are free: at least
+/// one every `resolution`, and near the contact five halvings of that. If `from` itself touches,
+/// only `to` counts: a robot in collision can be guided out.
 /// @param from, to shape [variable_count].
 /// @param resolution largest change of a variable between two configurations, rad or m, > 0.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT FreeStep straight_step(CollisionChecker& checker,
@@ -26,9 +26,9 @@ struct FreeStep {
                                                               const Configuration& to,
                                                               double resolution = 0.02);
 
-/// Returns the step with sliding: first all variables go together as far as they can, then each
-/// group in turn goes on by itself, so that a finger that touches stops while arm and other fingers
-/// move on, then each variable of what is left.
+/// Returns the step with sliding: first all variables go together as far as they can. Then each
+/// group in turn goes on alone, so that a touching finger stops while arm and other fingers move
+/// on. Then each remaining variable does.
 /// @param groups variables that belong together, such as arm and fingers; may be empty.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT FreeStep
 sliding_step(CollisionChecker& checker, const Configuration& from, const Configuration& to,

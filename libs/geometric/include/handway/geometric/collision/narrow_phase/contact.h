@@ -21,7 +21,7 @@ struct ClosestPoints {
   Eigen::Vector3d p_WB;  ///< On the second one's.
 };
 
-/// Finds the closest points of bodies of a world, for people to see. For one thread.
+/// Finds the closest points of bodies of a world, for display. For one thread.
 class HANDWAY_GEOMETRIC_EXPORT ClosestPointFinder {
  public:
   explicit ClosestPointFinder(std::shared_ptr<const CollisionWorld> world);

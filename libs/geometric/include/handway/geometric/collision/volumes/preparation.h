@@ -12,11 +12,11 @@ struct Preparation {
   /// Cancels the preparation, which then throws PreparationStopped.
   std::stop_token stop = {};
   /// True if volumes that take long to derive from meshes are stored in the user's cache. False for
-  /// what is edited right now, such as an object at every size that it is dragged through.
+  /// objects being edited, such as every size of an object that is dragged.
   bool keeps_volumes = true;
 };
 
-/// A preparation ended because it was asked to.
+/// Thrown by a preparation that was stopped.
 class HANDWAY_GEOMETRIC_EXPORT PreparationStopped : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override {
