@@ -102,8 +102,8 @@ using std::chrono::milliseconds;
 
 constexpr int kStatePortAfterMotion = 2;
 constexpr milliseconds kLongestReply{500};
-// A full queue has room again when the arm has come to the next point. One that still has none
-// after so many times that long, and this on top, s, is not what the controller refuses for.
+// A full queue has room again when the arm reaches the next point. If it has none after this
+// multiple of that time plus this margin, s, the controller refuses for another reason.
 constexpr double kFullPoints = 3.0;
 constexpr double kFullMargin = 0.05;
 constexpr milliseconds kTryAgain{10};
@@ -283,7 +283,7 @@ bool Val3Arm::read_replies() {
   }
 }
 
-// The server refuses a point out of range and a point for which its queue is full alike.
+// The server refuses a point out of range and a point for a full queue with the same reply.
 void Val3Arm::take_reply(bool taken) {
   wire_->asked = false;
   const auto now = Clock::now();

@@ -84,8 +84,8 @@ class AsioLink : public ByteLink {
   [[nodiscard]] Stream& stream() { return stream_; }
   [[nodiscard]] boost::asio::io_context& context() { return context_; }
 
-  /// Lets what was started on the stream go on until it is done or `timeout` is over;
-  /// then cancels it. @returns whether it was done in time.
+  /// Runs the operation started on the stream until it is done or `timeout` is over; then cancels
+  /// it. @returns whether it was done in time.
   bool run(std::chrono::milliseconds timeout) {
     context_.restart();
     context_.run_for(timeout);

@@ -130,7 +130,7 @@ double StreamThread::now() const {
   return std::chrono::duration<double>(Clock::now() - begin_).count();
 }
 
-// @returns whether to go on.
+// @returns whether to continue.
 bool StreamThread::pause(milliseconds delay, const std::stop_token& stop) const {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, stop, delay, [] { return false; });

@@ -26,9 +26,9 @@ namespace handway::device {
 /// An emulated device with its ports, run by a thread of its own.
 ///
 /// @tparam Device has, for one thread at a time, `advance(now)` and `active_fault()`.
-/// @tparam Ports has `address()`, `wait(time)` for what hosts send, `take(device, now)`, which
-/// gives it to the device, `report(device, now)` of its state, `send(now)`, which lets out what is
-/// due of all that the device said, and `disconnect()`.
+/// @tparam Ports has `address()`, `wait(time)` for messages of hosts, `take(device, now)`, which
+/// passes them to the device, `report(device, now)` of its state, `send(now)`, which sends messages
+/// that are due, and `disconnect()`.
 template <typename Device, typename Ports>
 class EmulatorThread {
  public:
@@ -92,7 +92,7 @@ class RobotEmulator::Running {
   virtual ~Running() = default;
 
   [[nodiscard]] virtual const std::string& address() const = 0;
-  /// The robot stands still while it is asked.
+  /// Calls `question` with the locked robot.
   virtual void ask(const std::function<void(const EmulatedRobot&)>& question) const = 0;
 };
 
@@ -112,8 +112,8 @@ class RunningRobot final : public RobotEmulator::Running {
   EmulatorThread<Robot, Ports> thread_;
 };
 
-/// A port for EmulatorThread, of a device that speaks in lines. The device has `receive(line, now)`
-/// and `feedback()`, what it answers and reports, and `connection_lost()`.
+/// A port for EmulatorThread, of a device with a protocol of lines. The device has `receive(line,
+/// now)` for answers, `feedback()` for reports, and `connection_lost()`.
 class LinePort {
  public:
   /// @param scheme of its address: "hand". @param port 0: any that is free.

@@ -17,8 +17,8 @@ namespace handway::device {
                                                       const TcpAddress& address,
                                                       const std::stop_token& stop);
 
-/// Limit of what one turn of a device's loop reads from one connection: a device that sends without
-/// pause must keep its host neither from a stop nor from the other devices.
+/// Limit of the bytes that one turn of a device's loop reads from one connection: a device that
+/// sends without pause must not delay a stop or the other devices.
 class ReadBudget {
  public:
   using Clock = std::chrono::steady_clock;
@@ -36,7 +36,7 @@ class ReadBudget {
 
 /// Takes what has come over a link, within a ReadBudget that begins with the first bytes.
 /// @param wait for the first bytes.
-/// @param take is called with each piece, a span of bytes that is never empty. What it throws ends
+/// @param take is called with each piece, a span of bytes that is never empty. Its exceptions end
 /// the turn.
 /// @returns whether that was all; false: more waits than one turn may take.
 /// @throws DeviceError if the other end is gone.

@@ -77,22 +77,22 @@ class HostPort {
   HostPort() = default;
 };
 
-/// @throws DeviceError if there are no pseudo-terminals.
+/// @throws DeviceError if the system has no pseudo-terminals.
 [[nodiscard]] std::unique_ptr<HostPort> open_pseudo_terminal();
 
 /// Listens on this computer only. @param port 0: any free one.
 /// @throws DeviceError if the port is taken or not allowed.
 [[nodiscard]] std::unique_ptr<HostPort> listen_on_tcp_port(std::uint16_t port);
 
-/// Connects to "HOST:PORT", again and again until somebody listens there, and sends `greeting`
+/// Connects to "HOST:PORT", with retries until a server listens there, and sends `greeting`
 /// first.
-/// @throws geometric::InputError for a wrong address; DeviceError if there is no such host.
+/// @throws geometric::InputError for a wrong address; DeviceError if the host does not exist.
 [[nodiscard]] std::unique_ptr<HostPort> connect_to_tcp_port(const std::string& host,
                                                             std::vector<std::uint8_t> greeting);
 
-/// Sends every record as a datagram to "HOST:PORT", whether somebody listens there or not; hears
+/// Sends every record as a datagram to "HOST:PORT", with or without a receiver; receives
 /// nothing.
-/// @throws geometric::InputError for a wrong address; DeviceError if there is no such host.
+/// @throws geometric::InputError for a wrong address; DeviceError if the host does not exist.
 [[nodiscard]] std::unique_ptr<HostPort> send_to_udp_port(const std::string& receiver);
 
 /// A TCP port of this computer that one host at a time may connect to; a new connection takes
@@ -127,7 +127,7 @@ class HostWatch {
  public:
   explicit HostWatch(const TcpHostPort& port) : port_(port) {}
 
-  /// True if the host that was there when it was asked last is not there any more.
+  /// True if the host of the last call is not connected any more.
   [[nodiscard]] bool lost() {
     const bool gone = connected_ && (!port_.connected() || port_.connections() != connections_);
     connections_ = port_.connections();

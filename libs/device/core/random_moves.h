@@ -43,10 +43,10 @@ struct MovePace {
   double longest_rest = 0.25;  ///< Pause on a target: from 0 to this, s.
 };
 
-/// Goes from target to target in minimum-jerk moves (Flash and Hogan 1985): all
-/// coordinates leave and arrive together, at rest. Targets are in [-1, 1] for each coordinate
-/// and evenly spread over it: every stretch of 24 moves visits 24 equal parts of it once, in an
-/// order of its own. That is how somebody moves who wants to try everything the hand can do.
+/// Goes from target to target in minimum-jerk moves (Flash and Hogan 1985): all coordinates leave
+/// and arrive together, at rest. Targets are in [-1, 1] for each coordinate and evenly spread over
+/// it: every stretch of 24 moves visits 24 equal parts of it once, in an order of its own. It
+/// imitates a hand that explores all of its workspace.
 class MinimumJerkMoves {
  public:
   MinimumJerkMoves(Eigen::Index coordinates, const MovePace& pace, std::uint64_t seed);

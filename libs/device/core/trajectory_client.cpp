@@ -16,10 +16,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Devices tell their positions every 10 or 20 ms.
+// Devices report their positions every 10 or 20 ms.
 constexpr milliseconds kLongestSilence{250};
 constexpr milliseconds kFirstPosition{3000};
-// So long it may take to read what came while nobody did: megabytes, from a sane device.
+// Longest time for reading pending messages: megabytes, from a working device.
 constexpr milliseconds kLongestBacklog{500};
 // Longest time that a motion may arrive late, s.
 constexpr double kLatestArrival = 2.0;
@@ -64,7 +64,7 @@ void TrajectoryClient::connect(const std::stop_token& stop) {
   connected_ = true;
 }
 
-// One bounded piece of what the device sends.
+// Reads one bounded piece of the device's messages.
 void TrajectoryClient::take_turn(double time) {
   const bool all = do_update(time);
   const auto now = Clock::now();
@@ -111,7 +111,7 @@ void TrajectoryClient::start(const MotionTolerances& tolerances) {
   try {
     do_start();
   } catch (...) {
-    // The device may have heard of the start before it failed.
+    // The device may have received the start before it failed.
     (void)send_stop();
     throw;
   }

@@ -57,9 +57,9 @@ void set_rate(CyberGloveCommands& commands, const std::string& device, double ra
 
 // Brings a CyberGlove interface unit from any state to where it can be sampled: 22 or 18
 // sensors, neither time stamp nor status in its records.
-// @returns everything but `device`; nothing if nobody answers.
-// @throws DeviceError if something else than a CyberGlove answers, there is no glove on the unit,
-// or the rate is too high for it.
+// @returns everything but `device`; nothing if the port is silent.
+// @throws DeviceError if another device than a CyberGlove answers, the unit has no glove, or the
+// rate is too high for it.
 std::optional<GloveInfo> set_up_cyberglove(CyberGloveCommands& commands, const std::string& device,
                                            const CyberGloveSettings& settings,
                                            const std::stop_token& stop) {
@@ -295,7 +295,7 @@ void CyberGlove::do_disconnect() noexcept {
   try {
     write_text(*session_->link, "\x03");
   } catch (const std::exception&) {
-    // The device is gone already: there is no stream to be stopped.
+    // The device is gone already: no stream has to be stopped.
   }
   faults_ = do_faults();
   session_.reset();

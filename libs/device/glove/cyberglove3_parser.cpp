@@ -7,7 +7,7 @@
 namespace handway::device {
 namespace {
 
-// A digit where it says 0.
+// The zeros stand for digits.
 constexpr std::string_view kTimeStamp = "00:00:00:00:0S";
 constexpr std::string_view kEnd("\r\n\0", 3);
 constexpr std::size_t kValues = kTimeStamp.size();

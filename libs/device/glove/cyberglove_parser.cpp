@@ -80,7 +80,7 @@ CyberGloveRecord CyberGloveParser::sample() const {
     record.counts[static_cast<std::size_t>(sensor)] = pending_[at++];
   }
   if (format_.time_stamp) {
-    // A byte that is 0 travels as another one, and a bit of the first says so.
+    // A zero byte is sent as another one, which a bit of the first byte marks.
     const std::uint8_t zeros = pending_[at++];
     for (unsigned k = 0; k < 4; ++k) {
       const std::uint8_t byte = (zeros >> k & 1U) != 0 ? 0 : pending_[at];

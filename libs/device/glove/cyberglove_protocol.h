@@ -19,24 +19,24 @@ struct CyberGloveReply {
   char error = 0;  ///< '?', 'g', 's' or 'y' if it refused, else 0.
 };
 
-/// Looks in `bytes` for ECHO DATA 00, or for ECHO 'e' LETTER 00 of a refusal, whatever comes
-/// before. The data may hold 00.
+/// Searches `bytes` for ECHO DATA 00, or for ECHO 'e' LETTER 00 of a refusal, after any other
+/// bytes. The data may hold 00.
 [[nodiscard]] std::optional<CyberGloveReply> find_reply(std::span<const std::uint8_t> bytes,
                                                         std::span<const std::uint8_t> echo,
                                                         std::size_t data_length);
 
 /// The four bytes that set a sampling rate: two big-endian words with
 /// rate = 115200 / (w1 w2) Hz.
-/// @param rate Hz, from 0.5 to 1000; the nearest that the words can say.
+/// @param rate Hz, from 0.5 to 1000; rounded to the nearest that the words can encode.
 [[nodiscard]] std::array<std::uint8_t, 4> sampling_words(double rate);
 
-/// Asks and sets things on a CyberGlove interface unit, in its binary commands.
+/// Queries and settings of a CyberGlove interface unit, by its binary commands.
 class CyberGloveCommands {
  public:
   CyberGloveCommands(ByteLink& link, std::chrono::milliseconds timeout)
       : link_(link), timeout_(timeout) {}
 
-  /// Ends a stream that may be running, and throws away whatever is on the way.
+  /// Ends a stream that may be running, and discards pending bytes.
   void stop_stream(const std::stop_token& stop);
 
   /// "?X". @returns its data; nothing if there was no good answer to any of three tries.

@@ -286,8 +286,8 @@ CyberGloveUnit::Bytes CyberGloveUnit::record(Form form, char letter, double time
   append(out, values);
   if (registers_.at('D')[0] != 0) {
     const auto ticks = static_cast<std::uint32_t>(time * 1000.0);
-    // A byte that would be 0 travels as 1, and a bit of the first says so. That one keeps its
-    // highest bit set, so as not to be 0 itself.
+    // A zero byte is sent as 1, which a bit of the first byte marks. The first byte has its highest
+    // bit set, so that it is never 0 itself.
     Bytes stamp{0x80};
     for (unsigned k = 0; k < 4; ++k) {
       const auto byte = static_cast<std::uint8_t>(ticks >> (24U - 8U * k));

@@ -168,8 +168,8 @@ double median(std::vector<double> values) {
 // Coordinates in metres, from those of a picture or of another unit.
 // @returns what they were taken for; empty for metres.
 std::string settle_units(std::vector<SeenHand>& hands) {
-  // World landmarks are about the middle of the hand; in a picture only what is guessed beyond its
-  // edge is negative.
+  // World landmarks are around the middle of the hand; in a picture only points estimated beyond
+  // its edge are negative.
   const auto in_picture = std::ranges::count_if(hands, [](const SeenHand& hand) {
     const auto across = hand.points.topRows<2>();
     return across.minCoeff() > -0.25 * (across.maxCoeff() - across.minCoeff());

@@ -16,7 +16,7 @@
 
 namespace handway::device {
 
-/// A hand in one frame, in the units and the frame of reference of whoever wrote it.
+/// A hand in one frame, in the writer's units and frame of reference.
 struct SeenHand {
   std::optional<double> time;  ///< s.
   HandLandmarks points;
@@ -26,7 +26,7 @@ struct SeenHand {
 using LandmarkColumns = std::array<std::size_t, 63>;
 
 /// The columns of 21 landmarks by the names of a header ("x0", "12_y", "INDEX_FINGER_TIP_z",
-/// "landmark_3_x"); of two hands those of the first. Nothing if it has not all of them.
+/// "landmark_3_x"); of two hands those of the first. Nothing if some are missing.
 [[nodiscard]] std::optional<LandmarkColumns> landmark_columns(
     const std::vector<std::string>& names);
 
@@ -35,10 +35,10 @@ using LandmarkColumns = std::array<std::size_t, 63>;
 [[nodiscard]] double bending(const HandLandmarks& points, bool left);
 
 /// A recording of the angles between landmarks. Coordinates within a picture are taken for those of
-/// one of 4:3 or in pixels; other units than metres are scaled to a hand of usual size; and whether
-/// it is a left hand shows from where its fingers bend. Frames without a hand are left out, and
-/// those without times 1/30 s apart. Warnings say all that.
-/// @throws InputError if there is no hand.
+/// a picture of 4:3 or in pixels; other units than metres are scaled to a hand of usual size. A
+/// left hand is recognized by the direction in which its fingers bend. Frames without a hand are
+/// left out, and those without times 1/30 s apart. Warnings report all that.
+/// @throws InputError if no frame has a hand.
 [[nodiscard]] Recording recording_of_hands(const std::filesystem::path& file,
                                            const std::vector<SeenHand>& hands);
 

@@ -55,8 +55,8 @@ bool is_landmark_address(const std::string& address) {
   return address.starts_with(kUdp) || address.starts_with(kTcp);
 }
 
-/// Tells from how the fingers bend which hand is seen, whatever the sender calls it: of the wrong
-/// hand they would bend backwards.
+/// Detects the side of the hand from the bending of its fingers, whatever the sender calls it: for
+/// the wrong side they would bend backwards.
 class SeenSide {
  public:
   /// @param named_left the hand that the sender names. @returns whether it is a left hand.

@@ -34,7 +34,7 @@ Eigen::MatrixXd numbers(const matvar_t& variable) {
       .template cast<double>();
 }
 
-// Numbers are kept as their class says, however few bytes they took in the file.
+// Numbers have their class, however few bytes they took in the file.
 Eigen::MatrixXd matrix(const matvar_t& variable) {
   switch (variable.class_type) {
     case MAT_C_SINGLE:

@@ -20,7 +20,7 @@ inline constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 /// A cell of text, as a label.
 inline constexpr double kWord = std::numeric_limits<double>::infinity();
 
-/// Numbers in rows, kGap or kWord where there are none.
+/// Numbers in rows, kGap or kWord for other cells.
 struct NumberTable {
   std::vector<std::string> names;  ///< Names of columns; empty without a header.
   Eigen::MatrixXd values;          ///< Numbers; dates and clock times in s.
@@ -34,7 +34,7 @@ struct NumberTable {
 /// The table in the lines of a text, without titles above it and remarks.
 /// @param skip lines before the table.
 /// @param separator nothing: that of its last whole line.
-/// @throws InputError if there are no rows, or not all have as many cells.
+/// @throws InputError if it has no rows, or rows of different lengths.
 [[nodiscard]] NumberTable read_text_table(const std::filesystem::path& file,
                                           std::span<const TextLine> all, int skip = 0,
                                           std::optional<char> separator = {});

@@ -22,7 +22,7 @@ inline constexpr double kMidScale = 128.0;
   return sensor ? sensor->zero + angle / sensor->gain : kMidScale;
 }
 
-/// Rounded, and brought to what a sensor can read: 1 to 255.
+/// Rounds, and clamps to the range of a sensor: 1 to 255.
 [[nodiscard]] inline std::uint16_t to_count(double value) {
   return static_cast<std::uint16_t>(std::clamp(std::round(value), 1.0, 255.0));
 }
@@ -38,7 +38,7 @@ class RecordingPlayer {
   [[nodiscard]] std::size_t size() const { return frames_.size(); }
   /// Time since the first frame, s.
   [[nodiscard]] const GloveFrame& frame(std::size_t index) const { return frames_[index]; }
-  /// Mean time from one frame to the next, s; 0.01 if there is one only.
+  /// Mean time from one frame to the next, s; 0.01 for a single frame.
   [[nodiscard]] double period() const { return period_; }
   /// From the first frame of one round to the first of the next, s.
   [[nodiscard]] double duration() const { return frames_.back().time + period_; }

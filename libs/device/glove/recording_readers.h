@@ -49,7 +49,7 @@ inline constexpr double kWidestAngle = 2.0 * std::numbers::pi;
 /// "FILE:LINE".
 [[nodiscard]] std::string at_line(const std::filesystem::path& file, const TextLine& line);
 
-/// Hands every line that isn't blank to `take`, but for a last one that is cut off, as a program
+/// Passes every line that isn't blank to `take`, except a last one that is cut off, as a program
 /// leaves that is killed while it writes: a warning names it.
 /// @param is_row whether a line without its end is a row all the same.
 void take_rows(const std::filesystem::path& file, const std::vector<TextLine>& lines,
@@ -64,8 +64,8 @@ class RecordedRows {
 
   /// @param time s, in the order of the file.
   void add(const TextLine& line, double time, const std::vector<double>& values);
-  /// Into the times and values of a recording. Where time runs back it goes on, with a warning:
-  /// see geometric::settle_times(). @throws InputError if there are no rows.
+  /// Moves the rows into a recording. Times that run back are corrected with a warning: see
+  /// geometric::settle_times(). @throws InputError if it has no rows.
   void move_to(Recording& recording);
 
  private:

@@ -16,7 +16,7 @@ namespace handway::device {
 [[nodiscard]] std::vector<std::string> sensor_names();
 
 /// Index of the sensor with that name, or with that one letter, which `element` is about.
-/// @throws InputError about the element if there is none.
+/// @throws InputError about the element if the name is unknown.
 [[nodiscard]] int named_sensor(const geometric::YamlElement& element, const std::string& name);
 
 /// Index of the sensor that any program, or a data set, may call so.

@@ -31,7 +31,7 @@ std::string row_name(const std::filesystem::path& file, const NumberTable& table
 }
 
 /// Rows in which all used columns have values; a warning counts the others.
-/// @throws InputError if a used cell is text, or if there are none.
+/// @throws InputError if a used cell is text, or if no row is complete.
 std::vector<Eigen::Index> rows_without_gaps(const std::filesystem::path& file,
                                             const NumberTable& table, const TableLayout& layout,
                                             std::vector<std::string>& warnings) {

@@ -25,7 +25,7 @@ struct ColumnUse {
 struct TableLayout {
   RecordingKind kind = RecordingKind::kAngles;
   std::vector<ColumnUse> columns;
-  std::vector<ColumnUse> times;        ///< Their sum is the time; empty: there are none.
+  std::vector<ColumnUse> times;        ///< Their sum is the time; may be empty.
   std::optional<double> time_unit;     ///< The named one, s.
   double rate = 1.0;                   ///< Hz, without times.
   std::string order;                   ///< Order of columns without names; may be empty.
@@ -66,7 +66,7 @@ void find_times(const NumberTable& table, TableLayout& layout);
 [[nodiscard]] TableLayout layout_of(const std::filesystem::path& file, const NumberTable& table);
 
 /// Rows with gaps are left out, with a warning.
-/// @throws InputError naming row and column of what can't be measured, or if no row is whole.
+/// @throws InputError naming row and column of a bad value, or if no row is complete.
 [[nodiscard]] Recording recording_of(const std::filesystem::path& file, const NumberTable& table,
                                      const TableLayout& layout);
 

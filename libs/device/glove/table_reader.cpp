@@ -77,8 +77,9 @@ namespace {
 
 bool is_of_glove(Eigen::Index columns) { return columns == 18 || columns == kGloveSensors; }
 
-/// The matrices that a glove may have measured, by name, with its sensors as columns. Where several
-/// are, those called as in Ninapro's files: "angles", which are calibrated, before "glove".
+/// The matrices that may come from a glove, by name, with its sensors as columns. If there are
+/// several, those with the names of Ninapro's files: "angles", which are calibrated, before
+/// "glove".
 std::map<std::string, Eigen::MatrixXd> glove_matrices(
     const std::map<std::string, Eigen::MatrixXd>& all) {
   std::map<std::string, Eigen::MatrixXd> fitting;

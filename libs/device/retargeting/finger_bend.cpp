@@ -296,7 +296,7 @@ double opposition(PalmKinematics& palm, const RobotFinger& finger, const FingerB
 bool is_thumb(const RobotFinger& finger) { return finger.finger == Finger::kThumb; }
 
 /// Returns whether the fingers but for the thumb are two or more that lie side by side: then axes
-/// of `bends` are turned to point the same way.
+/// of `bends` are turned to point in the same direction.
 bool align_side_by_side(PalmKinematics& palm, const std::vector<RobotFinger>& fingers,
                         std::vector<FingerBend>& bends) {
   const FingerBend* first = nullptr;

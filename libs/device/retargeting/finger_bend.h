@@ -11,7 +11,7 @@
 
 namespace handway::device {
 
-/// Returns -1 for what is below 0, else 1.
+/// Returns -1 for negative values, else 1.
 [[nodiscard]] inline double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
 /// Returns whether the joint that carries `link` moves it: limits that leave no room are a fixed
@@ -65,12 +65,12 @@ struct FingerBend {
 [[nodiscard]] FingerBend bend_of(PalmKinematics& palm, const std::vector<int>& chain,
                                  const RobotFinger& finger);
 
-/// Decides which way each finger closes, and turns the axes of `bends` so that positive angles
-/// close it. Fingers side by side close to the same side. What counts is which side the joints'
-/// ranges go to from the straight finger, and on which side the fingers come nearer to the whole
-/// workspace of the thumb (of fingers that are not side by side: of the others).
-/// @param fingers the thumb, if there is one, is known. @param bends one per finger.
-/// @returns what is not certain, as sentences.
+/// Decides to which side each finger closes, and turns the axes of `bends` so that positive angles
+/// close it. Fingers side by side close to the same side. The evidence is the side of the larger
+/// joint ranges, seen from the straight finger, and the side on which the fingers come nearer to
+/// the whole workspace of the thumb (for fingers that are not side by side: of the others).
+/// @param fingers the thumb, if any, is known. @param bends one per finger.
+/// @returns doubts, as sentences.
 [[nodiscard]] std::vector<std::string> find_closing_sides(PalmKinematics& palm,
                                                           const std::vector<RobotFinger>& fingers,
                                                           std::vector<FingerBend>& bends);

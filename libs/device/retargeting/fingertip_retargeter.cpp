@@ -36,7 +36,8 @@ const RobotFinger* thumb_of(const RobotFingers& hand) {
   return found == hand.fingers.end() ? nullptr : &*found;
 }
 
-/// From a person's fingers to the robot's, in their order; of the thumb the mean of the others.
+/// Scales from a person's fingers to the robot's, in their order; the thumb's is the mean of the
+/// others.
 std::vector<double> scales_of(const RobotFingers& hand, double scale, const HandBones& bones) {
   GloveAngles flat;
   flat.angles.fill(0.0);

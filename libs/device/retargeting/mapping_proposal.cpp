@@ -262,7 +262,8 @@ class MappingProposer {
     }
   }
 
-  /// A person's open hand is the joint's value `open`, a closed one the limit it closes to.
+  /// Maps a person's open hand to the joint's value `open`, a closed one to its limit in that
+  /// direction.
   void add_closing(int variable, const std::string& sensor, double sign, double open) {
     JointWire wire;
     wire.sensor = sensor_called(sensor);
@@ -402,8 +403,9 @@ class MappingProposer {
     }
   }
 
-  /// Positive abduction takes the thumb away from the index finger, and to where it takes a
-  /// person's for the same share of the roll, which turns what abduction does.
+  /// Returns the sign with which abduction moves the thumb away from the index finger, and in the
+  /// direction of a person's for the same share of the roll, which turns the direction of
+  /// abduction.
   [[nodiscard]] double abduction_sign(const RobotFinger& thumb, int roll, double roll_sign,
                                       int abduction) const {
     double alike = 0.0;
@@ -497,7 +499,7 @@ SensorKind kind_of(int sensor) {
                                                            : SensorKind::kSpanning;
 }
 
-/// The 2nd, 50th and 98th percentile of what a sensor measured, rad.
+/// The 2nd, 50th and 98th percentile of a sensor's angles, rad.
 struct Span {
   double least;
   double middle;
@@ -582,7 +584,7 @@ class FingertipMeasure {
     }
   }
 
-  /// m. @param most rows that are looked at, evenly spread; 0: all.
+  /// Mean error, m. @param most rows that are used, evenly spread; 0: all.
   [[nodiscard]] double mean_error(const HandMapping& mapping, std::size_t most = 0) const {
     const HandMapper mapper(mapping, model_, false, ranges_);
     const std::size_t stride = most == 0 ? 1 : rows_.size() / most + 1;

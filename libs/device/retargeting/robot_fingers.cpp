@@ -202,7 +202,7 @@ Configuration extreme(PalmKinematics& palm, const RobotFinger& finger, double si
   return q;
 }
 
-/// Directions that a person's hand and the robot's have in common, a column each.
+/// Common directions of a person's hand and the robot's, a column each.
 struct Directions {
   std::vector<Vector3d> human;
   std::vector<Vector3d> robot;
@@ -260,8 +260,8 @@ Directions common_directions(const std::vector<FoundFinger>& fingers, PalmKinema
   return directions;
 }
 
-// The rotation that takes the person's directions best to the robot's (Kabsch); mirrored first if
-// that fits better, as for a left hand.
+// Finds the rotation of the person's directions that fits the robot's best (Kabsch); mirrored first
+// if that fits better, as for a left hand.
 void orient(const Directions& directions, RobotFingers& hand) {
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < directions.human.size(); ++i) {

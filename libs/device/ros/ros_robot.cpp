@@ -26,8 +26,8 @@ constexpr double kFirst = 0.005;     // s: a point that is due at once is late w
 constexpr double kApart = 1e-3;      // s, of two points, at least
 constexpr double kBrakeStep = 0.01;  // s, while braking
 
-// The next stretch of a motion as a whole one of its own: a device that hears no more follows it
-// to its end and stands, having braked on the planned path.
+// Makes the next stretch of a motion, complete in itself: a device that receives no more follows it
+// to its end and rests, having braked on the planned path.
 // @param time where it begins, s of `motion`; its own times begin a few ms after 0 and end with
 // `length`, or where the motion does.
 JointTrajectory motion_window(const JointTrajectory& motion, double time,
@@ -71,7 +71,7 @@ constexpr WindowLength kWindow;
 constexpr double kStopBrake = 0.15;
 // So long a robot that is led may be behind, s.
 constexpr double kLeadSlack = 0.2;
-// So many messages about joints without one that is asked for.
+// Number of messages about other joints until giving up.
 constexpr int kPatience = 200;
 constexpr const char* kStatusId = "handway-robot-status";
 

@@ -18,7 +18,7 @@ class WebSocketLink {
  public:
   /// Connects, within 2 s.
   /// @param name of the device, for messages.
-  /// @throws DeviceError if nobody answers, or nobody that speaks WebSocket.
+  /// @throws DeviceError if no server answers, or none with WebSocket.
   WebSocketLink(std::string name, const TcpAddress& address, const std::stop_token& stop);
   ~WebSocketLink();
   WebSocketLink(const WebSocketLink&) = delete;
@@ -28,9 +28,9 @@ class WebSocketLink {
   /// @throws DeviceError if the other end is gone or has not taken it within `timeout`.
   void send(std::string text, std::chrono::milliseconds timeout = std::chrono::seconds(1));
 
-  /// The next message that came, of at most 256 KiB; waits at most `timeout` for one to begin, and
-  /// at most 5 ms longer while it is coming. No more than one message is kept: what the other
-  /// end sends beyond waits in its own buffers. One that came before the connection broke comes
+  /// The next message, of at most 256 KiB; waits at most `timeout` for one to begin, and
+  /// at most 5 ms longer while it is coming. At most one message is stored: later ones
+  /// wait in the sender's buffers. A message that came before the connection broke comes
   /// first.
   /// @throws DeviceError if the other end is gone or a message is longer.
   [[nodiscard]] std::optional<std::string> receive(std::chrono::milliseconds timeout);
@@ -62,7 +62,7 @@ class WebSocketPort {
   /// Serves connections for `duration`. @returns what came, in order.
   [[nodiscard]] std::vector<Message> serve(std::chrono::microseconds duration);
 
-  /// Who is connected.
+  /// Connected hosts.
   [[nodiscard]] std::vector<Host> hosts() const;
   /// Sends a message; nothing happens if the host is gone.
   void send(Host host, std::string text);

@@ -35,7 +35,7 @@ class LittleEndianReader {
 [[nodiscard]] std::optional<geometric::Pose> pose_from_quaternion(const Eigen::Vector3d& position,
                                                                   const Eigen::Vector4d& wxyz);
 
-/// Position and orientation of a record, in whatever order they come.
+/// Position and orientation of a record, in any order of its items.
 class PoseItems {
  public:
   /// @param position m.

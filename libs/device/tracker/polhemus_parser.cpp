@@ -140,7 +140,7 @@ bool read_item(const FastrakFormat& format, int item, Bytes bytes, PolhemusRecor
 }
 
 constexpr std::size_t kLibertyHeader = 8;
-// Longer replies than any that a driver asks for, so that a damaged length doesn't hold up poses.
+// Longest reply that a driver requests: a damaged length must not delay poses.
 constexpr std::size_t kLongestReply = 256;
 constexpr int kStations = 16;
 

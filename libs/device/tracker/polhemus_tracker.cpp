@@ -30,7 +30,7 @@ class PolhemusProtocol {
   [[nodiscard]] virtual std::string_view name() const = 0;
   /// Ends what it is doing.
   [[nodiscard]] virtual std::string stop_command() const = 0;
-  /// Asks for a reply, whatever it is doing.
+  /// Command that always gets a reply.
   [[nodiscard]] virtual std::string probe_command() const = 0;
   /// Sets it up; between two of them it needs a pause.
   [[nodiscard]] virtual std::vector<std::string> set_up_commands() const = 0;
@@ -298,7 +298,7 @@ void PolhemusTracker::do_disconnect() noexcept {
   try {
     session_->send(session_->protocol->stop_command());
   } catch (const std::exception&) {
-    // The device is gone already: there is no stream to be stopped.
+    // The device is gone already: no stream has to be stopped.
   }
   faults_ = do_faults();
   session_.reset();

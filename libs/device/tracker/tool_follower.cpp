@@ -158,7 +158,7 @@ FollowStep ToolFollower::update(const TrackerSample& sample) {
   return step;
 }
 
-// Goes on to the smoothed pose, if there is a way.
+// Moves on to the smoothed pose, if the inverse kinematics has a solution.
 void ToolFollower::follow(double dt, FollowStep& step) {
   const IkResult found = ik_->solve(X_BF_, goal_);
   if (found.solutions.empty()) {

@@ -62,7 +62,7 @@ void append_text(DeviceUnit::Bytes& bytes, std::string_view text);
 [[nodiscard]] Eigen::Vector3d azimuth_elevation_roll(const Eigen::Matrix3d& R);
 /// w, x, y, z with w ≥ 0.
 [[nodiscard]] Eigen::Vector4d scalar_first(const Eigen::Matrix3d& R);
-/// The numbers between commas from `at` on; what is no number ends them.
+/// The numbers between commas from `at` on, up to the first that is not a number.
 [[nodiscard]] std::vector<int> comma_list(std::string_view text);
 
 }  // namespace handway::device

@@ -67,7 +67,7 @@ namespace {
 
 // Longest delay that a unit catches up with, s.
 constexpr double kLongestDelay = 0.25;
-// No command is so long: what is, is noise.
+// Longest command: longer bytes are noise.
 constexpr std::size_t kLongestCommand = 80;
 
 }  // namespace

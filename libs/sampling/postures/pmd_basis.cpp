@@ -81,7 +81,7 @@ PmdBasis full_joint_basis(std::string hand, std::vector<std::string> joints) {
 }
 
 PostureSubspace::PostureSubspace(const PmdBasis& basis) : centre_(centre_of(basis)) {
-  // Read off project(), so that there is one definition.
+  // Derived from project(), so that there is one definition.
   const Eigen::MatrixXd E = axes_of(basis);
   across_ = Eigen::MatrixXd::Identity(E.rows(), E.rows());
   for (Eigen::Index column = 0; column < E.rows(); ++column) {

@@ -45,7 +45,7 @@ std::optional<Eigen::VectorXd> on_a_bridge(RandomStream& stream, int dimension, 
   return valid(middle) ? std::optional(middle) : std::nullopt;
 }
 
-/// Looks at pairs of points until one leads to a valid point.
+/// Tries pairs of points until one gives a valid point.
 Sampler::Points from_pairs(int dimension, std::uint64_t seed, ValidityPredicate valid,
                            PairOptions options, TryPair try_pair) {
   if (!(options.sigma > 0.0) || options.tries < 1 || !valid) {

@@ -20,10 +20,10 @@ struct Val3ControllerSettings : EmulatedRobotSettings {
   bool automatic = true;
 };
 
-/// An emulated CS8 controller that runs the VAL3 server of ROS-Industrial, without wires: what it
-/// receives and what it answers are messages. The arm moves from point to point so that its slowest
-/// joint goes at the share of its velocity that the point asks for, as `movej` does between points
-/// that are blended; a point's duration plays no part. Where the queue is empty the arm stands.
+/// An emulated CS8 controller that runs the VAL3 server of ROS-Industrial, without wires: it
+/// receives and answers messages. The arm moves from point to point so that its slowest joint has
+/// the share of its velocity that the point requests, as `movej` does between blended points; a
+/// point's duration is ignored. With an empty queue the arm is at rest.
 class HANDWAY_DEVICE_EXPORT Val3Controller final : public EmulatedRobot {
  public:
   /// @throws std::invalid_argument for settings that make no sense.

@@ -11,13 +11,13 @@
 #include <stdexcept>
 #include <vector>
 
-/// The messages of ROS-Industrial's simple_message protocol that the VAL3 server for
-/// Staeubli CS8 and CS9 controllers speaks: joint trajectory points to port 11000, joint
-/// positions and status from port 11002.
+/// The messages of ROS-Industrial's simple_message protocol that the VAL3 server for Staeubli CS8
+/// and CS9 controllers uses: joint trajectory points to port 11000, joint positions and status from
+/// port 11002.
 ///
-/// On the wire: length (of what follows it), type, communication, reply code, body; all
-/// int32 or float32, little-endian. Joints are in rad, ten of them, unused ones 0.
-/// Source: ros-industrial/industrial_core and staubli_val3_driver, message definitions.
+/// On the wire: length (of the rest), type, communication, reply code, body; all int32 or float32,
+/// little-endian. Joints are in rad, ten of them, unused ones 0. Source:
+/// ros-industrial/industrial_core and staubli_val3_driver, message definitions.
 namespace handway::device {
 
 inline constexpr std::size_t kSimpleMessageJoints = 10;
@@ -65,10 +65,10 @@ class HANDWAY_DEVICE_EXPORT SimpleMessageParser {
  public:
   void add(std::span<const std::uint8_t> bytes);
 
-  /// The next whole message, if there is one.
-  /// @throws SimpleMessageError if what comes next is none: an unknown type, kind or reply
-  /// code, a length that is not the type's, a number that is not finite. There
-  /// is no way to find the next message then: close the connection.
+  /// The next complete message, if it has arrived.
+  /// @throws SimpleMessageError if the next bytes are not a message: an unknown type, kind or reply
+  /// code, a length that is not the type's, a number that is not finite. The next message can't be
+  /// found then: close the connection.
   [[nodiscard]] std::optional<SimpleMessage> next();
 
  private:

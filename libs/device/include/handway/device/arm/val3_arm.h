@@ -20,10 +20,10 @@ inline constexpr std::uint16_t kVal3MotionPort = 11000;
 /// An arm on a Staeubli CS8 or CS9 controller that runs the VAL3 server of ROS-Industrial
 /// (ros-industrial/staubli_val3_driver, VAL3 s7.7.2 or later).
 ///
-/// The controller knows no time: it moves to one point after the other, each at a share of its
-/// joints' nominal velocities, from a queue of ten points. The motion's time is kept by
-/// sending points ahead by less than the queue holds, each with the share that takes it there in
-/// its time, and where the arm has to wait by sending the next point when the wait is over.
+/// The controller has no clock: it moves to one point after the other, each at a share of its
+/// joints' nominal velocities, from a queue of ten points. The client keeps the motion's time: it
+/// sends points ahead by less than the queue holds, each with the share that reaches it in its
+/// time. Where the arm has to wait, it sends the next point after the wait.
 class HANDWAY_DEVICE_EXPORT Val3Arm final : public TrajectoryClient {
  public:
   /// @param name for messages. @param port of motions.

@@ -57,8 +57,8 @@ class HANDWAY_DEVICE_EXPORT ByteLink {
              std::chrono::milliseconds timeout = kLongestWrite);
 
   static constexpr std::chrono::milliseconds kLongestWrite{1000};
-  /// For commands, which are short: a device that does not take one does not read at all, and the
-  /// other devices have to hear of it.
+  /// Time limit of commands, which are short: a device that does not take one does not read at all,
+  /// and the other devices have to be notified.
   static constexpr std::chrono::milliseconds kLongestCommand{100};
 
  protected:
@@ -75,8 +75,8 @@ class HANDWAY_DEVICE_EXPORT ByteLink {
 /// TCP port (see parse_device_address()); with "listen://PORT" waits until a device connects to
 /// that port of this computer, as one with WiFi does.
 /// @param baud of a serial port, bit/s.
-/// @throws geometric::InputError for a wrong address; DeviceError if there is no such device, it
-/// may not be opened, it is no serial port, nobody answers within 2 s or connects within 60 s.
+/// @throws geometric::InputError for a wrong address; DeviceError if the device is missing, can't
+/// be opened, is no serial port, or within 2 s no server answers or within 60 s no client connects.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<ByteLink> open_link(
     const std::string& address, int baud, const std::stop_token& stop = {});
 

@@ -48,9 +48,9 @@ struct LineFaultSettings {
   std::uint64_t seed = 1;
 };
 
-/// Does to records what bad cables do: loses some whole, and damages others by one of a lost
-/// byte, a doubled byte, a 00 inside, a missing end, random bytes in front. The same seed gives
-/// the same faults.
+/// Damages records as bad cables do: loses some whole, and damages others by one of a lost byte, a
+/// doubled byte, a 00 inside, a missing end, random bytes in front. The same seed gives the same
+/// faults.
 class HANDWAY_DEVICE_EXPORT LineFaults {
  public:
   /// @throws std::invalid_argument if a probability is not from 0 to 1.
@@ -78,7 +78,7 @@ struct DeviceEmulatorSettings {
   std::optional<double> replug_at;  ///< and true again.
   /// A TCP port of this computer to listen on (0: any free one).
   std::optional<std::uint16_t> tcp_port;
-  /// HOST:PORT to send every record to as a UDP datagram; hears nothing then.
+  /// HOST:PORT to send every record to as a UDP datagram; it receives nothing then.
   std::optional<std::string> udp_receiver;
   /// HOST:PORT to connect to, as a device with WiFi does, and what it says first.
   std::optional<std::string> tcp_server;

@@ -29,7 +29,7 @@ enum class StreamState {
   kFailed,      ///< Gave up; see the stream's error().
 };
 
-/// "connecting", "streaming", … for people.
+/// Name for display: "connecting", "streaming", …
 [[nodiscard]] HANDWAY_DEVICE_EXPORT const char* state_name(StreamState state);
 
 struct StreamSettings {
@@ -44,10 +44,10 @@ struct StreamStatistics {
   std::uint64_t frames = 0;
   double rate = 0.0;      ///< Frames a second over the last second, Hz.
   double jitter = 0.0;    ///< Mean deviation of the last second's intervals from their mean, s.
-  double latency = 0.0;   ///< From a question to its answer on this connection, s; 0: none asked.
+  double latency = 0.0;   ///< Round-trip time of a query on this connection, s; 0: no query.
   double handling = 0.0;  ///< Mean time that a frame took from its arrival to the end of
                           ///< its handler, over the last second, s.
-  std::uint64_t dropouts = 0;  ///< Intervals longer than three and a half of the asked rate's.
+  std::uint64_t dropouts = 0;  ///< Intervals longer than 3.5 of the requested rate's.
   double longest_gap = 0.0;    ///< Longest interval between two frames, s.
   std::uint64_t reconnects = 0;
   std::uint64_t resynchronisations = 0;  ///< Times that bytes had to be dropped.
@@ -95,11 +95,11 @@ class StreamSource {
   StreamSource(const StreamSource&) = delete;
   StreamSource& operator=(const StreamSource&) = delete;
 
-  /// Opens the device, and notifies whoever listens. @throws DeviceError
+  /// Opens the device, and notifies the handler. @throws DeviceError
   virtual Pace connect(const std::stop_token& stop) = 0;
   /// Waits for a sample and keeps it for hand_over(). @throws DeviceError
   virtual SampleEvent next(std::chrono::milliseconds timeout, const std::stop_token& stop) = 0;
-  /// Hands the sample to whoever listens. @returns its age afterwards, s.
+  /// Passes the sample to the handler. @returns its age afterwards, s.
   virtual double hand_over() = 0;
   virtual void disconnect() noexcept = 0;
   /// Times that bytes had to be dropped.
@@ -169,7 +169,7 @@ class DeviceStream {
       : thread_(std::make_unique<Source>(std::move(device), handlers, reports_), settings,
                 handlers.on_state) {}
 
-  /// Asks it to stop; returns at once.
+  /// Requests a stop; returns at once.
   void request_stop() { thread_.request_stop(); }
   /// Waits until it has ended, stopped or failed. @returns whether it has, within `timeout`.
   bool wait(std::chrono::milliseconds timeout) const { return thread_.wait(timeout); }

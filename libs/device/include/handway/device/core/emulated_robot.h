@@ -56,8 +56,8 @@ class HANDWAY_DEVICE_EXPORT EmulatedRobot {
   [[nodiscard]] const Eigen::VectorXd& commanded() const { return command_; }
   /// Commands position and velocity for this step.
   void command(const Eigen::VectorXd& position, const Eigen::VectorXd& velocity);
-  /// Brakes all joints in the same time, the shortest that their decelerations allow, and
-  /// then stands, whatever was commanded; until release().
+  /// Brakes all joints in the same time, the shortest that their decelerations allow, and stays at
+  /// rest, whatever the command; until release().
   void brake();
   void release() { braking_.reset(); }
   void count_stop() { ++stops_; }

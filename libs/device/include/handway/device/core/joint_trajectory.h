@@ -29,9 +29,9 @@ struct JointTrajectory {
   [[nodiscard]] HANDWAY_DEVICE_EXPORT Eigen::VectorXd at(double time) const;
 };
 
-/// @throws geometric::InputError naming point and joint if the trajectory has no two
-/// points, is of another shape, holds numbers that are not finite, does not begin at 0 or
-/// does not go on in time, or leaves the ranges or exceeds the velocities.
+/// @throws geometric::InputError naming point and joint if the trajectory has less than two points,
+/// is of another shape, holds numbers that are not finite, does not begin at 0, has times that
+/// don't rise, or leaves the ranges or exceeds the velocities.
 HANDWAY_DEVICE_EXPORT void check_trajectory(const JointTrajectory& trajectory,
                                             const JointRanges& joints);
 

@@ -14,7 +14,7 @@
 /// Common parts of protocols of ASCII lines.
 namespace handway::device {
 
-/// A line that is none of the protocol.
+/// Thrown for a line that is not of the protocol.
 class LineProtocolError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,8 +29,8 @@ class LineProtocolError : public std::runtime_error {
 /// non-ASCII characters as "?".
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string quote(std::string_view text);
 
-/// Cuts bytes into lines. Between two calls of add() next() is to be called until it gives nothing:
-/// then it keeps no more than one line's beginning.
+/// Cuts bytes into lines. Between two calls of add(), call next() until it returns nothing: then it
+/// stores at most one line's beginning.
 class HANDWAY_DEVICE_EXPORT LineBuffer {
  public:
   void add(std::span<const std::uint8_t> bytes);

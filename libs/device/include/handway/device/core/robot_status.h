@@ -9,7 +9,7 @@
 namespace handway::device {
 
 /// Status that a controller reports: -1 unknown, 0 no, 1 yes. The fields are those of
-/// ROS-Industrial's message RobotStatus, in its simple message protocol and in ROS alike.
+/// ROS-Industrial's message RobotStatus, both in its simple message protocol and in ROS.
 struct RobotStatus {
   std::int32_t drives_powered = -1;
   std::int32_t emergency_stopped = -1;
@@ -28,11 +28,11 @@ struct RobotObstacle {
   std::string advice;
 };
 
-/// @returns why no motion can begin; nothing if one can. What is unknown is no reason.
+/// @returns why no motion can begin; nothing if one can. Unknown fields are no reason.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::optional<RobotObstacle> obstacle_to_start(
     const RobotStatus& status);
 
-/// @returns why a motion under way has ended; nothing if it goes on.
+/// @returns why a running motion has ended; nothing if it continues.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::optional<RobotObstacle> obstacle_under_way(
     const RobotStatus& status);
 

@@ -42,7 +42,7 @@ enum class SampleEvent {
   kSample,     ///< A sample.
   kNothing,    ///< No sample in the time given; call again.
   kUnplugged,  ///< The unit answers, but has no sensor; ask again.
-  kEnd,        ///< There are no more: the end of a recording.
+  kEnd,        ///< End of a recording.
 };
 
 /// Errors on the line since the device object was made.
@@ -72,7 +72,7 @@ class SampledDevice {
   SampledDevice& operator=(const SampledDevice&) = delete;
 
   /// Opens the device and starts it; after a lost connection, again.
-  /// @throws DeviceError that says what was found, expected and is to be done.
+  /// @throws DeviceError with the state found, the expected one, and advice.
   Info connect(const std::stop_token& stop = {}) {
     disconnect();
     clock_.start();
@@ -82,8 +82,8 @@ class SampledDevice {
     return info;
   }
 
-  /// Waits for the next sample, at most `timeout` (a little longer where the device has to be asked
-  /// whether it lives). Returns early, with kNothing, when a stop is requested. Time never goes
+  /// Waits for the next sample, at most `timeout` (a little longer if the device has to be polled
+  /// for a sign of life). Returns early, with kNothing, when a stop is requested. Time never goes
   /// back, not even from one connection to the next.
   /// @throws DeviceError if the connection is lost; connect() may bring it back.
   /// @throws std::logic_error if it isn't connected.

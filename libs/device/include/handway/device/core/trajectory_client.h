@@ -17,8 +17,8 @@ namespace handway::device {
 enum class MotionPhase {
   kIdle,     ///< It has none.
   kReady,    ///< Uploaded, not begun.
-  kRunning,  ///< On its way.
-  kPaused,   ///< Held; resume() goes on.
+  kRunning,  ///< Running.
+  kPaused,   ///< Paused; resume() continues.
   kDone,     ///< At its end.
   kStopped,  ///< Ended by stop().
   kFailed,   ///< Ended by a fault; see TrajectoryClient::fault().
@@ -40,13 +40,13 @@ struct MotionTolerances {
 
 /// A connection to a device that moves joints: an arm's or a hand's controller.
 ///
-/// It has no thread of its own: whoever uses it calls update() every few milliseconds from
-/// connect() on. It never lets a motion go on unwatched: a lost connection, positions that stop
-/// coming, or that come faster than they are read, a refused point, an emergency stop, a joint that
-/// does not follow, or one that does not arrive end the motion, with kFailed and a fault() in
-/// words.
+/// It has no thread of its own: its user calls update() every few milliseconds from connect()
+/// on. It never lets a motion run without supervision. The motion ends with kFailed and a
+/// message in fault() after a lost connection, positions that stop or come faster than they are
+/// read, a refused point, an emergency stop, or a joint that does not follow or does not
+/// arrive.
 ///
-/// The public functions check; derived classes speak the device's protocol.
+/// The public functions check; derived classes implement the device's protocol.
 class HANDWAY_DEVICE_EXPORT TrajectoryClient {
  public:
   using Clock = std::chrono::steady_clock;
@@ -64,8 +64,8 @@ class HANDWAY_DEVICE_EXPORT TrajectoryClient {
   void connect(const std::stop_token& stop = {});
 
   /// Gives the device a motion.
-  /// @throws geometric::InputError as check_trajectory(); DeviceError if there is no connection,
-  /// the device doesn't take it, or it is moving.
+  /// @throws geometric::InputError as check_trajectory(); DeviceError if it is not connected, the
+  /// device doesn't accept it, or it is moving.
   void upload(const JointTrajectory& trajectory, const std::stop_token& stop = {});
 
   /// Begins the motion that was uploaded.
@@ -73,22 +73,22 @@ class HANDWAY_DEVICE_EXPORT TrajectoryClient {
   /// from the first point; nothing moves then.
   void start(const MotionTolerances& tolerances = {});
 
-  /// Holds the motion as soon as the device can, but not before `time` (s of the motion).
-  /// Nothing happens if it isn't running. Whatever goes wrong ends the motion with kFailed.
+  /// Pauses the motion as soon as the device can, but not before `time` (s of the motion). Nothing
+  /// happens if it isn't running. Any error ends the motion with kFailed.
   /// @returns the motion's time at which it holds: for other devices that shall hold there.
   double pause(double time = 0.0);
-  /// Goes on with a motion that is held, otherwise nothing happens. Whatever goes wrong ends the
-  /// motion with kFailed.
+  /// Continues a paused motion, otherwise nothing happens. Any error ends the motion with
+  /// kFailed.
   void resume();
 
   /// Stops the joints as fast as the device can, and forgets the motion. Never throws: if the
   /// device can't be reached any more its own watchdog stops it.
   void stop();
 
-  /// Takes what the device said, gives it what it needs, and looks whether all is well. Waits
-  /// 2 ms at most, and takes at most 256 KiB and 5 ms of each of its connections, however much the
-  /// device sends: what is left waits for the next call. Whatever goes wrong, an exception
-  /// included, ends the motion with kFailed.
+  /// Polls the device: reads its state, sends due points, checks for faults. Waits 2 ms at most,
+  /// and reads at most 256 KiB and 5 ms from each of its connections, however much the device
+  /// sends: the rest waits for the next call. Any error, an exception included, ends the motion
+  /// with kFailed.
   void update();
 
   [[nodiscard]] MotionPhase phase() const { return phase_; }

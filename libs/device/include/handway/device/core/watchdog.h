@@ -6,7 +6,7 @@
 
 namespace handway::device {
 
-/// For how long a device has been sending more than was read, so that what was read is old.
+/// Duration for which a device has been sending more than was read, so that the data are old.
 class Backlog {
  public:
   using Clock = std::chrono::steady_clock;
@@ -21,7 +21,7 @@ class Backlog {
   }
 
   [[nodiscard]] bool any() const { return since_.has_value(); }
-  /// Zero if there is none.
+  /// Duration of the backlog; zero without one.
   [[nodiscard]] Clock::duration lasted(Clock::time_point now) const {
     return since_ ? now - *since_ : Clock::duration::zero();
   }
@@ -42,7 +42,7 @@ class Watchdog {
     lasted_ = Clock::duration::zero();
   }
 
-  /// The program listened and heard nothing. @returns how long that has been so.
+  /// Records that reading gave nothing. @returns how long that has been so.
   Clock::duration listened(Clock::time_point now) {
     lasted_ += std::min<Clock::duration>(now - listened_, kLongestPause);
     listened_ = now;

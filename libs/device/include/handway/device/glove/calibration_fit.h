@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// Postures that a person is asked to take while a glove is calibrated, as YAML:
+/// Postures for the guided calibration of a glove, as YAML:
 ///
 ///     poses:
 ///       - name: flat
@@ -39,24 +39,24 @@ struct PoseInstruction {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<PoseInstruction> read_guided_poses(
     const std::filesystem::path& file);
 
-/// A calibration and what is suspicious about it: sensors that are dead (hardly moved),
-/// noisy, or at an end of their range; fits that are bad.
+/// A calibration with its doubts: sensors that are dead (hardly moved), noisy, or at an end of
+/// their range; fits that are bad.
 struct CalibrationFit {
   GloveCalibration calibration;
   std::vector<std::string> warnings;
 };
 
-/// A posture that the person was asked to take, and what the glove read meanwhile.
+/// A guided posture, and the glove's readings during it.
 struct GuidedPose {
   std::string name;                          ///< "flat hand".
   std::array<double, kGloveSensors> angles;  ///< rad, flexion positive; NaN: unknown.
   Recording counts;                          ///< While the posture was held; kCounts.
 };
 
-/// Fits each sensor's line by least squares to the means of the poses that tell its angle. A
-/// sensor gets no calibration if fewer than two different angles are known for it or its
-/// means differ by less than 10 counts. Residuals above 0.1 rad give a warning.
-/// @throws geometric::InputError if there are no poses, or one holds angles instead of counts.
+/// Fits each sensor's line by least squares to the means of the poses that define its angle. A
+/// sensor gets no calibration if fewer than two different angles are known for it or its means
+/// differ by less than 10 counts. Residuals above 0.1 rad give a warning.
+/// @throws geometric::InputError without poses, or if one holds angles instead of counts.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT CalibrationFit calibrate_from_poses(
     const std::vector<GuidedPose>& poses, const std::string& person, const std::string& date);
 
@@ -80,9 +80,9 @@ using AngleRanges = std::array<std::pair<double, double>, kGloveSensors>;
 /// @throws geometric::InputError if the recording holds counts.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT PersonRanges measured_ranges(const Recording& angles);
 
-/// The angle of a typical hand that is as far in its range as a person's angle is in the person's
-/// own: 0 stays 0, and each side of it is scaled, if it is wider than 5°. An unknown range changes
-/// nothing.
+/// The angle of a typical hand at the same share of its range as a person's angle in the person's
+/// own range: 0 stays 0, and each side of it is scaled, if it is wider than 5°. An unknown range
+/// changes nothing.
 /// @param sensor index into cyberglove_sensors(). @param angle rad.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT double typical_angle(const PersonRanges& ranges, int sensor,
                                                          double angle);

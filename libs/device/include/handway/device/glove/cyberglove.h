@@ -21,13 +21,13 @@ struct CyberGloveSettings {
 };
 
 /// Driver of CyberGlove I, II and III (18 or 22 sensors) on a serial port, a Bluetooth serial port,
-/// a TCP port or over WiFi, in the interface unit's binary commands. Frames are stamped when their
+/// a TCP port or over WiFi, by the interface unit's binary commands. Frames are stamped when their
 /// last byte arrives. A CyberGlove III that doesn't answer these is read in its native stream
-/// (CyberGlove3Parser), at a rate of its own, 90 Hz; whether it is unplugged it doesn't say.
+/// (CyberGlove3Parser), at its own rate, 90 Hz; the stream does not report an unplugged glove.
 ///
-/// connect() stops whatever the unit was doing, asks for state, number of sensors and hand, sets
-/// rate and filter, and starts the stream. When the glove is pulled off the unit next()
-/// reports so, and starts the stream again once it is back.
+/// connect() stops any activity of the unit, queries state, number of sensors and hand, sets rate
+/// and filter, and starts the stream. When the glove is pulled off the unit next() reports it, and
+/// restarts the stream once it is back.
 class HANDWAY_DEVICE_EXPORT CyberGlove final : public Glove {
  public:
   /// @param address as for open_link().

@@ -19,9 +19,9 @@ namespace handway::device {
 /// found again after any loss; what isn't exactly one is dropped. Takes no more memory than one
 /// record.
 ///
-/// Source: what two programs read that were used with the glove, the ROS driver of Shadow Robot
-/// and the Python driver `cyberglove`. Whether 0D 0A 00 ends a record or begins the next is not
-/// known: it is waited for.
+/// Source: two programs for the glove, the ROS driver of Shadow Robot and the Python driver
+/// `cyberglove`. It is unknown whether 0D 0A 00 ends a record or begins the next, so the parser
+/// waits for it.
 class HANDWAY_DEVICE_EXPORT CyberGlove3Parser {
  public:
   static constexpr std::size_t kRecordLength = 61;

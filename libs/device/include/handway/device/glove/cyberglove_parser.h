@@ -41,10 +41,10 @@ struct CyberGloveRecord {
   std::uint8_t status = 0;  ///< Bit 0 glove plugged in, 1 switch, 2 light; 0 if not in the format.
 };
 
-/// Cuts the bytes of a CyberGlove into records. No byte of a record but its last is ever 00,
-/// so that whatever was lost or added on the line, the next 00 puts the parser right again;
-/// what doesn't have exactly the form of a record is dropped, never guessed at.
-/// Takes no more memory than one record.
+/// Cuts the bytes of a CyberGlove into records. Only the last byte of a record is 00, so that
+/// after any loss or noise on the line the next 00 synchronizes the parser again. Bytes that don't
+/// have exactly the form of a record are dropped, never repaired. Takes no more memory than one
+/// record.
 class HANDWAY_DEVICE_EXPORT CyberGloveParser {
  public:
   /// @throws std::invalid_argument if the format has neither 18 nor 22 sensors.

@@ -15,9 +15,9 @@ struct GloveInfo {
   std::string model;            ///< "CyberGlove, firmware 1.2".
   int sensors = kGloveSensors;  ///< See cyberglove_wired().
   bool right_hand = true;
-  double rate = 0.0;  ///< Frames a second that it was asked for, Hz.
+  double rate = 0.0;  ///< Requested frames per second, Hz.
   double round_trip =
-      0.0;  ///< Shortest time from a question to its answer, s; 0 if none was asked.
+      0.0;  ///< Shortest time from a query to its answer, s; 0 if no query was made.
   /// Sensors with angles, of a source that measures angles itself: indices into
   /// cyberglove_sensors(). Empty: a glove of counts.
   std::vector<int> angle_sensors;

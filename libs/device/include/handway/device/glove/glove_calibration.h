@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-/// A person's hand, and a glove on it: from raw counts to joint angles by one straight line for
-/// every sensor, how far the joints go, and how long the bones are. All but `sensors` may be left
-/// out, and that too if there are ranges or bones: the lines are then those of a typical hand.
+/// A person's hand, and a glove on it: a straight line from raw counts to joint angles for every
+/// sensor, the joints' ranges, and the bones' lengths. All but `sensors` may be left out, and that
+/// too if there are ranges or bones: the lines are then those of a typical hand.
 ///
 ///     person: typical right hand
 ///     date: 2026-03-01
@@ -58,9 +58,9 @@ struct GloveCalibration {
 ///     lines `index zero gain x` (VirtualHand; angle = gain · (counts - zero), with its signs:
 ///     turned here). A gain of 0 leaves the sensor uncalibrated.
 ///
-/// @throws geometric::InputError with file and line for what is none of these, names an
-/// unknown sensor or finger, lacks a line, has a gain of 0, two points less than 10 counts apart, a
-/// range that does not rise, or bones that are not positive.
+/// @throws geometric::InputError with file and line for a file of another kind, an unknown sensor
+/// or finger, a missing line, a gain of 0, two points less than 10 counts apart, a range that does
+/// not rise, or bones that are not positive.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveCalibration
 read_calibration(const std::filesystem::path& file);
 
@@ -69,12 +69,12 @@ read_calibration(const std::filesystem::path& file);
 HANDWAY_DEVICE_EXPORT void write_calibration(const GloveCalibration& calibration,
                                              const std::filesystem::path& file);
 
-/// resources/calibrations/typical_right_hand.yaml: what a glove reads on nobody in particular.
+/// Generic calibration: resources/calibrations/typical_right_hand.yaml.
 /// @throws geometric::InputError if the library lacks it.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveCalibration typical_calibration();
 
-/// The angles of a frame; NaN for sensors that are missing (0 counts) or not calibrated. Those that
-/// its source measured itself, if it did.
+/// The angles of a frame; NaN for sensors that are missing (0 counts) or not calibrated. Angles
+/// that the source measured itself are returned unchanged.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles to_angles(const GloveFrame& frame,
                                                           const GloveCalibration& calibration);
 

@@ -93,9 +93,9 @@ struct GloveEmulatorSettings : DeviceEmulatorSettings {
   CyberGloveUnitSettings unit;
 };
 
-/// An emulated CyberGlove that programs can't tell from hardware: its interface unit on a
-/// pseudo-terminal or a TCP port, run by a thread of its own. One host at a time; over TCP
-/// a new connection takes the place of the last, as with serial-to-network converters.
+/// An emulated CyberGlove that programs can't distinguish from hardware: its interface unit on a
+/// pseudo-terminal or a TCP port, run by a thread of its own. One host at a time; over TCP a new
+/// connection replaces the last, as with serial-to-network converters.
 class HANDWAY_DEVICE_EXPORT GloveEmulator {
  public:
   /// Opens the port and starts.

@@ -42,7 +42,7 @@ struct GloveAngles {
 /// One bend sensor of a glove.
 struct GloveSensor {
   std::string_view name;   ///< Name used by its makers and the ROS drivers: "ThumbRotate".
-  std::string_view label;  ///< For people: "Thumb roll".
+  std::string_view label;  ///< Display name: "Thumb roll".
   char letter;             ///< Letter in the paper's Fig. 3: a to v.
   int slot;                ///< Place in the 24 angles of the VirtualHand order.
   /// Measured joint and positive direction: "Knuckle of the index finger, positive bent".

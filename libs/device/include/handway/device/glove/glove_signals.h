@@ -26,7 +26,7 @@ exploring_hand_signal(std::uint64_t seed, const SensorFaults& faults = {},
 
 /// The counts of a recording, again and again; angles become counts by `calibration`.
 /// Sensors that the recording doesn't have read 128. Between two rows the former holds.
-/// @param faults noise is added to what was recorded: give 0 to play counts as they are.
+/// @param faults noise is added to the recorded counts: give 0 to play counts unchanged.
 /// @throws geometric::InputError if the recording has no rows.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveSignal
 recorded_signal(const Recording& recording, std::uint64_t seed, const SensorFaults& faults,
@@ -36,7 +36,7 @@ recorded_signal(const Recording& recording, std::uint64_t seed, const SensorFaul
 /// hand that moves freely (HandExploration): counts with noise, evenly timed from 0. The same
 /// arguments give the same recording; its header names them.
 /// @param rows ≥ 1. @param rate Hz, > 0.
-/// @throws std::invalid_argument if there are no rows or no rate.
+/// @throws std::invalid_argument for no rows or no rate.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording generate_recording(std::uint64_t seed, int rows,
                                                                  double rate);
 

@@ -61,9 +61,9 @@ struct HandMapping {
 /// Ships as resources/mappings/table1_sah.yaml.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandMapping table1_mapping();
 
-/// @throws geometric::InputError with file, line and key for what is no mapping: an unknown
-/// sensor, a joint twice, both or neither of sensor and fixed, a curve of fewer than two
-/// points or whose angles don't rise.
+/// @throws geometric::InputError with file, line and key for an invalid mapping: an unknown sensor,
+/// a joint twice, both or neither of sensor and fixed, a curve of fewer than two points or whose
+/// angles don't rise.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandMapping read_mapping(const std::filesystem::path& file);
 
 /// Replaces the file whole; the same mapping makes the same bytes.
@@ -76,8 +76,8 @@ class HANDWAY_DEVICE_EXPORT HandMapper : public PostureSource {
  public:
   /// @param hand a robot with all joints that the mapping names, such as the hand alone or
   /// an arm with it; the joints named, but for those left to the arm, are the hand.
-  /// @param is_hand the robot is the mapping's hand, whatever its name; else only if that is what
-  /// the mapping says.
+  /// @param is_hand the robot is the mapping's hand, whatever its name; else only if the names are
+  /// equal.
   /// @param ranges of the person: angles go to the joints as those of a typical hand (see
   /// typical_angle()).
   /// @throws geometric::InputError if the robot lacks a joint that the mapping names, has it

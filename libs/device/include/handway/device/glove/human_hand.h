@@ -39,20 +39,20 @@ inline constexpr double kTypicalHandLength = 0.19;
 typical_bones(double hand_length = kTypicalHandLength);
 /// Returns the bones of one frame of landmarks, in any frame of reference.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandBones bones_of(const HandLandmarks& landmarks);
-/// Bone by bone the median of what several frames gave. @pre there is one.
+/// Median of each bone over several frames. @pre there is one.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandBones median_bones(std::span<const HandBones> frames);
 
 /// Forward kinematics of a right hand from the angles of a glove, in the palm's frame: origin at
 /// the wrist, x along the metacarpal of the middle finger, z out of the back of the hand, so that y
-/// points to the thumb's side. Sensors that are missing (NaN) are taken for 0: fingers straight and
-/// side by side, the thumb along the index finger. The wrist's sensors don't count. Where fingers
-/// begin, as seen from the wrist, is the same direction for every hand.
+/// points to the thumb's side. Missing sensors (NaN) count as 0: fingers straight and side by side,
+/// the thumb along the index finger. The wrist's sensors don't count. The direction from the wrist
+/// to the base of a finger is the same for every hand.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandLandmarks
 hand_landmarks(const GloveAngles& angles, const HandBones& bones = typical_bones());
 
 /// The angles of a hand from its landmarks in the palm's frame, NaN where landmarks do not measure
-/// them (the arch of the palm and the wrist): the inverse of hand_landmarks(), whatever the
-/// lengths. How far a finger is spread is 0 while its first phalanx is bent by some 80° and more.
+/// them (the arch of the palm and the wrist): the inverse of hand_landmarks(), for any lengths. The
+/// spread of a finger is 0 while its first phalanx is bent by some 80° and more.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles glove_angles(const HandLandmarks& landmarks);
 /// The sensors that glove_angles() has numbers for (indices into cyberglove_sensors()).
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<int> landmark_sensors();

@@ -23,16 +23,16 @@ struct LandmarkGloveSettings {
 /// "udp://[HOST:]PORT" or "landmarks://HOST:PORT".
 [[nodiscard]] HANDWAY_DEVICE_EXPORT bool is_landmark_address(const std::string& address);
 
-/// A hand that a camera, a headset or a Leap Motion sees, as a glove: lines of landmarks (see
-/// landmark_line.h) that somebody sends. Its frames have the angles between the landmarks, as a
-/// right hand's; they are stamped when they arrive. The other hand's lines are passed over. A hand
-/// that is named wrongly is recognised by how its fingers bend, with a warning in the log. While
-/// no hand is seen next() reports it as unplugged. Lines that are none are counted and dropped, as
-/// are datagrams that come later than one with a later time.
+/// A hand seen by a camera, a headset or a Leap Motion, as a glove: it receives lines of landmarks
+/// (see landmark_line.h). Its frames have the angles between the landmarks, as a right hand's; they
+/// are stamped when they arrive. The other hand's lines are ignored. A hand with a wrong name is
+/// recognized by the bending of its fingers, with a warning in the log. While no hand is seen
+/// next() reports it as unplugged. Invalid lines are counted and dropped, as are datagrams that
+/// come later than one with a later time.
 class HANDWAY_DEVICE_EXPORT LandmarkGlove final : public Glove {
  public:
-  /// @param address "udp://PORT" to hear senders on this computer, "udp://0.0.0.0:PORT" all (a
-  /// line a datagram); "landmarks://HOST:PORT" to connect to a sender's TCP port.
+  /// @param address "udp://PORT" to receive from this computer, "udp://0.0.0.0:PORT" from all (one
+  /// line per datagram); "landmarks://HOST:PORT" to connect to a sender's TCP port.
   /// @throws geometric::InputError for a wrong address.
   explicit LandmarkGlove(std::string address, const LandmarkGloveSettings& settings = {});
   ~LandmarkGlove() override;

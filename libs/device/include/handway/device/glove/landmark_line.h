@@ -7,14 +7,14 @@
 #include <string>
 #include <string_view>
 
-/// A hand's landmarks as a line of JSON, in files and streams alike: what a camera, a headset or a
-/// Leap Motion sees needs ten lines to be sent so.
+/// A hand's landmarks as a line of JSON, in files and streams: a program for a camera, a headset or
+/// a Leap Motion needs ten lines to send it.
 ///
 ///     {"time": 0.033, "hand": "right", "landmarks": [[x, y, z], …]}
 ///
 /// `landmarks` are 21 points in m in the order of HandLandmarks, in any right-handed frame; a point
-/// may be {"x": …, "y": …, "z": …} too; none of them, or null, says that no hand is seen. `time` is
-/// in s on the sender's clock and may be left out of a stream; `hand` is "right" (default) or
+/// may be {"x": …, "y": …, "z": …} too; an empty list, or null, means that no hand is seen. `time`
+/// is in s on the sender's clock and may be left out of a stream; `hand` is "right" (default) or
 /// "left". Other keys are ignored.
 
 namespace handway::device {
@@ -26,8 +26,8 @@ struct LandmarkLine {
 };
 
 /// @param text without its end, bounded by the caller.
-/// @throws LineProtocolError that says what was found and expected, if it is anything else, or no
-/// hand: points in a line, or a reach from the wrist that is not from 4 cm to 50 cm.
+/// @throws LineProtocolError with the value found and the expected one, for any other text or for
+/// points of no hand: points in a line, or a reach from the wrist that is not from 4 cm to 50 cm.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT LandmarkLine read_landmark_line(std::string_view text);
 
 /// Without an end of line. @pre numbers are finite.

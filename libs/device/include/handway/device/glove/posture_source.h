@@ -35,7 +35,7 @@ class HANDWAY_DEVICE_EXPORT PostureSource {
   /// True for each joint that follows the human hand, and is not fixed, shape [joints].
   [[nodiscard]] virtual std::vector<bool> driven() const = 0;
   /// The postures for all rows.
-  /// @param stop nobody waits for them any more: then rows may be missing at the end.
+  /// @param stop cancels the mapping: then rows may be missing at the end.
   /// @throws geometric::InputError if the recording holds counts, or lacks a sensor that is needed.
   [[nodiscard]] virtual MappedPostures map_recording(const Recording& recording,
                                                      const std::stop_token& stop) const = 0;

@@ -17,8 +17,8 @@
 
 /// Recordings of a glove, and their files.
 ///
-/// A recording file is CSV: lines that begin with `#` tell about it, then a header
-/// and a row for every frame:
+/// A recording file is CSV: lines that begin with `#` describe it, then a header and a row for
+/// every frame:
 ///
 ///     # handway glove recording 1
 ///     # kind: counts
@@ -88,7 +88,7 @@ struct Recording {
 ///     label, with or without a header;
 ///   - MATLAB files (version 5 and 7.3) with "angles" (degrees) or "glove" (counts) of 18 or 22
 ///     columns in the order of a CyberGlove's records, as Ninapro's;
-///   - any table of numbers, text or MATLAB, by a map of its columns (YAML, told by its name):
+/// - any table of numbers, text or MATLAB, by a map of its columns (YAML, which names the table):
 ///
 ///         table: postures.csv        # from this file's folder; lines end in CR, LF or both
 ///         variable: q                # of a MATLAB file
@@ -102,9 +102,9 @@ struct Recording {
 ///           IndexMPJ: 3
 ///           ThumbRotate: {column: TR, gain: -1, offset: 12}
 ///
-/// @throws geometric::InputError with file and line for what is none of these, holds no
-/// rows, names a sensor that isn't known or one twice, has a row of the wrong length, a
-/// value that is no number or out of range.
+/// @throws geometric::InputError with file and line for a file of another kind, without rows, with
+/// an unknown sensor or one twice, a row of the wrong length, or a value that is no number or out
+/// of range.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording read_recording(const std::filesystem::path& file);
 
 /// Replaces the file whole; the same recording makes the same bytes.
@@ -130,7 +130,7 @@ class HANDWAY_DEVICE_EXPORT RecordingWriter {
   /// runs backwards.
   void append(double time, std::span<const double> values);
   /// The header's sensors of a frame: its counts or its angles, by the header's kind.
-  /// @throws std::invalid_argument if angles are asked for and the frame has none.
+  /// @throws std::invalid_argument if the header's kind is kAngles and the frame has none.
   void append(const GloveFrame& frame);
   /// The header's sensors of a frame. @pre the header's kind is kAngles.
   void append(const GloveAngles& angles);

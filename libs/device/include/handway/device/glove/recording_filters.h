@@ -26,7 +26,7 @@ namespace handway::device {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording without_duplicates(const Recording& recording);
 
 /// The rows from time `from` to `to` (s), both included.
-/// @throws geometric::InputError if there are none.
+/// @throws geometric::InputError if no rows are left.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording trimmed(const Recording& recording, double from,
                                                       double to);
 

@@ -17,8 +17,8 @@ struct SensorQuality {
   double most = 0.0;
   double first_percentile = 0.0;  ///< Below it lie 1 % of the values.
   double last_percentile = 0.0;   ///< Above it lie 1 % of the values.
-  /// Standard deviation of what changes from one row to the next without a direction: from
-  /// the median of the second differences (1.48 · median / √6).
+  /// Standard deviation of random changes from one row to the next: from the median of the second
+  /// differences (1.48 · median / √6).
   double noise = 0.0;
   double at_ends = 0.0;    ///< Share of rows at 1 or 255 counts or less or more; 0 for angles.
   bool dead = false;       ///< Percentiles less than 3 counts or 0.02 rad apart.
@@ -30,7 +30,7 @@ struct SensorQuality {
 struct RecordingQuality {
   Eigen::Index rows = 0;
   double duration = 0.0;               ///< s, from the first row to the last.
-  double rate = 0.0;                   ///< Hz, by the median time between rows; 0 if there is none.
+  double rate = 0.0;                   ///< Hz, by the median time between rows; 0: none.
   Eigen::Index gaps = 0;               ///< Times between rows above three medians.
   double largest_gap = 0.0;            ///< s
   Eigen::Index duplicates = 0;         ///< Rows with the same values as the row before.

@@ -22,8 +22,8 @@ struct HandControllerSettings : EmulatedRobotSettings {
   std::size_t longest = 1000000;  ///< Capacity in points of a trajectory.
 };
 
-/// An emulated hand that speaks hand_protocol.h, without wires. It holds whole trajectories and
-/// follows their time.
+/// An emulated hand with the protocol of hand_protocol.h, without wires. It stores whole
+/// trajectories and follows their time.
 class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
  public:
   /// @throws std::invalid_argument for settings that make no sense.
@@ -47,7 +47,7 @@ class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
   void fail(std::string why);
   void follow();
   [[nodiscard]] bool under_way() const { return phase_ == "running" || phase_ == "paused"; }
-  /// @returns an answer. @throws LineProtocolError for a line that is none.
+  /// @returns an answer. @throws LineProtocolError for a line of another protocol.
   std::string obey(const Words& words);
   std::string begin_trajectory(const Words& words);
   std::string take_point(const Words& words);

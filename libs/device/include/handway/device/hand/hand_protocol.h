@@ -11,8 +11,8 @@
 #include <string_view>
 
 /// Handway's own protocol for a hand, version 1. The SAH's control board is driven by its maker's
-/// library and has no public protocol on a wire: a program beside that library has to speak this
-/// one.
+/// library and has no public protocol on a wire: a program beside that library has to implement
+/// this one.
 ///
 /// Lines of ASCII words over TCP, each ended by a line feed. Angles in rad, times in s.
 ///
@@ -28,8 +28,8 @@
 ///
 /// Instead of "ok WORD" the hand may answer "error WORD" and a reason. From "hello" on it reports
 /// "state T PHASE Q1 … QJOINTS" every 10 ms: T of the motion's time, PHASE one of `idle ready
-/// running paused done stopped error`; after `error` comes a line "fault" and a reason. It stops if
-/// it hears nothing for 0.25 s, or the connection breaks, while it moves.
+/// running paused done stopped error`; after `error` comes a line "fault" and a reason. While it
+/// moves, it stops after 0.25 s without a message, or if the connection breaks.
 namespace handway::device {
 
 inline constexpr std::uint16_t kHandPort = 11100;

@@ -13,18 +13,18 @@
 
 namespace handway::device {
 
-/// Reads what the joints of a hand went through: what geometric::read_joint_table() reads. Times
-/// are settled by geometric::settle_times(); without times there are 100 rows a second. Angles
-/// beyond a whole turn tell that all are degrees, unless columns name their unit.
+/// Reads recorded values of a hand's joints by geometric::read_joint_table(). Times are settled by
+/// geometric::settle_times(); without times there are 100 rows a second. If columns have no unit,
+/// angles beyond a whole turn mean that all are degrees.
 ///
-/// Columns of other joints, velocities and efforts are passed over, and so is a last line or
-/// message that is not whole, as a recording that is stopped leaves it. Rows that lack a value are
-/// left out; joints of the hand that the file does not have stay at RobotModel::neutral(). Warnings
-/// tell of all that.
+/// Columns of other joints, velocities and efforts are ignored, and so is an incomplete last line
+/// or message, as an interrupted recording leaves it. Rows that lack a value are left out; joints
+/// of the hand that are missing in the file stay at RobotModel::neutral(). Warnings report all
+/// that.
 /// @returns angles, without sensors: a column is a variable of the hand, in its order, rad (m for
 /// joints that slide).
-/// @throws geometric::InputError for a file that is none of these, has no joint of the hand, or no
-/// row.
+/// @throws geometric::InputError for a file of another kind, without a joint of the hand, or
+/// without a row.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording
 read_joint_recording(const std::filesystem::path& file, const geometric::RobotModel& hand);
 

@@ -11,15 +11,15 @@
 
 namespace handway::device {
 
-/// Ranges and velocities of the 13 joints of the Schunk Anthropomorphic Hand (SAH) that move on
-/// their own, in the order of its drives: thumb base; then abduction, proximal and medial joint of
-/// thumb, index, middle and ring finger. A medial joint takes the distal one along. Flexion is
-/// negative. The velocities, 120 degrees a second, are those that users of the related DLR/HIT
-/// hand set: the SAH's maker publishes none.
+/// Ranges and velocities of the 13 independent joints of the Schunk Anthropomorphic Hand (SAH), in
+/// the order of its drives: thumb base; then abduction, proximal and medial joint of thumb, index,
+/// middle and ring finger. A medial joint also moves the distal one. Flexion is negative. The
+/// velocities, 120 degrees a second, are those that users of the related DLR/HIT hand set: the
+/// SAH's maker publishes none.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT JointRanges sah_joints();
 
-/// A hand behind a TCP port that speaks hand_protocol.h. It holds the whole motion and keeps
-/// its time itself.
+/// A hand behind a TCP port with the protocol of hand_protocol.h. It stores the whole motion and
+/// keeps its time itself.
 class HANDWAY_DEVICE_EXPORT NetworkHand final : public TrajectoryClient {
  public:
   /// @param name for messages. @param joints in the hand's order.

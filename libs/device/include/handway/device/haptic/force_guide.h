@@ -16,7 +16,7 @@ namespace handway::device {
 class HANDWAY_DEVICE_EXPORT ToolCurve {
  public:
   /// @param points m; neighbours may be in the same place.
-  /// @throws std::invalid_argument if there are none, or one is not finite.
+  /// @throws std::invalid_argument without points, or if one is not finite.
   explicit ToolCurve(std::vector<Eigen::Vector3d> points);
 
   [[nodiscard]] double length() const { return arc_.back(); }
@@ -29,8 +29,8 @@ class HANDWAY_DEVICE_EXPORT ToolCurve {
   /// Unit tangent, forwards; zero if the curve has no length.
   [[nodiscard]] Eigen::Vector3d tangent(double s) const;
 
-  /// The arc length from `from` to `to` at which the curve is nearest to `point`. A stretch, so
-  /// that nobody jumps where the curve comes near to itself.
+  /// The arc length from `from` to `to` at which the curve is nearest to `point`. The range
+  /// prevents jumps where the curve comes near to itself.
   [[nodiscard]] double nearest(const Eigen::Vector3d& point, double from, double to) const;
 
  private:
@@ -66,12 +66,12 @@ struct GuideStep {
 
 /// Guides a hand along a curve: a virtual fixture (Rosenberg 1993) made of a spring and a damper
 /// towards the nearest point of the curve beyond a tube around it, and assistance along it that
-/// fades with the way from the curve and with speed. While the button is held the handle stands for
-/// the tool: from where both were when it was pressed, ways of the hand times the scale are ways of
-/// the tool. Without the button there is no force and no progress: let go, bring the hand back, and
-/// press again to go on.
+/// fades with the distance from the curve and with speed. While the button is held, the handle
+/// moves the tool: displacements of the hand since the button was pressed, times the scale, are
+/// displacements of the tool. Without the button there is no force and no progress: release it,
+/// bring the hand back, and press again to continue.
 ///
-/// The force is bounded whatever the samples say, and 0 for those that make no sense.
+/// The force is bounded for all samples, and 0 for invalid ones.
 class HANDWAY_DEVICE_EXPORT ForceGuide {
  public:
   /// @param curve of the tool, in the base's frame, m.

@@ -17,8 +17,8 @@ namespace handway::device {
 
 /// A handle that reports where a hand moves it and pushes back.
 ///
-/// To be used by one thread, which calls read() and then apply(), over and over. Force ends
-/// with whatever goes wrong: with the connection, with silence, with the program.
+/// To be used by one thread, which calls read() and then apply() in turn. Any failure ends the
+/// force: of the connection, after silence, or of the program.
 class HANDWAY_DEVICE_EXPORT HapticDevice {
  public:
   virtual ~HapticDevice() = default;
@@ -30,21 +30,21 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   /// @pre connected.
   [[nodiscard]] const HapticAbilities& abilities() const { return abilities_; }
 
-  /// @throws DeviceError if it can't be reached, or is none.
+  /// @throws DeviceError if it can't be reached, or is another device.
   void connect(const std::stop_token& stop = {});
 
   /// The newest sample since the last call; nothing if none came within `timeout`. Takes at most
   /// 256 KiB, and 5 ms from the first bytes on, however much the device sends.
-  /// @throws DeviceError, after a force of 0, if the device has a fault, the connection broke, it
-  /// has reported nothing for 0.1 s, or for so long more than can be read.
+  /// @throws DeviceError, after a force of 0, if the device has a fault, the connection broke, or
+  /// for 0.1 s it has reported nothing or more than can be read.
   [[nodiscard]] std::optional<HapticSample> read(std::chrono::milliseconds timeout);
 
-  /// Pushes the hand until the next call, or until the device has heard nothing for 0.05 s.
-  /// @param force N, in the device's frame; shortened to what the device can, and 0 if it is not
+  /// Pushes the hand until the next call, or until the device has received nothing for 0.05 s.
+  /// @param force N, in the device's frame; limited to the device's ability, and 0 if it is not
   /// finite. @throws DeviceError if the connection broke.
   void apply(const Eigen::Vector3d& force);
 
-  /// No force. Never throws: a device that can't be reached any more lets go by itself.
+  /// Ends the force. Never throws: a device that can't be reached any more ends it itself.
   void release();
 
  protected:
@@ -70,7 +70,7 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   Backlog backlog_;
 };
 
-/// A haptic device behind a TCP port that speaks haptic_protocol.h.
+/// A haptic device behind a TCP port with the protocol of haptic_protocol.h.
 class HANDWAY_DEVICE_EXPORT NetworkHaptic final : public HapticDevice {
  public:
   /// @param name for messages.

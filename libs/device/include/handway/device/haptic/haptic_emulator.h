@@ -22,10 +22,10 @@ struct EmulatedHapticSettings {
   InjectedFault fault;
 };
 
-/// An emulated haptic device with a hand that lets itself be guided, without wires: lines and time
-/// are given. The hand holds the button and goes where the device pushes it, trembling. Where the
-/// workspace ends, and when it has come to rest, it lets the button go, brings the handle back to
-/// the middle and presses again. Time never goes back from call to call.
+/// An emulated haptic device with a compliant hand, without wires: lines and time are given. The
+/// hand holds the button and goes where the device pushes it, with tremor. At the end of the
+/// workspace, and after coming to rest, it releases the button, returns the handle to the middle
+/// and presses again. Time never goes back from call to call.
 class HANDWAY_DEVICE_EXPORT EmulatedHaptic {
  public:
   /// @throws std::invalid_argument for settings that make no sense.

@@ -10,7 +10,7 @@
 #include <string_view>
 
 /// Handway's own protocol for haptic devices, version 1. Makers' devices are driven by makers'
-/// libraries: a program beside the library has to speak this one.
+/// libraries: a program beside the library has to implement this one.
 ///
 /// Lines of ASCII words over TCP, each ended by a line feed. Metres, newtons, seconds, in the
 /// device's own frame (right-handed, origin in the middle of its workspace).
@@ -21,7 +21,7 @@
 ///     force FX FY FZ   (none)                 the answer to a state
 ///                      fault REASON           it gives no force any more
 ///
-/// The device gives no force before the first "force", when it has heard none for 0.05 s, when the
+/// The device gives no force before the first "force", after 0.05 s without one, when the
 /// connection breaks, and never more than FORCE.
 namespace handway::device {
 

@@ -22,8 +22,8 @@ struct FingertipErrors {
   double most = 0.0;  ///< 95 % are nearer.
 };
 
-/// Compares postures of a robot's hand with what was measured on the person's, whatever made them.
-/// @param rows what was measured; never none.
+/// Compares postures of a robot's hand, from any source, with measurements of a person's hand.
+/// @param rows the measurements; at least one.
 /// @param joints names of the postures' joints; those that the hand lacks don't count, and the
 /// hand's others are in the middle of their ranges.
 /// @param postures rad, shape [rows, joints].

@@ -30,7 +30,7 @@ namespace handway::device {
 
 struct RetargetingSettings {
   std::string hand;    ///< Robot: a name in the library, or a file as seen from the settings'.
-  double scale = 1.0;  ///< Times the ratio of the lengths of robot's and person's finger; > 0.
+  double scale = 1.0;  ///< Multiplies the ratio of robot's and person's finger length; > 0.
   /// Weight of the gap between thumb and finger where they come together, against a fingertip's
   /// place; ≥ 0.
   double pinch = 4.0;
@@ -39,7 +39,7 @@ struct RetargetingSettings {
   double smoothness = 0.02;
   bool self_collision = true;                ///< Avoid it.
   std::map<Finger, std::string> fingertips;  ///< Links; empty: found by find_fingers().
-  HandBones bones = typical_bones();         ///< The person's; of no file of retargeting.
+  HandBones bones = typical_bones();         ///< The person's; in no file of retargeting.
 };
 
 /// Returns whether a YAML file is a retargeting rather than a mapping: it has the key.
@@ -48,15 +48,15 @@ struct RetargetingSettings {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RetargetingSettings
 read_retargeting(const std::filesystem::path& file);
 
-/// Postures of a robot's hand whose fingertips are where a person's are.
+/// Postures of a robot's hand whose fingertips follow a person's.
 ///
-/// Each fingertip is wanted where the person's is as seen from the finger's base, scaled by the
-/// ratio of both fingers' lengths; that of the thumb as seen from the base of the finger beside it,
-/// with the mean scale of the others, for robots' thumbs begin in other places than a person's.
-/// Where thumb and finger come together, the gap between them counts too. The joints minimise the
-/// weighted squares of what is missing and of the move since the last posture, within their limits
-/// (sequential quadratic programming, NLopt's SLSQP). Where that posture is in self-collision,
-/// fingers go towards it one by one, each as far as it can. For any thread.
+/// The target of each fingertip is the person's fingertip relative to the finger's base, scaled by
+/// the ratio of both fingers' lengths. The target of the thumb is relative to the base of the
+/// finger beside it, with the mean scale of the others, for robots' thumbs begin in other places
+/// than a person's. Where thumb and finger come together, the gap between them counts too. The
+/// joints minimise the weighted squares of the errors and of the move since the last posture,
+/// within their limits (sequential quadratic programming, NLopt's SLSQP). If that posture is in
+/// self-collision, fingers go towards it one by one, each as far as it can. For any thread.
 ///
 /// Source: in the manner of A. Handa et al., "DexPilot: vision-based teleoperation of dexterous
 /// robotic hand-arm system", ICRA 2020, and Y. Qin et al., "AnyTeleop", RSS 2023.
@@ -74,7 +74,7 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
     return hand_landmarks(angles, settings_.bones);
   }
 
-  /// Wanted fingertips for landmarks of a right hand in its palm's frame (see in_palm_frame()); in
+  /// Target fingertips for landmarks of a right hand in its palm's frame (see in_palm_frame()); in
   /// the frame of the robot's palm, m, a column for each of fingers().
   [[nodiscard]] Eigen::Matrix3Xd wanted(const HandLandmarks& landmarks) const;
   /// Actual fingertips at `posture`, in the format of wanted().
@@ -95,7 +95,7 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
  private:
   struct Problem;
 
-  /// The finger from whose base a fingertip is looked at.
+  /// The finger relative to whose base a fingertip is measured.
   [[nodiscard]] const RobotFinger& seen_from(const RobotFinger& finger) const;
   /// A vector of a person's palm in the frame of the robot's.
   [[nodiscard]] Eigen::Vector3d turned(const Eigen::Vector3d& v_H) const;
@@ -109,7 +109,7 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   RetargetingSettings settings_;
   RobotFingers fingers_;
   std::vector<double> scales_;  ///< From a person's finger to the robot's, as fingers_.
-  std::vector<int> variables_;  ///< That fingers have; the others stay.
+  std::vector<int> variables_;  ///< Variables of the fingers; the others stay.
   std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: self-collision is not avoided.
   mutable std::mutex checking_;                           ///< Guards checker_ (one thread).
 };

@@ -9,18 +9,18 @@
 
 namespace handway::device {
 
-/// Plays a person's hand that closes from flat to a fist through a mapping, and returns as
-/// sentences what the robot's hand does otherwise: a finger that is not straight when the hand is
+/// Plays a person's hand that closes from flat to a fist through a mapping, and returns the
+/// differences of the robot's hand as sentences: a finger that is not straight when the hand is
 /// open, that does not bend to the palm and towards the thumb when it closes, or joints that are at
-/// their limits for most of the motion. Where the geometry does not tell for certain how the hand
-/// closes (RobotFingers::doubts), that comes first.
-/// @returns nothing if the mapping does what a person's hand does.
+/// their limits for most of the motion. If the geometry leaves doubts about the direction of
+/// closing (RobotFingers::doubts), these come first.
+/// @returns nothing if the robot's hand does as the person's hand.
 /// @throws geometric::InputError as find_fingers() and HandMapper.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<std::string> mapping_doubts(
     const HandMapping& mapping, const geometric::RobotModel& model);
 
-/// Says that most of the samples that a mapping or a retargeting made of a recording are at a limit
-/// of some joint, and so not what the person did: a sentence, or empty if they are not.
+/// Warns, in a sentence, that most of the samples that a mapping or a retargeting made of a
+/// recording are at a limit of some joint, and so differ from the person's motion; otherwise empty.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string clamping_warning(const MappedPostures& mapped);
 
 }  // namespace handway::device

@@ -33,23 +33,23 @@ namespace handway::device {
 /// @throws geometric::InputError as find_fingers().
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandMapping propose_mapping(const geometric::RobotModel& model);
 
-/// A mapping that was fitted, and what the recording could not tell.
+/// A fitted mapping, and its doubts.
 struct MappingFit {
   HandMapping mapping;
   std::vector<std::string> warnings;
 };
 
-/// Fits gains and offsets to what a person's hand went through (open, fist, thumb moves): of each
-/// wire with a sensor but no curve, between the 2nd and the 98th percentile of its angles.
+/// Fits gains and offsets to the range of a person's hand (open, fist, thumb moves): of each wire
+/// with a sensor but no curve, between the 2nd and the 98th percentile of its angles.
 ///
 ///   - Flexion goes from the joint's value at angle 0 to its limit in the direction of the gain. A
 ///     sensor that falls while the other fingers' sensors rise is taken for reversed.
 ///   - Abduction keeps its middle, and is scaled until one side reaches its limit.
 ///   - Thumb roll and abduction, palm arch and wrist go over the joint's whole range.
 ///
-/// Each wire goes only as far towards that as it brings the fingertips, over the whole recording,
-/// nearer to where the person's are (fingertip_errors(), the mean): fitting never makes this
-/// error larger. A sensor that went through less than 5° keeps its wire, with a warning.
+/// Each wire goes towards that only as far as it reduces the distance of the fingertips from the
+/// person's, over the whole recording (fingertip_errors(), the mean): fitting never makes this
+/// error larger. A sensor that moved by less than 5° keeps its wire, with a warning.
 /// @param person whose ranges and bones are taken.
 /// @throws geometric::InputError if the recording holds counts, or the robot lacks a joint.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT MappingFit fit_mapping(const HandMapping& mapping,

@@ -36,7 +36,7 @@ struct RobotFingers {
   std::vector<RobotFinger> fingers;
   /// From the palm's frame of a right human hand (see hand_landmarks()) to that of the palm link.
   Eigen::Matrix3d R_PH = Eigen::Matrix3d::Identity();
-  /// The robot's hand is a left one: a person's is mirrored for it.
+  /// True for a left hand: a person's is mirrored for it.
   bool left = false;
   /// Doubts that the geometry leaves, as sentences: the side to which fingers close.
   std::vector<std::string> doubts;
@@ -44,13 +44,13 @@ struct RobotFingers {
 
 /// Finds palm, fingers and fingertips from the kinematic tree alone: the fingertips are those of
 /// geometric::propose_groups(), the palm is the last link that the chains to them have in common. A
-/// fingertip is the frame of a link that is fixed to the last that moves, else the point of the
-/// last link's shape that is farthest from its joint. Which finger is which follows from names
-/// where they say so ("thumb", "th", "index", "ff", …), else from where fingers begin: the thumb
-/// beside the line of the others, which are numbered from it. How the palm is turned follows from
-/// where straight fingers point and to which side they close: which side the ranges of their joints
-/// go to, and on which side they come nearer to the thumb's workspace. Joints whose limits leave no
-/// room count as fixed.
+/// fingertip is the frame of a link that is fixed to the last moving one, else the point of the
+/// last link's shape that is farthest from its joint. Fingers are identified by names where these
+/// are clear ("thumb", "th", "index", "ff", …), else by the fingers' bases: the thumb is beside the
+/// line of the others, which are numbered from it. The orientation of the palm follows from the
+/// directions of straight fingers and the sides to which they close: the side of the larger joint
+/// ranges, and the side nearer to the thumb's workspace. Joints whose limits leave no room count as
+/// fixed.
 /// @param tips links of fingertips by finger, in place of those that would be found.
 /// @throws InputError if there are fewer than two fingers, or `tips` names no link of one.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RobotFingers

@@ -17,11 +17,11 @@ namespace handway::device {
 
 using RosControllerSettings = EmulatedRobotSettings;
 
-/// An emulated robot in ROS, with a rosbridge server before it, without wires. It takes
+/// An emulated robot in ROS, with a rosbridge server before it, without wires. It accepts
 /// `trajectory_msgs/JointTrajectory` on every topic that was advertised with this type, for all of
-/// its joints or some, and goes there as ROS's joint_trajectory_controller does: at once, from
-/// where it is, linearly from point to point, in the place of what it was doing with these joints.
-/// It runs on when its host is gone. ROS 1 and 2 alike.
+/// its joints or some, and follows it as ROS's joint_trajectory_controller does: at once, from the
+/// present position, linearly from point to point, replacing the former motion of these joints. It
+/// continues when its host is gone. Both ROS 1 and ROS 2.
 class HANDWAY_DEVICE_EXPORT RosController final : public EmulatedRobot {
  public:
   using Messages = std::vector<std::string>;

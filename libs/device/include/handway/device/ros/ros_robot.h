@@ -33,20 +33,20 @@ inline constexpr const char* kRobotStatusTopic = "/robot_status";
 /// A robot in ROS 1 or ROS 2 with a joint_trajectory_controller (ros_controllers, ros2_controllers)
 /// behind a rosbridge server.
 ///
-/// A controller in ROS runs on when who commanded it is gone. So it never gets more than the
-/// next 0.2 s, and 0.25 s more in which it brakes on the planned path; every 50 ms the next
-/// stretch takes the place of the last. Positions come from kJointStatesTopic, from one
-/// publisher or several. What kRobotStatusTopic reports (industrial_msgs/RobotStatus) is
-/// heeded if somebody publishes it: there is nothing that all robots tell.
+/// A controller in ROS continues its motion when its client is gone. So it never gets more than the
+/// next 0.2 s, and 0.25 s more in which it brakes on the planned path; every 50 ms the next stretch
+/// replaces the last. Positions come from kJointStatesTopic, from one publisher or several. Reports
+/// on kRobotStatusTopic (industrial_msgs/RobotStatus) are evaluated if they are published: ROS has
+/// no status that all robots report.
 class HANDWAY_DEVICE_EXPORT RosRobot final : public TrajectoryClient {
  public:
   /// @param name for messages. @param joints that the controller moves, by their names in ROS.
   RosRobot(std::string name, RosAddress address, JointRanges joints);
   ~RosRobot() override;
 
-  /// Sends the joints to `position` (rad) within `time` (s), from wherever they are going: for
-  /// motions that nobody knows in advance. Call it, and update(), every few ten milliseconds; the
-  /// robot stands at the last position when no more come.
+  /// Sends the joints to `position` (rad) within `time` (s), from their present motion: for motions
+  /// that are not known in advance. Call it, and update(), every few ten milliseconds; the robot
+  /// rests at the last position when no more come.
   /// @throws InputError for positions out of range; DeviceError if there is a fault(), a motion was
   /// uploaded, or the robot can't move; InputError, too, if a joint is so far behind that it would
   /// have to go faster than it may.

@@ -37,7 +37,7 @@ struct ScanVerdict {
   Record record;  ///< Valid for a whole record.
 };
 
-/// Finds records in a stream of bytes. What is none is dropped byte by byte until one begins, so
+/// Finds records in a stream of bytes. Other bytes are dropped one by one until a record begins, so
 /// that a record behind any garbage is found.
 template <typename Record>
 class RecordScanner {
@@ -106,9 +106,9 @@ struct HANDWAY_DEVICE_EXPORT LibertyFormat {
   [[nodiscard]] std::size_t body_length() const;
 };
 
-/// Cuts the bytes of a Polhemus tracker into data and status records. What doesn't have exactly
-/// the form of a record, is not finite, farther than 10 m, or has no unit quaternion is
-/// dropped, never guessed at; a record behind it is found.
+/// Cuts the bytes of a Polhemus tracker into data and status records. Records that don't have
+/// exactly the right form, are not finite, farther than 10 m, or have no unit quaternion are
+/// dropped, never repaired; a record behind them is found.
 /// @tparam Format FastrakFormat (source: Polhemus 3SPACE Fastrak user's manual, revision G), or
 /// LibertyFormat for the binary records of Liberty ("LY"), Patriot ("PA") and Latus ("LU").
 template <typename Format>

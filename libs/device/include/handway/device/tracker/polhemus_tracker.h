@@ -28,9 +28,9 @@ struct PolhemusSettings {
 /// byte arrives. Records that the device marks as distorted or out of range are dropped and counted
 /// in ReceptionFaults::doubtful.
 ///
-/// connect() stops whatever the unit was doing, asks for its state, sets units and output
-/// list of every station, and starts the continuous output. When no record comes the unit is
-/// asked again: if it answers, its sensors are unplugged; if not, the connection is lost.
+/// connect() stops any activity of the unit, queries its state, sets units and output list of every
+/// station, and starts the continuous output. When no record comes the unit is queried again: if it
+/// answers, its sensors are unplugged; if not, the connection is lost.
 class HANDWAY_DEVICE_EXPORT PolhemusTracker final : public Tracker {
  public:
   /// @param address as for open_link().

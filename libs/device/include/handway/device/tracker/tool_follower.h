@@ -48,7 +48,7 @@ struct ToolFollowerSettings {
 enum class FollowState {
   kReleased,    ///< The clutch is open: the robot stands.
   kFollowing,   ///< The tool is where the hand wants it.
-  kSlowed,      ///< On its way there, as fast as the joints may.
+  kSlowed,      ///< Moving there, as fast as allowed.
   kOutOfReach,  ///< No posture within limits is there: the robot stands.
   kBranchEnd,   ///< Only a posture far from the present one is there: the robot stands.
 };
@@ -56,17 +56,17 @@ enum class FollowState {
 struct FollowStep {
   FollowState state = FollowState::kReleased;
   geometric::Configuration q;  ///< Command for the robot, shape [model().variable_count()].
-  geometric::Pose X_BF = geometric::Pose::Identity();  ///< Wanted pose of the tool F.
+  geometric::Pose X_BF = geometric::Pose::Identity();  ///< Target pose of the tool F.
   bool at_workspace_edge = false;                      ///< The hand wants it farther out.
   std::string reason;                                  ///< Reason for standing; else empty.
 };
 
-/// Leads an arm's tool by a tracked wrist. While the clutch is closed the tool moves as the sensor
-/// moves from where both were when it was closed: by the same turn, and by the same way times
-/// a scale, both in the directions of the base; the wanted pose is kept within the workspace,
-/// smoothed, and reached in the posture nearest to the last. No joint is ever faster than its
-/// limit, whatever the tracker says. It knows of no obstacles: whoever moves a real arm checks
-/// for collisions.
+/// Moves an arm's tool with a tracked wrist. While the clutch is closed, the tool makes the
+/// sensor's motion since the closing: the same rotation, and the same displacement times a scale,
+/// both in the directions of the base. The target pose is kept within the workspace, smoothed,
+/// and reached in the posture nearest to the last. No joint ever exceeds its velocity limit,
+/// whatever the samples. Obstacles are ignored: the code that moves a real arm checks for
+/// collisions.
 class HANDWAY_DEVICE_EXPORT ToolFollower {
  public:
   /// @param ik for the tool's link; @pre not null.

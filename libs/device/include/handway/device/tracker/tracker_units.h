@@ -21,9 +21,9 @@ struct TrackerNoise {
   double angle = 0.0005;     ///< Standard deviation of each rotation-vector component, rad.
 };
 
-/// The poses of a wrist that somebody moves who tries what can be reached: minimum-jerk moves in a
-/// box of 50 × 50 × 40 cm in front of the source, turning by up to 40° about each axis, with
-/// noise. Each sensor has a motion of its own. The same seed and times give the same poses.
+/// The poses of a wrist that explores its workspace: minimum-jerk moves in a box of 50 × 50 × 40 cm
+/// in front of the source, turning by up to 40° about each axis, with noise. Each sensor has a
+/// motion of its own. The same seed and times give the same poses.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT TrackerSignal
 wrist_motion_signal(std::uint64_t seed, const TrackerNoise& noise = {});
 
@@ -45,7 +45,7 @@ struct TrackerUnitSettings {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<DeviceUnit> make_liberty_unit(
     const TrackerUnitSettings& settings, TrackerSignal signal);
 
-/// Sends write_pose_datagram(), all sensors (from 0) at `rate`; hears nothing.
+/// Sends write_pose_datagram(), all sensors (from 0) at `rate`; receives nothing.
 /// @throws std::invalid_argument if there are not 1 to 256 sensors, or no rate above 0.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<DeviceUnit> make_datagram_unit(
     const TrackerUnitSettings& settings, TrackerSignal signal);

@@ -35,13 +35,13 @@ struct UdpTrackerSettings {
   std::chrono::milliseconds timeout{1000};
 };
 
-/// Poses that somebody sends as UDP datagrams: see read_pose_datagram(). Samples are stamped when
-/// they arrive. A datagram that is older than one of the same sensor before (by its own time, by
-/// less than a second; by more, its sender has started again) is dropped.
+/// Poses received as UDP datagrams: see read_pose_datagram(). Samples are stamped when they arrive.
+/// A datagram that is older than one of the same sensor before (by its own time, by less than a
+/// second; by more, its sender has restarted) is dropped.
 class HANDWAY_DEVICE_EXPORT UdpTracker final : public Tracker {
  public:
-  /// @param address "PORT" to hear senders on this computer, "0.0.0.0:PORT" all, or
-  /// "HOST:PORT" with an address of this computer.
+  /// @param address "PORT" to receive from this computer, "0.0.0.0:PORT" from all, or "HOST:PORT"
+  /// with an address of this computer.
   /// @throws geometric::InputError for a wrong address.
   explicit UdpTracker(std::string address, const UdpTrackerSettings& settings = {});
   ~UdpTracker() override;

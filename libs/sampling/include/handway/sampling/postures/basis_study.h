@@ -27,11 +27,11 @@ struct RecordedHand {
 /// Returns the fingertips at a posture of normalised joints, shape [joints]: one column each, m.
 using FingertipsOf = std::function<Eigen::Matrix3Xd(const Eigen::VectorXd& posture)>;
 
-/// For which errors a report says how many directions are enough, m.
+/// Errors for which a report gives the number of directions needed, m.
 inline constexpr std::array kReportedErrors{0.010, 0.005, 0.002};
 
 struct BasisStudySettings {
-  std::vector<int> free_joints;  ///< That keep an axis of their own: see principal_components().
+  std::vector<int> free_joints;  ///< Joints with an axis of their own: see principal_components().
   int directions = 4;            ///< Number in the basis, for stability and persons; ≥ 1.
   int folds = 5;                 ///< Parts of each recording that are left out in turn, ≥ 2.
   int resamples = 1000;          ///< Number in the bootstrap, ≥ 1.
@@ -76,8 +76,8 @@ struct BasisStudy {
   std::vector<ReconstructionError> reconstruction;  ///< With 0, 1, … directions.
   std::vector<BasisStability> stability;            ///< By rising length.
   std::vector<PersonFit> persons;                   ///< Empty for one recording.
-  Interval newcomer;  ///< Mean over persons of `others`: what a person of whom nothing was recorded
-                      ///< has to expect, m; 0 for one recording.
+  Interval newcomer;  ///< Mean over persons of `others`: the expected error of a person who was not
+                      ///< recorded, m; 0 for one recording.
 
   /// The fewest directions with which the mean error is below `error` (m) with the settings'
   /// confidence; -1: not even with all.

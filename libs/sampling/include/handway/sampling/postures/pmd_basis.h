@@ -10,8 +10,8 @@
 
 namespace handway::sampling {
 
-/// A hand joint that is sampled on its own beside the principal directions
-/// (the paper's thumb base, section 4.2).
+/// A hand joint that is sampled independently, beside the principal directions (the paper's thumb
+/// base, section 4.2).
 struct FreeJoint {
   int joint = 0;           ///< Index into PmdBasis::joints.
   double centre = 0.5;     ///< Normalised.
@@ -121,10 +121,10 @@ class HANDWAY_SAMPLING_EXPORT PostureSubspace {
 //     directions:                # optional; variance: optional
 //       - {name: PMD1, half_side: 0.8275, variance: 0.1, vector: [0, -0.0683, …]}
 
-/// @throws geometric::InputError with file, line and key for whatever is not
-/// YAML, missing, unknown, of the wrong length, not finite, or out of range:
-/// half sides must be positive, variances not negative, vectors of unit length
-/// within 1 %, joint names distinct.
+/// @throws geometric::InputError with file, line and key for anything that is not YAML,
+/// missing, unknown, of the wrong length, not finite, or out of range: half sides must be
+/// positive, variances not negative, vectors of unit length within 1 %, joint names
+/// distinct.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PmdBasis read_pmd_basis(const std::filesystem::path& file);
 
 /// Replaces the file whole. Postures are named from the file's folder. Numbers are written with as

@@ -20,8 +20,8 @@ struct PostureTable {
   Eigen::MatrixXd postures;         ///< Normalised joints, shape [postures, joints].
 };
 
-/// Posture tables as CSV files: lines that begin with `#` say what the rows are, then comes a
-/// header and a row for each posture, joints normalised to [0, 1].
+/// Posture tables as CSV files: lines that begin with `#` describe the rows, then comes a header
+/// and a row for each posture, joints normalised to [0, 1].
 ///
 ///     # handway postures 1
 ///     # hand: sah_right
@@ -29,9 +29,9 @@ struct PostureTable {
 ///     thumb_base,thumb_abduction,…
 ///     0.5561,0.5561,…
 ///
-/// @throws geometric::InputError with file, line and what is wrong with it: no such file, another
-/// first line, no hand, no header or a joint twice in it, a row of another length, a value that
-/// is no number within 1e-6 of [0, 1], no rows.
+/// @throws geometric::InputError with file, line and the fault: no such file, another first line,
+/// no hand, no header or a joint twice in it, a row of another length, a value that is no number
+/// within 1e-6 of [0, 1], no rows.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PostureTable read_postures(const std::filesystem::path& file);
 
 /// Replaces the file whole. Values are rounded to four decimals, a hundredth of a degree for a
@@ -47,10 +47,10 @@ struct NearestPosture {
   Eigen::VectorXd joints;  ///< Normalised, shape [joints of the basis].
 };
 
-/// Postures of a person, ready to be asked for the one nearest to any posture. Free joints of the
-/// basis take no part in distances: like the paper's thumb base (section 4.2) they are moved on
-/// their own, whatever the person's hand did. So a posture of SC^h and its twin with another
-/// thumb base are equally human, as for PostureSubspace.
+/// Postures of a person, for queries of the one nearest to any posture. Free joints of the basis
+/// don't count in distances: like the paper's thumb base (section 4.2) they move independently of
+/// the person's hand. So a posture of SC^h and its twin with another thumb base are equally human,
+/// as for PostureSubspace.
 class HANDWAY_SAMPLING_EXPORT RecordedPostures {
  public:
   /// @throws geometric::InputError unless the table is of the basis' hand and has all its joints.
@@ -83,7 +83,7 @@ class HANDWAY_SAMPLING_EXPORT RecordedPostures {
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT std::shared_ptr<const RecordedPostures>
 load_recorded_postures(const PmdBasis& basis);
 
-/// Loads the postures of `file`, whatever the basis names. @throws as above.
+/// Loads the postures of `file`, not those that the basis names. @throws as above.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT std::shared_ptr<const RecordedPostures>
 load_recorded_postures(const PmdBasis& basis, const std::filesystem::path& file);
 

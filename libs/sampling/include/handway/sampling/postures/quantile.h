@@ -7,9 +7,9 @@
 
 namespace handway::sampling {
 
-/// The p-quantile, 0 ≤ p ≤ 1, by linear interpolation between order statistics (type 7 of
-/// Hyndman and Fan, "Sample quantiles in statistical packages", The American
-/// Statistician 50, 1996). Infinite once a value that it leans on is; NaN without values.
+/// The p-quantile, 0 ≤ p ≤ 1, by linear interpolation between order statistics (type 7 of Hyndman
+/// and Fan, "Sample quantiles in statistical packages", The American Statistician 50, 1996).
+/// Infinite if it depends on an infinite value; NaN without values.
 [[nodiscard]] inline double quantile_of(std::vector<double> values, double p) {
   if (values.empty()) {
     return std::numeric_limits<double>::quiet_NaN();

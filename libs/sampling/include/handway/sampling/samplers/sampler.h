@@ -15,7 +15,7 @@ namespace handway::sampling {
 
 /// A source of points in the unit cube [0,1]^d.
 ///
-/// A point depends on how the sampler was made and on its index alone: points may be asked for in
+/// A point depends on the sampler's construction and on its index alone: points may be requested in
 /// any order, and threads may share a sampler.
 class Sampler {
  public:
@@ -43,7 +43,7 @@ enum class SamplerKind {
   kRandom,      ///< Uniform.
   kHalton,      ///< The Halton sequence, its digits permuted by the seed.
   kSdk,         ///< One point in each cell of the SDK sequence, at random within it.
-  kGaussian,    ///< Near the border of what is valid.
+  kGaussian,    ///< Near the border of the valid points.
   kBridgeTest,  ///< In narrow passages.
 };
 
@@ -53,7 +53,7 @@ enum class SamplerKind {
 /// Options of the Gaussian sampler and the bridge test.
 struct PairOptions {
   double sigma = 0.1;  ///< Standard deviation of the distance of a pair of points. > 0.
-  int tries = 20;      ///< Pairs looked at for one point, ≥ 1. After them: a uniform point.
+  int tries = 20;      ///< Pairs tried for one point, ≥ 1. After them: a uniform point.
 };
 
 /// Sources:

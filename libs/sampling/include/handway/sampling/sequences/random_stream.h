@@ -15,15 +15,15 @@ namespace handway::sampling {
 /// pseudorandom number generators", ACM Trans. Math. Softw. 47, 2021,
 /// doi:10.1145/3460772), its state filled by SplitMix64 from the seed.
 ///
-/// Work that is shared among threads takes one fork per unit of work, so that
-/// what is drawn does not depend on who does it, or when.
+/// Work that is shared among threads takes one fork per unit of work, so that the numbers do not
+/// depend on the thread or the time.
 class HANDWAY_SAMPLING_EXPORT RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed);
 
-  /// The stream with number `index` of this stream's seed. It depends on the seed
-  /// and the index alone, not on what was drawn before, and forks of forks
-  /// differ by their order of indices.
+  /// The stream with number `index` of this stream's seed. It depends on the seed and the
+  /// index alone, not on numbers drawn before, and forks of forks differ by their order of
+  /// indices.
   [[nodiscard]] RandomStream fork(std::uint64_t index) const;
 
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
