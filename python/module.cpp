@@ -63,8 +63,8 @@ void run_interruptible(const std::function<void(std::stop_token)>& work) {
 
 namespace {
 
-// Bound member functions take None for their object, as a null pointer, unless they are told not
-// to.
+// Bound member functions accept None for their object, as a null pointer, unless configured
+// otherwise.
 void refuse_none_as_self(py::handle function) {
   if (PyInstanceMethod_Check(function.ptr())) {
     function = PyInstanceMethod_GET_FUNCTION(function.ptr());

@@ -17,9 +17,9 @@
 
 namespace handway::python {
 
-/// The planners and file formats of this process: built-in ones and those of the plugins,
-/// from $HANDWAY_PLUGIN_DIR, or handway-plugins beside the libraries. Loaded when first asked
-/// for; kept to the end, because Python may hold their objects until then.
+/// The planners and file formats of this process: built-in ones and those of the plugins, from
+/// $HANDWAY_PLUGIN_DIR, or handway-plugins beside the libraries. Loaded on first access; kept to
+/// the end, because Python may hold their objects until then.
 [[nodiscard]] const planning::PluginManager& plugin_manager();
 
 /// Result of planning, with the request.
@@ -47,7 +47,7 @@ class PlannerModel {
   /// @throws InputError naming the keys there are.
   [[nodiscard]] pybind11::object get(const std::string& key) const;
 
-  /// @throws InputError if there is no such key or the value is none of the parameter's;
+  /// @throws InputError if the key is unknown or the value invalid for the parameter;
   /// std::runtime_error while the planner runs.
   void set(const std::string& key, const pybind11::object& value);
 

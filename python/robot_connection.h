@@ -41,7 +41,7 @@ class RobotConnection {
                             const std::stop_token& stop);
   /// Stops all devices at once; a motion that runs ends.
   void stop();
-  /// Stops, and lets go of the devices. What is asked afterwards is refused.
+  /// Stops, and disconnects the devices. Later calls are refused.
   void close();
 
   /// Returns the measured configuration, other joints as in the scene's start; shape
@@ -53,7 +53,7 @@ class RobotConnection {
   void check_open() const;
 
   std::shared_ptr<const planning::PlanningProblem> problem_;
-  std::mutex devices_;  ///< Who uses the targets.
+  std::mutex devices_;  ///< Guards the targets.
   std::vector<execution::MotionTarget> targets_;
   std::mutex running_mutex_;
   std::stop_source running_{std::nostopstate};  ///< Stops the running motion.

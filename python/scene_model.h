@@ -14,13 +14,13 @@
 
 namespace handway::python {
 
-/// Lends a collision checker to whoever asks, one to a thread at a time, and keeps
-/// those that come back.
+/// Lends collision checkers, one to a thread at a time, and keeps the returned
+/// ones.
 class CheckerPool {
  public:
   explicit CheckerPool(std::shared_ptr<const geometric::CollisionChecker> prototype);
 
-  /// Runs `work` with a checker that nobody else has. May be called from several threads.
+  /// Runs `work` with a checker of its own. May be called from several threads.
   void lend(const std::function<void(geometric::CollisionChecker&)>& work);
 
  private:
@@ -50,9 +50,9 @@ class SceneModel {
   [[nodiscard]] const planning::PlanningProblem& problem() const { return problem_; }
   [[nodiscard]] CheckerPool& checkers() const { return *checkers_; }
 
-  /// The query from `start` to `goal`, the scene's where there is none.
-  /// @param goal_poses in place of the scene's; `goal` is then for the joints that don't move their
-  /// links. Without poses a `goal` that is given is the goal, whatever poses the scene has.
+  /// The query from `start` to `goal`; missing ones are the scene's.
+  /// @param goal_poses replace the scene's; `goal` is then for the joints that don't move their
+  /// links. Without poses, a given `goal` is the goal, even if the scene has poses.
   /// @throws InputError if the scene has none either, or has not a goal's link.
   [[nodiscard]] planning::PlanningProblem problem_between(
       const std::optional<geometric::Configuration>& start,
@@ -69,11 +69,11 @@ class SceneModel {
 };
 
 /// Index of the link called `name`.
-/// @throws InputError naming the nearest link if there is none.
+/// @throws InputError naming the nearest link if it does not exist.
 [[nodiscard]] int needed_link(const geometric::RobotModel& robot, const std::string& name);
 
 /// A basis of the library by name, or a file.
-/// @throws InputError if there is none or it can't be read.
+/// @throws InputError if it does not exist or can't be read.
 [[nodiscard]] std::shared_ptr<const sampling::PmdBasis> find_basis(const std::string& reference);
 
 }  // namespace handway::python

@@ -24,7 +24,7 @@ namespace handway::python {
 /// Is every variable within its limits? bool.
 [[nodiscard]] pybind11::object within_limits(const SceneModel& scene, const Array& q);
 
-/// Pose X_WL of a link in the world: [4, 4] or [n, 4, 4]. InputError if there is no such link.
+/// Pose X_WL of a link in the world: [4, 4] or [n, 4, 4]. InputError for an unknown link.
 [[nodiscard]] pybind11::array_t<double> link_pose(const SceneModel& scene, const std::string& link,
                                                   const Array& q);
 
@@ -36,7 +36,7 @@ namespace handway::python {
 [[nodiscard]] pybind11::tuple closest_pair(const SceneModel& scene, const Array& q);
 
 // Kinematics of links of a scene's robot. Functions throw InputError if shapes differ, a number is
-// not finite or there is no such link.
+// not finite or the link is unknown.
 
 /// Configurations that bring `link` to X_WL [4, 4], at most `most`, the nearest to `near` first:
 /// [n, variables]. @param free only such in which the robot is free.

@@ -122,7 +122,7 @@ SceneBench bench_checks(const fs::path& file, const BenchOptions& options,
   return bench;
 }
 
-// The scene's own planner, then those asked for; none twice.
+// Returns the scene's own planner, then the requested ones, without duplicates.
 std::vector<std::unique_ptr<planning::Planner>> planners_for(
     const BenchOptions& options, const BenchScene& scene,
     const planning::PlannerRegistry& registry) {
@@ -176,7 +176,7 @@ PlanBench bench_plan(planning::Planner& planner, const planning::LoadedScene& lo
 void bench_plans(SceneBench& bench, const BenchOptions& options,
                  const planning::PluginManager& plugins, const BenchTable& table) {
   const BenchScene scene = load(bench.file, options, plugins);
-  // Kept while they run, so that what is made of meshes is not read again for each.
+  // Kept while they run, so that the meshes' volumes are not read again for each.
   const planning::PlanningProblem kept =
       planning::make_problem(scene.loaded.scene, scene.loaded.basis);
   for (const auto& planner : planners_for(options, scene, plugins.planners())) {
@@ -346,7 +346,7 @@ void refuse(std::initializer_list<const char*> names, const CLI::App& command,
   }
 }
 
-// A campaign says itself what is run; it goes with none of the options that say so here.
+// A campaign defines the runs itself; options that would define them are refused.
 int bench_campaign(const BenchOptions& options, const CLI::App& command) {
   if (options.scenes.size() > 1) {
     throw CLI::ValidationError("CAMPAIGN", "a campaign is run by itself, without other files");

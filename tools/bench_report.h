@@ -15,7 +15,7 @@ struct BenchSettings {
   int seeds = 10;
   int threads = 1;
   double time_limit_s = 30.0;
-  std::vector<std::string> checkers = {"fast"};  ///< That plans use: keys of checker_kinds().
+  std::vector<std::string> checkers = {"fast"};  ///< Keys of checker_kinds(), for plans.
   bool check_paths = false;                      ///< Every path that is found.
 };
 
@@ -33,7 +33,7 @@ struct SceneBench {
   double load_s = 0.0;     ///< From the files to a problem ready to plan.
   std::size_t memory = 0;  ///< Peak while loading, bytes.
   CollisionBench collision;
-  /// The scene's own planner with the first checker first; empty: not asked for.
+  /// The scene's own planner with the first checker first; empty: not requested.
   std::vector<PlanBench> plans;
 
   [[nodiscard]] std::string name() const { return file.stem().string(); }
@@ -52,12 +52,12 @@ struct SceneBench {
 [[nodiscard]] std::string bench_json(const BenchSettings& settings,
                                      const std::vector<SceneBench>& scenes);
 
-/// The variants of each problem, each run and who missed what.
+/// The variants of each problem, with all runs and the planners that missed a path.
 [[nodiscard]] std::string variants_json(const BenchSettings& settings,
                                         const VariantSettings& variants,
                                         const std::vector<VariantBench>& benches);
 
-/// Prints a benchmark to standard output as two tables, row by row as it goes on.
+/// Prints a benchmark to standard output as two tables, row by row as results come.
 class BenchTable {
  public:
   /// @param files all scenes, for the width of the first column.

@@ -202,7 +202,7 @@ int run_in_team(const std::function<int(planning::ProcessTeam*)>& work) {
     return work(team.get());
   } catch (const std::exception& error) {
     if (team != nullptr && !team->leads()) {
-      // The leader speaks for all. An error code here would make mpirun end it before it has.
+      // The leader reports for all. An error code here would make mpirun end it before it has.
       team->decline(error.what());
       return kDone;
     }

@@ -16,8 +16,8 @@
 
 namespace handway::tools {
 
-/// Tells on standard error how far a campaign is: a line that is overwritten where that is a
-/// terminal, a line now and then otherwise.
+/// Reports a campaign's progress on standard error: a line that is overwritten on a terminal,
+/// otherwise a line now and then.
 class CampaignProgress {
  public:
   /// @param kept runs done before. @param total all of the campaign's.
@@ -44,7 +44,7 @@ class CampaignProgress {
   std::chrono::steady_clock::time_point next_;
 };
 
-/// "12 s", "3 min 20 s", "2 h 5 min": a duration for people.
+/// Duration for display: "12 s", "3 min 20 s", "2 h 5 min".
 [[nodiscard]] std::string duration_text(double seconds);
 
 struct CampaignSession {
@@ -59,12 +59,12 @@ struct CampaignOutcome {
   std::vector<std::string> versions;         ///< Versions of the programs that made them.
   double elapsed_s = 0.0;                    ///< Wall clock of this session.
   std::size_t done = 0;                      ///< Runs of this session.
-  int workers = 0;                           ///< 0: nothing was carried out.
+  int workers = 0;                           ///< 0: no run was carried out.
   bool complete = false;                     ///< False: it was interrupted.
 };
 
-/// Carries out what is left of a campaign, on threads or with a team of processes.
-/// Ctrl+C ends it and keeps what is done.
+/// Carries out the rest of a campaign, on threads or with a team of processes. Ctrl+C ends it and
+/// keeps finished runs.
 /// @param team may be null.
 /// @returns nothing in a process of a team that does not lead it.
 /// @throws InputError for what can't be read or written.
@@ -87,8 +87,8 @@ struct CampaignOptions {
 /// @returns the exit code; 1 if it was interrupted.
 [[nodiscard]] int run_campaign_file(const CampaignOptions& options);
 
-/// Runs `work` in the team of processes that `mpirun` started, or with none (null). Of
-/// a team, only the process that leads says what went wrong.
+/// Runs `work` in the team of processes that `mpirun` started, or without a team (null). Only the
+/// leading process of a team reports errors.
 [[nodiscard]] int run_in_team(const std::function<int(planning::ProcessTeam*)>& work);
 
 }  // namespace handway::tools

@@ -29,8 +29,8 @@ struct ParameterGrid {
 [[nodiscard]] std::vector<ParameterGrid> parameter_grids(const planning::Campaign& campaign);
 
 /// Median planning times of a grid on one problem as colours and numbers, the least in bold, with
-/// the share of runs that found a path where it isn't all of them, and the scale of colours. @param
-/// cells of the problem, a planner each.
+/// the share of runs that found a path if it is below 100 %, and the scale of colours. @param cells
+/// of the problem, a planner each.
 [[nodiscard]] std::string heat_map_svg(const ParameterGrid& grid,
                                        std::span<const planning::CampaignCell> cells);
 

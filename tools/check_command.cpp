@@ -42,7 +42,7 @@ void print_likeness(const planning::PathLikeness& likeness) {
   print_out("\n");
 }
 
-/// Says where a valid path is nearer to something than a robot can be trusted to keep.
+/// Prints where the clearance of a valid path is less than a robot can reliably keep.
 void print_shortfall(const planning::PlanningProblem& problem, const planning::Path& path,
                      double margin_mm) {
   if (const auto shortfall =

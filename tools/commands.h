@@ -40,7 +40,7 @@ void add_hand_command(CLI::App& app, int& exit_code);
 /// Adds `handway haptic` and its commands `guide` and `emulate`.
 void add_haptic_command(CLI::App& app, int& exit_code);
 
-/// `handway info SCENE|ROBOT`: what was loaded, with warnings.
+/// `handway info SCENE|ROBOT`: contents and warnings.
 void add_info_command(CLI::App& app, int& exit_code);
 
 /// `handway pca RECORDING…`: finds a hand's principal motion directions.

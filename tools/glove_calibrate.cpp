@@ -66,7 +66,7 @@ device::GuidedPose recorded_pose(const std::string& text,
   return {pose->name, pose->angles, device::read_recording(text.substr(equals + 1))};
 }
 
-// The poses' lines, and those of the free motion for sensors that no pose says anything of.
+// The poses' lines, and those of the free motion for sensors without any pose.
 CalibrationFit joined(const CalibrationFit& poses, const CalibrationFit& free) {
   CalibrationFit result = poses;
   for (std::size_t i = 0; i < device::kGloveSensors; ++i) {

@@ -42,7 +42,7 @@ class Latest {
  public:
   explicit Latest(std::uint64_t wanted) : wanted_(wanted) {}
 
-  /// @returns whether the frame is one of those that were asked for.
+  /// @returns whether the frame is one of those requested.
   bool take(const GloveFrame& frame) {
     const std::lock_guard lock(mutex_);
     if (wanted_ > 0 && count_ == wanted_) {

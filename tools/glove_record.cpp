@@ -44,7 +44,7 @@ device::RecordingHeader header_of(const GloveInfo& info, const std::string& orig
 }
 
 /// Takes frames on the stream's thread and writes each before the next. The file begins with the
-/// first connection: nothing is overwritten if there is no glove.
+/// first connection: no file is overwritten without a glove.
 class Recorder {
  public:
   explicit Recorder(const RecordOptions& options) : options_(options) {}

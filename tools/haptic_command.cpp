@@ -37,7 +37,7 @@ namespace {
 /// A guidance as CSV, a row for each sample of the device: `time` (s), `progress` (m of the tool's
 /// path), `place` (a waypoint's index with the share of the motion to the next), `button`,
 /// `deviation` (m of the hand), `force.x`, `force.y`, `force.z` (N, in the device's frame), then
-/// the robot's joints as they were led (rad). Rows are written as they come.
+/// the commanded joints of the robot (rad). Rows are written as they come.
 class HapticLog {
  public:
   /// @param file empty: nothing is written. @throws InputError if it can't be written.

@@ -31,7 +31,7 @@ constexpr double kLeastRatio = 2.0;   // of times that get the colours' ends
 
 using Rgb = std::array<double, 3>;
 
-// Light to dark, even to the eye and the same for those who see few colours (from ColorBrewer's
+// Light to dark, perceptually even, also for viewers who see few colours (from ColorBrewer's
 // YlGnBu).
 constexpr std::array<Rgb, 5> kScale = {
     {{255, 255, 204}, {161, 218, 180}, {65, 182, 196}, {44, 127, 184}, {37, 52, 148}}};

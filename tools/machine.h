@@ -17,11 +17,11 @@ namespace handway::tools {
 /// The processor as the system calls it.
 [[nodiscard]] std::string processor_name();
 
-/// Gives back what is free and begins a new measurement of the peak.
+/// Returns free memory to the system and begins a new measurement of the peak.
 void reset_peak_memory();
 
-/// The most memory that this process has had resident since reset_peak_memory(), or,
-/// where the system can't tell that, since its beginning; bytes.
+/// Largest resident memory of this process since reset_peak_memory(), or, if the system doesn't
+/// report that, since its beginning; bytes.
 [[nodiscard]] std::size_t peak_memory();
 
 }  // namespace handway::tools

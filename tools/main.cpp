@@ -57,7 +57,7 @@ void add_file_options(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-// Prints what CLI11 has to say, which quotes the arguments.
+// Prints the messages of CLI11, which quote the arguments.
 int exit_of(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
   std::ostringstream errors;

@@ -10,7 +10,7 @@
 
 namespace handway::tools {
 
-/// Refuses what is not a number above 0, "nan" included (which CLI::PositiveNumber lets pass).
+/// Refuses anything but a number above 0, "nan" included (which CLI::PositiveNumber accepts).
 [[nodiscard]] inline CLI::Validator positive_number() {
   return {[](const std::string& text) {
             double value = 0.0;
@@ -20,8 +20,8 @@ namespace handway::tools {
           "POSITIVE"};
 }
 
-/// Refuses what is not a number from `least` to `most`, "nan" included (which CLI::Range lets
-/// pass).
+/// Refuses anything but a number from `least` to `most`, "nan" included (which CLI::Range
+/// accepts).
 [[nodiscard]] inline CLI::Validator number_in(double least, double most) {
   return {[least, most](const std::string& text) {
             double value = 0.0;
@@ -40,8 +40,8 @@ namespace handway::tools {
           "NONNEGATIVE"};
 }
 
-/// A measured number for people, to about four digits; "-" if there is none, "∞" if
-/// it is beyond what was measured.
+/// A measured number for display, to about four digits; "-" if it is missing, "∞" if it is beyond
+/// the measured range.
 [[nodiscard]] inline std::string number_text(double value) {
   if (std::isnan(value)) {
     return "-";

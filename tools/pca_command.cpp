@@ -209,7 +209,7 @@ struct PcaOptions {
   std::uint64_t seed = 1;
 };
 
-/// The robot's hand, and how it follows the person's.
+/// The robot's hand, and its mapping from a person's.
 struct HandSource {
   fs::path robot;  ///< Its file.
   std::shared_ptr<const geometric::RobotModel> model;
@@ -292,7 +292,7 @@ void print_fingertips(const std::vector<MappedRecording>& recordings, const Hand
   print("fingertip retargeting", other.joints(), retargeted, other);
 }
 
-// The thumb base, if the hand has one, unless other joints or "none" were asked for.
+// Returns the thumb base, if the hand has one, unless other joints or "none" were requested.
 std::vector<int> free_joints(const PcaOptions& options, const std::vector<std::string>& joints) {
   if (options.free.empty()) {
     return std::ranges::count(joints, "thumb_base") > 0 ? joint_indices({"thumb_base"}, joints)
@@ -389,7 +389,7 @@ Eigen::Index distinct_rows(const Eigen::MatrixXd& samples, Eigen::Index enough) 
   return std::ssize(distinct);
 }
 
-/// Says so where a basis would only repeat the few rows that it rests on.
+/// Reports a basis that would only repeat its few rows.
 /// @throws InputError if all rows are the same posture, from which no direction follows.
 void look_at_rows(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
                   const Eigen::MatrixXd& samples, const std::vector<int>& free) {

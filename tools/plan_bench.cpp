@@ -57,7 +57,7 @@ struct Series {
   [[nodiscard]] double median() const { return planning::quantile_of(rounds, 0.5); }
 };
 
-// Asks all questions, again and again. @returns µs a question.
+// Runs all queries again and again. @returns µs per query.
 double time_of(const Series& series) {
   if (series.count == 0) {
     return std::numeric_limits<double>::quiet_NaN();
@@ -75,7 +75,7 @@ double time_of(const Series& series) {
   return 1e6 * elapsed.count() / (static_cast<double>(times) * static_cast<double>(series.count));
 }
 
-// The checkers take turns, so that what else the machine does slows all of them alike.
+// The checkers take turns, so that other load of the machine slows all of them equally.
 void measure(std::initializer_list<Series*> all) {
   for (int round = 0; round < kRounds; ++round) {
     for (Series* series : all) {

@@ -20,7 +20,7 @@ namespace handway::tools {
 /// Time of a checker's answers, µs: the median of rounds in which the checkers take turns.
 struct CheckerSpeed {
   double configuration_us = 0.0;
-  double edge_us = 0.0;  ///< NaN if there is no edge to ask.
+  double edge_us = 0.0;  ///< NaN without an edge.
 };
 
 /// The everyday checker against FCL, on the same questions.
@@ -47,7 +47,7 @@ struct PlanBench {
   std::string checker;  ///< Key in checker_kinds().
   std::vector<std::uint64_t> seeds;
   std::vector<planning::PlanResult> results;  ///< One a seed, without its path's points.
-  std::vector<std::size_t> path_nodes;        ///< One a seed; 0 where there is no path.
+  std::vector<std::size_t> path_nodes;        ///< One per seed; 0 without a path.
   std::vector<std::optional<planning::PathQuality>> qualities;  ///< One a seed, of its path.
   std::vector<std::vector<std::string>> path_faults;  ///< One a seed, of paths that were checked.
   std::size_t memory = 0;                             ///< Peak, bytes.
@@ -67,7 +67,7 @@ struct PlanBench {
 [[nodiscard]] int faulty_count(const PlanBench& bench);
 
 /// The p-quantile (0 < p ≤ 1, nearest rank) of the times of planning and smoothing, s; a run
-/// without a path counts as one that takes forever, so that it is infinite if more than 1 - p of
+/// without a path counts as infinitely long, so that the quantile is infinite if more than 1 - p of
 /// them have none.
 [[nodiscard]] double time_quantile(const PlanBench& bench, double p);
 
@@ -96,7 +96,7 @@ struct VariantBench {
   [[nodiscard]] std::string name() const { return file.stem().string(); }
 };
 
-/// A variant and a seed that the default planner missed, and who solved it.
+/// A variant and a seed that the default planner missed, and the planners that solved it.
 struct MissedPair {
   std::string file;  ///< File of the problem.
   int variant = 0;
@@ -113,7 +113,7 @@ struct VariantSummary {
   std::vector<MissedPair> missed;  ///< By the default, solved by another one or not.
 
   VariantSummary& operator+=(const VariantSummary& other);
-  /// Share of the pairs solved by any planner that the default solved; NaN if there is none.
+  /// Share of the pairs solved by any planner that the default solved; NaN if none solved any.
   [[nodiscard]] double default_share() const;
 };
 

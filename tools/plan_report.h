@@ -14,8 +14,8 @@
 namespace handway::tools {
 
 /// The JSON report of a run, keys as in docs/command-line.md.
-/// @param likeness of the path's hand; nothing: there is no path, or no basis to compare with.
-/// @param quality of the path; nothing: there is none.
+/// @param likeness of the path's hand; nothing without a path or a basis to compare with.
+/// @param quality of the path; nothing without a path.
 [[nodiscard]] std::string plan_report(planning::Planner& planner,
                                       const planning::PlanningProblem& problem,
                                       const planning::PlanRequest& request,

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-/// Reports for people: one document, written as Markdown and as HTML.
+/// A report as one document, written as Markdown and as HTML.
 namespace handway::tools {
 
 struct ReportHeading {

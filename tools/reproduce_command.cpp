@@ -38,7 +38,7 @@ struct Part {
   int table;
   const char* name;
   const char* published = nullptr;  ///< The published file it is all about, if it is.
-  bool beside_the_paper = false;    ///< Never more runs than its file says.
+  bool beside_the_paper = false;    ///< At most the runs of its file.
 };
 constexpr const char* kProblem4 = "auro/TX90_RHand_ICRA10_5PMD-shelfT2_new.xml";
 constexpr std::array<Part, 4> kParts = {{{2, "paper_table_2"},

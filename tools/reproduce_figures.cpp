@@ -150,10 +150,10 @@ const std::set<int>& posture_figures() {
   return kNumbers;
 }
 
-/// Analyses the recording that ships and, where HANDWAY_REFERENCE_DIR names the folder of the
+/// Analyses the recording that ships and, if HANDWAY_REFERENCE_DIR names the folder of the
 /// published files, the recordings of people in it, mapped by the paper's Table 1, and draws those
-/// of `figures` that are figures of postures to `postures/RECORDING`. The numbers of 7 and 10
-/// stand in `figure_7.csv` and `figure_10.csv` beside it.
+/// of `figures` that are figures of postures to `postures/RECORDING`. The numbers of 7 and 10 are
+/// in `figure_7.csv` and `figure_10.csv` beside it.
 /// @throws InputError if a file can't be written or the recording that ships not be read.
 std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
                                                  const fs::path& folder) {
@@ -203,7 +203,7 @@ struct Row {
   const char* scene;
   const char* planner;
   const char* label;
-  const char* camera = "";  ///< Keys of the row that turn it, where a shelf is in the way.
+  const char* camera = "";  ///< Keys of the row that turn it, if a shelf hides the view.
 };
 
 struct Figure {
@@ -260,7 +260,7 @@ class FilmMaker {
   }
 
  private:
-  // Makes a row of the film; empty, with a sentence in `made`, if there is no path.
+  // Makes a row of the film; empty, with a sentence in `made`, without a path.
   [[nodiscard]] std::string film_row(const Row& row, const std::string& name,
                                      ReproducedFigure& made) const {
     const fs::path scene =
@@ -300,7 +300,7 @@ const std::set<int>& film_figures() {
 /// Plans the paths of those of `figures` that are films on the scenes that ship, each with seed 1,
 /// and draws them as film strips: `figure_N.png` and `.svg`, made of `figure_N.yaml` and paths as
 /// CSV in the folder `figure_N`.
-/// @param time_limit_s of each plan; a row without a path says so.
+/// @param time_limit_s of each plan; a row without a path has a note.
 /// @throws InputError if a file can't be written or a scene not be read.
 std::vector<ReproducedFigure> reproduce_films(const std::set<int>& figures,
                                               const planning::PluginManager& plugins,

@@ -33,7 +33,7 @@ struct ReproducedFigure {
     const std::set<int>& figures, const planning::PluginManager& plugins, double time_limit_s,
     const std::filesystem::path& folder);
 
-/// A campaign of the reproduction, once it is carried out.
+/// A campaign of the reproduction, carried out.
 struct ReproducedCampaign {
   int table = 0;  ///< Table of the paper: 2 or 4.
   planning::Campaign campaign;
@@ -41,7 +41,7 @@ struct ReproducedCampaign {
 };
 
 /// Writes report.md, report.html and report.csv: the paper's tables and figures with ours.
-/// @param tables which of 2, 3 and 4. Table 3 needs the campaign of Table 2, carried out or not.
+/// @param tables some of 2, 3 and 4. Table 3 needs the campaign of Table 2, carried out or not.
 /// @throws InputError if that can't be done.
 void write_reproduce_report(const std::set<int>& tables,
                             const std::vector<ReproducedCampaign>& campaigns,

@@ -25,7 +25,7 @@ struct RobotReport {
                                        geometric::GroupProposal groups, int samples,
                                        std::uint64_t seed);
 
-/// On standard output, a line each for what was found and for its mend.
+/// Prints the findings on standard output, each with a line for its correction.
 void print_findings(const RobotReport& report);
 
 /// A list of objects with `found` and `mend`.

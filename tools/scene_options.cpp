@@ -264,7 +264,7 @@ std::string palm_of(const std::string& option, const planning::LoadedScene& load
   return palms.empty() ? model.link(planning::palm_link(model, arm, hand)).name : palms.front();
 }
 
-// The link that `name` says or, if it is empty, palm_of().
+// Returns the link named `name` or, if it is empty, palm_of().
 std::string goal_link_of(const std::string& name, const std::string& option,
                          const planning::LoadedScene& loaded) {
   const geometric::Scene& scene = *loaded.scene;

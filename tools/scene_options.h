@@ -36,8 +36,8 @@ void print_warnings(const geometric::Scene& scene);
 /// Prints the warnings of the problem's scene and its own.
 void print_warnings(const planning::PlanningProblem& problem);
 
-/// The path of a file; joints that it does not have stay at the problem's start, which is said on
-/// the error output. @throws InputError as planning::read_path().
+/// The path of a file; joints that it lacks stay at the problem's start, with a note on the error
+/// output. @throws InputError as planning::read_path().
 [[nodiscard]] planning::Path read_path(const planning::PlanningProblem& problem,
                                        const std::filesystem::path& file);
 
@@ -66,9 +66,9 @@ struct GoalPoseOptions {
 /// Adds `--goal-pose`, which may be given several times, `--goal-link` and `--goal-tolerance`.
 void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options);
 
-/// Puts the goal poses in the place of the scene's goal; the scene's remains for the joints that
-/// don't move their links. Nothing without poses. @throws InputError for a link that the robot has
-/// not or that no joint moves.
+/// Replaces the scene's goal by the goal poses; its values remain for joints that don't move their
+/// links. Does nothing without poses. @throws InputError for a link that the robot lacks or that no
+/// joint moves.
 void set_goal_poses(const GoalPoseOptions& options, planning::LoadedScene& scene);
 
 }  // namespace handway::tools

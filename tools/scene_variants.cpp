@@ -156,12 +156,12 @@ std::vector<int> hand_links(const RobotModel& model, int palm) {
   return links;
 }
 
-/// `q` with the hand closed around objects: one finger after the other turns its joints down the
-/// gradient of its distance to the nearest of them, until it keeps only `gap` to anything, the
-/// hand's other links included, or its joints are at their limits. A finger that keeps less already
-/// stays. Same arguments, same bits.
+/// Returns `q` with the hand closed around objects: one finger after the other moves its joints
+/// down the gradient of its distance to the nearest of them, until only `gap` to any body is left,
+/// the hand's other links included, or its joints are at their limits. A finger that is already
+/// closer stays. Same arguments, same bits.
 /// @param hand variables of the hand. @param palm the link that its fingers hang from.
-/// @param objects names of bodies that stand still. @param gap m, > 0.
+/// @param objects names of fixed bodies. @param gap m, > 0.
 Configuration close_hand(CollisionChecker& checker, const std::vector<int>& hand, int palm,
                          const std::vector<std::string>& objects, Configuration q, double gap) {
   for (const Finger& finger : fingers_of(checker.world(), hand, palm, objects)) {
@@ -290,7 +290,7 @@ Eigen::Vector3d direction_in_space(RandomStream& random) {
   return direction.normalized();
 }
 
-// Uniform in a disc (of what rests on something) or a ball; the turn uniform in its range.
+// Uniform in a disc (for a supported unit) or a ball; the rotation uniform in its range.
 Motion drawn_motion(const Unit& unit, RandomStream& random) {
   Motion motion;
   const double share = random.uniform();
@@ -447,7 +447,7 @@ class VariantGenerator::Parts {
   }
 
   /// Finds the free arm posture nearest to the scene's goal that keeps the palm at the target.
-  /// @returns whether there is one.
+  /// @returns whether one was found.
   [[nodiscard]] bool solve_goal(Placement& placement) const {
     std::vector<Configuration> goals{*scene_.goal};
     if (target_) {

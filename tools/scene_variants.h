@@ -22,20 +22,20 @@ inline constexpr double kLongestMovable = 0.45;                       ///< m
 /// A harder problem made of another one.
 struct SceneVariant {
   int number = 1;                                 ///< From 1; the higher, the narrower.
-  std::uint64_t seed = 1;                         ///< That it was drawn from.
+  std::uint64_t seed = 1;                         ///< Seed of its random numbers.
   int draws = 0;                                  ///< Placements that were tried.
   std::shared_ptr<const geometric::Scene> scene;  ///< Null: none was found.
 };
 
-/// Makes harder problems of one. Objects that stand still move, each or each group by itself,
-/// unless they are `locked`, attached or longer than kLongestMovable, which furniture is: their
-/// middle by up to kMostVariantShift and themselves by up to kMostVariantTurn. What rests on
-/// something moves horizontally and turns about the vertical, the rest in all directions. The
-/// object that the hand is nearest to at the goal takes the hand along: the arm's inverse
-/// kinematics is solved for the same pose of the palm relative to it. Then each other object is
-/// shifted towards the robot at the goal, or away from it, until variant_gap() is left, as far as
-/// it may move; and the fingers close until kVariantHandGap is left. No object gets deeper into
-/// another one than it is.
+/// Makes harder problems of one. Fixed objects move, each or each group separately, unless they
+/// are `locked`, attached or longer than kLongestMovable, as furniture is: their middle by up to
+/// kMostVariantShift and themselves by up to kMostVariantTurn. A supported object moves
+/// horizontally and turns about the vertical, the rest in all directions. The object nearest to
+/// the hand at the goal takes the hand along: the arm's inverse kinematics is solved for the
+/// same pose of the palm relative to it. Then each other object is shifted towards the robot at
+/// the goal, or away from it, until variant_gap() is left, as far as it may move; and the
+/// fingers close until kVariantHandGap is left. No object gets deeper into another one than it
+/// is.
 ///
 /// A variant depends on problem, number and seed alone, to the bit.
 class VariantGenerator {

@@ -27,8 +27,8 @@ namespace {
 
 using execution::MotionTarget;
 
-// A tenth of the pace, unless somebody asks for more; 20 ms is what an arm's queue of ten
-// points can live on.
+// A tenth of the pace by default; at 20 ms an arm's queue of ten points does not run
+// empty.
 constexpr double kCautiousSpeed = 0.1;
 constexpr double kPeriodMs = 20.0;
 constexpr double kProgressPeriod = 0.5;  // s
@@ -41,8 +41,8 @@ struct SendChoice {
   bool yes = false;
 };
 
-// Writes the log, and prints where the motion is now and then. A motion that is held because the
-// scene was edited goes on if the rest turns out to be free, and else ends.
+// Writes the log, and prints the motion's progress now and then. A motion that was paused because
+// the scene was edited continues if the rest is free, and else ends.
 class SendObserver final : public execution::MotionObserver {
  public:
   SendObserver(const std::vector<MotionTarget>& targets, execution::MotionLog& log,
@@ -145,8 +145,8 @@ int report(const std::vector<MotionTarget>& targets, const execution::MotionOutc
   return kMotionStopped;
 }
 
-// The scene as its files are now, which may have changed since the path was timed. What is not
-// the robot that the motion was timed for, or can't run it, is refused.
+// The scene as its files are now, which may have changed since the path was timed. A robot that
+// differs from the timed motion's, or can't run it, is refused.
 execution::SceneWatch::Problem scene_now(const TimingChoice& choice,
                                          const planning::PluginManager& plugins,
                                          const planning::Motion& motion) {
@@ -166,7 +166,7 @@ execution::SceneWatch::Problem scene_now(const TimingChoice& choice,
   return problem;
 }
 
-// @returns whether it was not asked to stop before all were.
+// @returns whether all were connected before a stop was requested.
 bool connect(const std::vector<MotionTarget>& targets, const std::stop_token& stop) {
   try {
     for (const MotionTarget& target : targets) {
@@ -217,7 +217,7 @@ int send(const SendChoice& choice) {
   std::fflush(stdout);
   execution::MotionLog log(choice.log, targets);
   for (const MotionTarget& target : targets) {
-    // Timing took a while, in which nobody listened to it.
+    // Timing took a while, during which the link was not polled.
     target.link->update();
     target.link->upload(execution::part_of(timed.motion.trajectory, target.variables));
   }

@@ -36,7 +36,7 @@ void add_timing_options(CLI::App& command, TimingChoice& choice);
 [[nodiscard]] planning::PlanningProblem read_problem(const TimingChoice& choice,
                                                      const planning::PluginManager& plugins);
 
-/// read_problem() again: what was read before may have been edited since.
+/// Calls read_problem() again: the files may have been edited since.
 /// @throws InputError also if the robot is not that of `before`.
 [[nodiscard]] planning::PlanningProblem read_problem_again(const TimingChoice& choice,
                                                            const planning::PluginManager& plugins,
@@ -58,7 +58,7 @@ struct TimingInput {
 [[nodiscard]] TimingInput read_timing_input(const TimingChoice& choice,
                                             const planning::PluginManager& plugins);
 
-/// Times the path. Writes the report if one is asked for.
+/// Times the path. Writes the report if requested.
 /// @param start where the robot is, the scene's start or as measured, and how far from
 /// there the path may begin (rad or m).
 /// @throws InputError for options that are wrong.
@@ -66,13 +66,13 @@ struct TimingInput {
                                              const planning::Configuration& start,
                                              double start_tolerance);
 
-/// Reads scene and path and times the path from the scene's start. Writes the report if one is
-/// asked for.
+/// Reads scene and path and times the path from the scene's start. Writes the report if
+/// requested.
 /// @throws InputError for files and options that are wrong.
 [[nodiscard]] planning::TimedPath run_timing(const TimingChoice& choice,
                                              const planning::PluginManager& plugins);
 
-/// Prints what a person wants to know.
+/// Prints the main results.
 void print_timing(const planning::TimedPath& timed);
 
 }  // namespace handway::tools

@@ -198,7 +198,7 @@ class Live {
         table_(!options.json && ::isatty(STDOUT_FILENO) != 0),
         tracker_(make_tracker(options)) {}
 
-  /// @throws DeviceError if there is no tracker at the start.
+  /// @throws DeviceError if the tracker is missing at the start.
   void run(const std::stop_token& stop) {
     connect(stop);
     while (!stop.stop_requested() && !complete()) {

@@ -60,7 +60,7 @@ enum WorkerTag : int {
   kReady = 11,    ///< Empty: ready for a run.
   kRecord = 12,   ///< RunRecord.
   kDropped = 13,  ///< Empty: the run was cancelled.
-  kFailed = 14,   ///< std::string: can't go on, and why.
+  kFailed = 14,   ///< std::string: the reason why it can't continue.
 };
 
 /// The leader's own worker: a thread that is given runs one by one.
@@ -119,7 +119,7 @@ class OwnWorker {
   std::jthread thread_;
 };
 
-/// Deals out runs and keeps count of who is at work.
+/// Deals out runs and counts the busy processes.
 class Dealer {
  public:
   Dealer(mpi::communicator& world, OwnWorker& own, std::span<const RunSpec> runs)
@@ -133,7 +133,7 @@ class Dealer {
       ++busy_;
     }
   }
-  /// Looks at all mail there is. @returns whether there was some.
+  /// Reads all pending messages. @returns whether there were any.
   bool read_mail(std::vector<RunRecord>& records);
   bool collect_own(std::vector<RunRecord>& records);
 
@@ -194,9 +194,9 @@ bool Dealer::collect_own(std::vector<RunRecord>& records) {
 
 }  // namespace
 
-/// The processes of one `mpirun`, a run at a time on each. Rank 0 leads: it deals out runs one
-/// by one to whoever is free, itself included (on a second thread), and collects the
-/// records. Nobody waits busily.
+/// The processes of one `mpirun`, a run at a time on each. Rank 0 leads: it deals out runs one by
+/// one to idle processes, itself included (on a second thread), and collects the records. No
+/// process waits busily.
 ///
 /// One each process, made before anything else talks to MPI.
 class MpiTeam final : public planning::ProcessTeam {
@@ -299,7 +299,7 @@ void MpiTeam::decline(const std::string& reason) { world_.send(kLeader, kFailed,
 
 }  // namespace handway::campaign_mpi
 
-// The way in for programs that mpirun started: see join_process_team().
+// Entry point for programs that mpirun started: see join_process_team().
 extern "C" __attribute__((visibility("default"))) handway::planning::ProcessTeam*
 handway_process_team() {
   return new handway::campaign_mpi::MpiTeam();

@@ -4,9 +4,9 @@
 
 namespace handway::export_csv {
 
-/// One CSV of the whole robot, NAME.csv: `time` (s), every moving joint (rad or m), coupled
-/// ones included, then JOINT.velocity and JOINT.acceleration of the joints that move on
-/// their own. It is a path file too: see read_path().
+/// One CSV of the whole robot, NAME.csv: `time` (s), every moving joint (rad or m), coupled ones
+/// included, then JOINT.velocity and JOINT.acceleration of the independent joints. It is a path
+/// file too: see read_path().
 class CsvExporter final : public planning::Exporter {
  public:
   [[nodiscard]] std::string name() const override { return "csv"; }
@@ -19,9 +19,9 @@ class CsvExporter final : public planning::Exporter {
       const planning::Motion& motion) const override;
 };
 
-/// A CSV for each controller, NAME_arm.csv and NAME_hand.csv, with the same times: `time`
-/// (s), the joints that move on their own (rad or m), then JOINT.velocity. The SAH's file
-/// has its 13 independent joints: what drives a medial joint drives the distal one.
+/// A CSV for each controller, NAME_arm.csv and NAME_hand.csv, with the same times: `time` (s), the
+/// independent joints (rad or m), then JOINT.velocity. The SAH's file has its 13 independent
+/// joints: the motor of a medial joint drives the distal one.
 class SplitExporter final : public planning::Exporter {
  public:
   [[nodiscard]] std::string name() const override { return "split"; }

@@ -44,8 +44,8 @@ Message header(RosVersion version) {
   return message;
 }
 
-/// trajectory_msgs/JointTrajectory of the joints that move on their own: the effort arrays
-/// are empty, times increase strictly.
+/// Returns the trajectory_msgs/JointTrajectory of the independent joints: the effort arrays are
+/// empty, times increase strictly.
 Message joint_trajectory(const planning::Motion& motion, RosVersion version) {
   Message names = Message::array();
   for (int v = 0; v < motion.model->variable_count(); ++v) {

@@ -112,7 +112,7 @@ std::unique_ptr<aiMaterial> material_of(const Color& color) {
   return material;
 }
 
-/// Gathers what is seen.
+/// Collects visible geometry.
 class SceneGraph {
  public:
   void add(const std::string& name, const Shape& shape, const Pose& X_W, const Color& color) {

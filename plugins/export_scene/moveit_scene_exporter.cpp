@@ -98,7 +98,7 @@ class CollisionObject {
   Message message_;
 };
 
-/// The robot with a group of all joints that move on their own.
+/// The robot with a group of all independent joints.
 geometric::RobotModel with_whole_group(const geometric::RobotModel& model) {
   geometric::RobotDescription robot = model.description();
   std::erase_if(robot.groups, [](const auto& group) { return group.name == kGroup; });

@@ -23,9 +23,9 @@ class MoveitSceneExporter final : public planning::SceneExporter {
                                                             const std::string& stem) const override;
 };
 
-/// Scenes as binary glTF 2.0 (`STEM.glb`), for slides and other viewers: what is seen of all robots
-/// as they stand, the first one at the scene's start, and all objects that are not hidden, each a
-/// node of its name. Y is up, as glTF has it; edges below 40° are shaded smoothly.
+/// Scenes as binary glTF 2.0 (`STEM.glb`), for slides and other viewers: the visible geometry of
+/// all robots in their poses, the first one at the scene's start, and all objects that are not
+/// hidden, each a node of its name. Y is up, as glTF has it; edges below 40° are shaded smoothly.
 class GltfExporter final : public planning::SceneExporter {
  public:
   [[nodiscard]] std::string name() const override { return "gltf"; }

@@ -223,7 +223,7 @@ std::string start_program() {
 end)");
 }
 
-/// stop.pgx: forgets what is left to do.
+/// Writes stop.pgx, which discards the remaining motion.
 std::string stop_program() {
   return program("stop", {}, R"(begin
   resetMotion()

@@ -15,9 +15,9 @@ struct ArmMove {
   double pause = 0.0;             ///< s: above 0 the arm stays where it is, while the hand moves.
 };
 
-/// A move to each waypoint, the first one being where the motion begins. Speeds are such that
-/// moves take as long as in the motion, the joints speeding up, running and slowing down
-/// together at the limits that the motion was timed with.
+/// A move to each waypoint, the first one being the start of the motion. Speeds are such that moves
+/// take as long as in the motion: the joints accelerate, run and brake together at the limits that
+/// the motion was timed with.
 /// @throws InputError if the arm has not six joints that turn.
 [[nodiscard]] std::vector<ArmMove> arm_moves(const planning::Motion& motion);
 

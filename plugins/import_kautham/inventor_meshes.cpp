@@ -40,7 +40,7 @@ InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale)
 
 namespace {
 
-// To be changed with what read_inventor_mesh() makes of a file.
+// To be changed with the result of read_inventor_mesh().
 constexpr int kVersion = 1;
 
 /// A mesh as archives take it.

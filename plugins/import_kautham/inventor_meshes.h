@@ -26,9 +26,9 @@ struct InventorMesh {
 /// has no triangles.
 [[nodiscard]] InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale);
 
-/// Meshes by file and scale, each read once: also in later runs, because what was read of a file
-/// is kept in the user's cache by the file's content. Files that include others, or of which a
-/// texture can't be read, are read in each run.
+/// Meshes by file and scale, each read once: also in later runs, because results are stored in the
+/// user's cache by the file's content. Files that include others, or of which a texture can't be
+/// read, are read in each run.
 class InventorMeshes {
  public:
   /// @throws InputError as read_inventor_mesh().

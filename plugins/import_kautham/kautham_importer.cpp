@@ -249,7 +249,7 @@ class SceneBuilder {
     }
   }
 
-  // A problem asks for a path; whichever planner finds it best is the default.
+  // A problem requests a path; the planner that finds it best is the default.
   void note_planner() {
     if (!problem_.planner.empty() && problem_.planner != "PRMAURO HandArm") {
       scene_->warnings.push_back("planner \"" + problem_.planner +

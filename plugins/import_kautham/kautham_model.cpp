@@ -53,8 +53,8 @@ bool have_same_range(const KauthamJoint& a, const KauthamJoint& b) {
          a.upper == b.upper;
 }
 
-// Do the controls always give the joint the value of the one above it? Warns of
-// one that differs in some controls while others move both alike.
+// Returns whether the controls always give the joint the value of the one above it. Warns of a
+// joint that differs in some controls while others move both together.
 bool is_coupled(const KauthamRobot& robot, int joint, std::vector<std::string>& warnings) {
   const int parent = joint_at(robot, joint).parent;
   if (parent <= 0 || !have_same_range(joint_at(robot, parent), joint_at(robot, joint)) ||

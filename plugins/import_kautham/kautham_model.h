@@ -17,16 +17,16 @@ namespace handway::import_kautham {
 
 /// The robot as a kinematic tree. Joints are named after the links they carry.
 ///
-/// A joint that a control set couples rigidly to the one above it (same limits,
-/// offset and factors, as the distal finger joints) becomes a `mimic` of it.
-/// Groups `arm` and `hand` split the moving joints: the arm's are those that the
-/// trunk controls drive, or, where the file does not say, those before the tree
-/// branches. Pairs of links that Kautham does not check are allowed to touch:
-/// neighbours in the file's order, and the link called Palm with all after it.
+/// A joint that a control set couples rigidly to the one above it (same limits, offset and
+/// factors, as the distal finger joints) becomes a `mimic` of it. Groups `arm` and `hand` split
+/// the moving joints: the arm's are those that the trunk controls drive, or, without trunk
+/// controls, those before the tree branches. Pairs of links that Kautham does not check are
+/// allowed to touch: neighbours in the file's order, and the link called Palm with all after
+/// it.
 ///
 /// A base that controls move becomes joints before the root: slides X, Y, Z along the axes of the
-/// Home, and where X1, X2 or X3 are moved turns `yaw`, `pitch` and `roll`, or `yaw` alone where X3
-/// alone moves a robot that stands upright. They belong to the arm.
+/// Home, and for moved X1, X2 or X3 rotations `yaw`, `pitch` and `roll`, or `yaw` alone if X3 alone
+/// moves an upright robot. They belong to the arm.
 /// @param scale of the meshes. @param limits of the base, in the world. @param X_WH the Home.
 /// @throws InputError for a mesh that can't be read.
 [[nodiscard]] std::shared_ptr<const geometric::RobotModel> make_robot_model(

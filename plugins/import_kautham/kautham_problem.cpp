@@ -62,7 +62,7 @@ KauthamProblem::Obstacle read_later_obstacle(const XmlFile& xml, pugi::xml_node 
   return obstacle;
 }
 
-// The unit is nowhere said: with URDF files, which are in metres, taken as they are it is theirs.
+// The file does not name its unit: with URDF files, in metres and unscaled, it is the metre.
 Units units_of(pugi::xml_node problem) {
   constexpr double kMostInMetres = 100.0;
   for (const pugi::xml_node node : problem.children()) {
@@ -76,7 +76,7 @@ Units units_of(pugi::xml_node problem) {
   return {};
 }
 
-// Controls in [0, 1], separated by white space, as many as `dim` says.
+// Reads controls in [0, 1], separated by white space, as many as `dim`.
 std::vector<double> read_controls(const XmlFile& xml, pugi::xml_node node) {
   std::vector<double> values;
   if (!node) {

@@ -45,7 +45,7 @@ struct KauthamProblem {
   std::vector<std::string> warnings;
 };
 
-/// @throws InputError naming file, line, element, what was found and expected.
+/// @throws InputError naming file, line, element, the value found and the expected one.
 [[nodiscard]] KauthamProblem read_kautham_problem(const std::filesystem::path& file);
 
 }  // namespace handway::import_kautham

@@ -76,7 +76,7 @@ void read_factors(const XmlFile& xml, pugi::xml_node node, std::span<KauthamRobo
   }
 }
 
-// Adds the control to every robot, with what it moves of it.
+// Adds the control to every robot, with the joints that it moves there.
 void add_control(const XmlFile& xml, pugi::xml_node node, std::span<KauthamRobot> robots,
                  Names names) {
   KauthamControl control;

@@ -62,7 +62,7 @@ struct KauthamRobot {
 };
 
 /// Joints may stand in <Joints> or, as in older files, right in <Robot>.
-/// @throws InputError naming file, line, element, what was found and expected.
+/// @throws InputError naming file, line, element, the value found and the expected one.
 [[nodiscard]] KauthamRobot read_kautham_robot(const std::filesystem::path& file);
 
 /// Reads a `.cntr` file of later versions, which has the controls of all robots of a problem: DOF
@@ -73,7 +73,7 @@ void read_kautham_controls(const std::filesystem::path& file, std::span<KauthamR
 
 /// Kautham's own controls where a problem of a later version names none: each of the base and of
 /// the joints that move, for itself, robot after robot.
-/// @param limits of each robot's base along x, y and z: equal ones stand still.
+/// @param limits of each robot's base along x, y and z: equal ones are fixed.
 void add_default_controls(std::span<KauthamRobot> robots,
                           std::span<const std::array<std::pair<double, double>, 3>> limits);
 

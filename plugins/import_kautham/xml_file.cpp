@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 constexpr int kDeepest = 100;
 
-// Finds a node below the deepest level allowed; an empty node if there is none.
+// Finds a node below the deepest level allowed; else an empty node.
 pugi::xml_node find_too_deep(pugi::xml_node root) {
   struct Walker : pugi::xml_tree_walker {
     bool for_each(pugi::xml_node& node) override {

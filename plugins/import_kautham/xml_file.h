@@ -13,8 +13,8 @@
 
 namespace handway::import_kautham {
 
-/// An XML file whose contents are fetched with checks: every complaint names
-/// the file, the line, the element and what was expected there.
+/// An XML file with checked access: every error names the file, the line, the element and the
+/// expected contents.
 class XmlFile {
  public:
   /// @throws InputError if the file can't be opened, is no XML, or its root
@@ -26,7 +26,7 @@ class XmlFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] pugi::xml_node root() const { return root_; }
 
-  /// The child element. @throws InputError if there is none.
+  /// The child element. @throws InputError if it is missing.
   [[nodiscard]] pugi::xml_node child(pugi::xml_node node, const char* name) const;
   /// The attribute's text without spaces around it. @throws InputError if it is missing or empty.
   [[nodiscard]] std::string text(pugi::xml_node node, const char* attribute) const;
@@ -38,8 +38,8 @@ class XmlFile {
   /// @throws InputError if it is missing or neither true nor false.
   [[nodiscard]] bool flag(pugi::xml_node node, const char* attribute) const;
 
-  /// Checks that no child element of `node` is misspelt: is none of the known ones and at most
-  /// two letters off one. Others may be there.
+  /// Checks that no child element of `node` is misspelt: neither a known one nor within two letters
+  /// of one. Other elements are allowed.
   void refuse_slips(pugi::xml_node node, std::initializer_list<std::string> known) const;
 
   /// A complaint about `node`, or about its attribute unless that is empty.
@@ -72,9 +72,9 @@ struct Units {
   double angle = geometric::kDegree;       ///< rad
 };
 
-/// The pose that a Location, Home or PreTrans element gives: X, Y, Z, then a turn by TH about the
-/// axis (WX, WY, WZ), which needs no unit length. As in Kautham, an angle about the axis (0, 0, 0)
-/// is no turn; a note tells of it.
+/// The pose that a Location, Home or PreTrans element gives: X, Y, Z, then a rotation by TH about
+/// the axis (WX, WY, WZ), which needs no unit length. As in Kautham, an angle about the axis (0, 0,
+/// 0) is ignored, with a note.
 /// @throws InputError if a number is missing.
 [[nodiscard]] geometric::Pose read_location(const XmlFile& xml, pugi::xml_node node,
                                             const Units& units = {});

@@ -107,7 +107,7 @@ class Linkage {
            geometric::point_jacobian(model_, X_BL, b_, p_BQ_).topRows(3);
   }
 
-  // By Newton's steps of what follows, within its limits.
+  // Closes the loop by Newton's steps of the followers, within their limits.
   bool close(Configuration& q) const {
     for (int i = 0; i < kMostIterations; ++i) {
       const std::vector<geometric::Pose> X_BL = poses(q);

@@ -25,7 +25,7 @@ struct Compiled {
 };
 
 /// Compiles an MJCF file with MuJoCo's compiler. One file at a time; any thread.
-/// @param warnings what it said about it is appended.
+/// @param warnings MuJoCo's warnings are appended.
 /// @throws InputError in MuJoCo's words, with file and line.
 [[nodiscard]] Compiled compile_mjcf(const std::filesystem::path& file,
                                     std::vector<std::string>& warnings);

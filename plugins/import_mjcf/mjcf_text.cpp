@@ -198,7 +198,7 @@ class Writer {
       note_loop(node);
     } else {
       note(node);
-      // A frame moves what is in it as a body does that is welded to its parent.
+      // A frame transforms its contents as a body welded to its parent does.
       const bool is_frame = name == "frame" && !node.child("joint") && !node.child("freejoint");
       const std::string tag(is_frame ? "body" : name);
       line(fmt::format("<{}{}>", tag, attributes(node)), node);

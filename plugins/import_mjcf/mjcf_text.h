@@ -35,11 +35,11 @@ struct MjcfText {
   std::map<std::string, MjcfMesh> meshes;  ///< By name; those with a file.
 };
 
-/// Planning does without what acts, senses, lights or looks on, and without inertia: it is not in
-/// the text, so that it costs no robot when MuJoCo does not know it or misses a file. Joints with a
-/// range are limited and frames are bodies, as in later versions of MuJoCo, and attributes of those
-/// are left out unless they look like a slip of the pen. Box kStandIn is written for meshes that
-/// are missing or faulty.
+/// Actuators, sensors, lights, cameras and inertia are not needed for planning: the text does not
+/// have them, so that they can't make MuJoCo refuse a robot when it does not know them or misses a
+/// file. Joints with a range are limited and frames are bodies, as in later versions of MuJoCo, and
+/// attributes of those are left out unless they look misspelt. Box kStandIn is written for meshes
+/// that are missing or faulty.
 /// @throws InputError naming the line if a file is no XML, or includes itself.
 [[nodiscard]] MjcfText mjcf_text(const std::filesystem::path& file, const FaultyMeshes& faulty);
 

@@ -15,12 +15,12 @@ namespace handway::import_moveit {
 /// Names in `scene` of a collision object's shapes, by its id.
 using ObjectNames = std::map<std::string, std::vector<std::string>>;
 
-/// Takes moveit_msgs/AllowedCollisionMatrix to Scene::may_touch. A matrix with names stands for
-/// that of the robot's SRDF: two links that it names may touch if it says so. For a pair that it
-/// does not name the defaults of its bodies decide: one lets it touch if that of the other does not
-/// forbid it. Without either, links that it does not name keep the SRDF's pairs, with a warning
-/// where that makes a difference, and pairs with objects are checked. What is carried may touch its
-/// touch links whatever the matrix says.
+/// Converts moveit_msgs/AllowedCollisionMatrix to Scene::may_touch. A matrix with names replaces
+/// that of the robot's SRDF: two links that it names may touch if the matrix allows it. For a pair
+/// that it does not name the defaults of its bodies decide: one allows contact if that of the other
+/// does not forbid it. Without either, links that it does not name keep the SRDF's pairs, with a
+/// warning if that makes a difference, and pairs with objects are checked. An attached object may
+/// touch its touch links in any case.
 /// @throws InputError if its rows are not as long as its names are many.
 void read_collision_matrix(const geometric::YamlElement& matrix, const ObjectNames& objects,
                            geometric::Scene& scene);

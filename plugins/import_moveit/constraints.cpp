@@ -133,7 +133,7 @@ Eigen::Vector3d target_point(const YamlElement& constraint) {
   return offset ? read_point(*offset) : Eigen::Vector3d::Zero();
 }
 
-// A goal for each primitive of the region. @param base with the orientation, if there is one.
+// A goal for each primitive of the region. @param base with the orientation, if any.
 std::vector<PoseGoal> with_positions(const YamlElement& constraint, const Frames& frames,
                                      const PoseGoal& base, bool has_orientation) {
   std::vector<PoseGoal> goals;

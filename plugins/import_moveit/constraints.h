@@ -27,12 +27,12 @@ namespace handway::import_moveit {
 /// constraints) and the orientation of a link (orientation constraints).
 ///
 /// Tolerances become cones: of one axis of the link, if it may turn about that freely, else of two.
-/// They are the largest that are inside of what the message allows; but about the y axis, where
-/// Euler angles are not what is meant, the cone stands for it. Round regions become the largest
-/// cube inside.
+/// They are the largest within the message's tolerances. Only about the y axis the cone replaces
+/// the tolerance, for Euler angles don't describe what is meant there. Round regions become the
+/// largest cube inside.
 /// @param path moveit_msgs/Constraints. @param model, @param frames as above.
-/// @throws InputError for other constraints and regions, for links that the robot has not or that
-/// no joint moves, for frames that move, and for a link that is free about two axes alone.
+/// @throws InputError for other constraints and regions, for links that the robot lacks or that no
+/// joint moves, for frames that move, and for a link that is free about two axes alone.
 [[nodiscard]] std::vector<geometric::PathConstraint> read_path_constraints(
     const geometric::YamlElement& path, const geometric::RobotModel& model, const Frames& frames);
 

@@ -109,8 +109,8 @@ Configuration with_values(const RobotModel& model, const std::map<std::string, d
   return q;
 }
 
-/// The robot of which only the joints of a planning group move: the others are fixed where
-/// `start` has them. Of its groups "hand" is kept.
+/// The robot of which only the joints of a planning group move: the others are fixed at their
+/// values in `start`. Of its groups "hand" is kept.
 /// @throws InputError if the robot has no such group, or none of its joints moves.
 std::shared_ptr<const RobotModel> group_robot(const RobotModel& model, const YamlElement& group,
                                               const Configuration& start) {

@@ -14,7 +14,7 @@ namespace handway::import_moveit {
 /// Format: http://docs.ros.org/en/noetic/api/moveit_msgs/html/msg/PlanningScene.html;
 /// Chamzas et al., "MotionBenchMaker: a tool to generate and benchmark motion planning
 /// datasets", IEEE RA-L 7(2), 2022, doi:10.1109/LRA.2021.3133603.
-/// @throws InputError naming file, line, element, what was found and expected.
+/// @throws InputError naming file, line, element, the value found and the expected one.
 [[nodiscard]] planning::LoadedScene read_moveit_problem(const ProblemFiles& files);
 
 /// Problems of MoveIt: a planning scene and a motion plan request as YAML files.

@@ -12,8 +12,8 @@
 
 namespace handway::import_moveit {
 
-/// Messages of ROS as YAML, the way `rostopic echo` writes them (maps: `{x: 1, y: 2, z: 3}`)
-/// and the way MotionBenchMaker does (lists: `[1, 2, 3]`).
+/// Messages of ROS as YAML, in the forms of `rostopic echo` (maps: `{x: 1, y: 2, z: 3}`) and of
+/// MotionBenchMaker (lists: `[1, 2, 3]`).
 
 /// Gathers what the readers of messages below have to remark on, on this thread while it lives.
 class Remarks {
@@ -33,14 +33,14 @@ class Remarks {
   Remarks* outer_;
 };
 
-/// Adds to the innermost Remarks of this thread, if there is one.
+/// Adds to the innermost Remarks of this thread, if any.
 void remark(const std::string& kind, const std::string& where);
 
 /// geometry_msgs/Point and Vector3, m. Coordinates that are missing from a map are 0.
 [[nodiscard]] Eigen::Vector3d read_point(const geometric::YamlElement& element);
 
-/// geometry_msgs/Quaternion: x, y, z, w. As in MoveIt, one that was never filled in, of zeros, is
-/// the identity, and others are normalised; remarks tell of both.
+/// Reads geometry_msgs/Quaternion: x, y, z, w. As in MoveIt, an unset one, of zeros, is the
+/// identity, and others are normalised, both with remarks.
 [[nodiscard]] Eigen::Quaterniond read_rotation(const geometric::YamlElement& element);
 
 /// geometry_msgs/Pose: `position` and `orientation`, each of which may be missing.
@@ -65,8 +65,8 @@ struct ProblemFiles {
   std::optional<std::filesystem::path> request;  ///< Empty: a scene without a query.
 };
 
-/// Does the file begin like a moveit_msgs/PlanningScene or MotionPlanRequest, and not like
-/// one of Handway's own? Looks at its first 64 KiB.
+/// Returns whether the file begins like a moveit_msgs/PlanningScene or MotionPlanRequest, and not
+/// like a scene of Handway. Reads its first 64 KiB.
 [[nodiscard]] bool is_moveit_file(const std::filesystem::path& file);
 
 /// The problem that `file`, a scene or a request, belongs to.
@@ -77,14 +77,14 @@ struct ProblemFiles {
 /// `NAME/NAME.urdf`, `robots/NAME.urdf` or `robots/NAME/NAME.urdf` in the problem's folder or one
 /// of the three above it, or a robot that ships. Its SRDF lies beside it.
 /// @param name the element `robot_model_name` of the scene.
-/// @throws InputError if there is none.
+/// @throws InputError if it does not exist.
 [[nodiscard]] std::filesystem::path robot_file(const geometric::YamlElement& name,
                                                const std::filesystem::path& folder);
 
-/// The file of a mesh `resource`: a path, `file://…`, or `package://PACKAGE/…`, which is looked
-/// for, with and without the package's name, in the problem's folder and the three above it, and
-/// where find_package() looks.
-/// @throws InputError if there is none.
+/// The file of a mesh `resource`: a path, `file://…`, or `package://PACKAGE/…`, which is searched,
+/// with and without the package's name, in the problem's folder and the three above it, and in the
+/// places of find_package().
+/// @throws InputError if it does not exist.
 [[nodiscard]] std::filesystem::path mesh_file(const geometric::YamlElement& resource,
                                               const std::filesystem::path& folder);
 

@@ -43,7 +43,7 @@ YAML::Node pose_message(const Pose& X) {
   return pose;
 }
 
-// A shape of which a list is all that is said.
+// A shape that is described by a list of numbers.
 YAML::Node with_list(const char* key, std::span<const double> numbers) {
   YAML::Node shape;
   shape[key] = list_of(numbers);

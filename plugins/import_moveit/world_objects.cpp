@@ -354,7 +354,7 @@ void read_shapes(const YamlElement& object, const char* key, const char* poses, 
   }
 }
 
-// The plane ax + by + cz + d = 0 as a box on that side of it that the robot's base is not on.
+// The plane ax + by + cz + d = 0 as a box on the side opposite to the robot's base.
 // @param X_WF of the frame of its numbers.
 PlacedShape half_space(const YamlElement& plane, const Pose& X_WF, const Reach& reach) {
   const YamlElement list = plane.is_map() ? plane.need("coef") : plane;
@@ -700,7 +700,7 @@ void fix_to(const std::string& id, const Pose& X_NewOld,
   }
 }
 
-// Puts what is carried back into the world; without an id all, or all of one link.
+// Detaches objects into the world; without an id all, or all of one link.
 void detach(const YamlElement& attached, const YamlElement& object, World& world) {
   const std::string id = id_of(object);
   const std::optional<YamlElement> link = attached.find("link_name");

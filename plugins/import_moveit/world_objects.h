@@ -41,11 +41,11 @@ struct Reach {
 [[nodiscard]] std::optional<std::string> frame_name(const geometric::YamlElement& message);
 
 /// Returns the pose in the world of the frame in a message's `header`; "world" if it names none.
-/// @throws InputError if there is no such frame.
+/// @throws InputError if the frame is unknown.
 [[nodiscard]] geometric::Pose frame_of(const geometric::YamlElement& message, const Frames& frames);
 
 /// The `primitives` of a message with their poses, `primitive_poses`, in the message's frame.
-/// @throws InputError naming what is wrong with one.
+/// @throws InputError naming the fault of a primitive.
 [[nodiscard]] std::vector<std::pair<geometric::Shape, geometric::Pose>> read_primitives(
     const geometric::YamlElement& message);
 
@@ -66,10 +66,10 @@ struct World {
 };
 
 /// Adds the collision objects of `message` (moveit_msgs/PlanningSceneWorld): an object of the scene
-/// for each primitive, mesh and plane. Each message is taken by its `operation`, in their order:
+/// for each primitive, mesh and plane. Each message is applied by its `operation`, in their order:
 /// ADD replaces an object of the same id, APPEND gives it more shapes, MOVE moves it, and REMOVE
-/// takes it away, or all if it names none. A plane is the half space that the robot's base is not
-/// in, up to the ends of the reach; if the base is on it, that below. An octomap is one mesh
+/// removes it, or all without an id. A plane is the half space opposite to the robot's base, up to
+/// the ends of the reach; if the base is on it, the one below. An octomap is one mesh
 /// (octomap_mesh()), "<octomap>" for the collision matrix.
 /// @throws InputError for what can't be read.
 void add_world(const geometric::YamlElement& message, World& world);

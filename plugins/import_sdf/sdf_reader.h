@@ -12,11 +12,11 @@ namespace handway::import_sdf {
 /// Reads a robot from an SDF file (http://sdformat.org/spec?ver=1.9) by libsdformat: its model, or
 /// that of a world with the most joints; models in it by their scoped names (`hand::palm`).
 ///
-/// - Joints: fixed, revolute, continuous, prismatic, universal and revolute2 (two turns, JOINT and
-///   JOINT/2), ball (three: JOINT/yaw, /pitch, /roll). Limits beyond ±10⁶ are none: the joint is
-///   continuous, or slides ±2 m. A joint whose frame is not its child's carries the link
-///   JOINT/frame, to which the child is fixed. What is joined to the world is the root, or its
-///   child.
+/// - Joints: fixed, revolute, continuous, prismatic, universal and revolute2 (two rotations,
+///   JOINT and JOINT/2), ball (three: JOINT/yaw, /pitch, /roll). Limits beyond ±10⁶ are ignored:
+///   the joint is continuous, or slides ±2 m. A joint whose frame is not its child's carries the
+///   link JOINT/frame, to which the child is fixed. The link joined to the world is the root, or
+///   its child.
 /// - Geometries: box, capsule, cylinder, ellipsoid, mesh, sphere; others are left out. Mesh files:
 ///   relative to the SDF file, `file://`, or `model://NAME/…` and `package://NAME/…`, see
 ///   geometric::find_package(); $GZ_SIM_RESOURCE_PATH and $GAZEBO_MODEL_PATH are looked through,

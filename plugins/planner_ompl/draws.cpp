@@ -16,7 +16,7 @@ namespace {
 namespace ob = ompl::base;
 using ob::State;
 
-// Draws for a valid state between two looks at clock and sample budget.
+// Samples for a valid state between two checks of clock and sample budget.
 constexpr unsigned int kValidStateAttempts = 5;
 // More failures than a basis has directions: the hand is drawn from all of them.
 constexpr int kAllAxes = 1000;

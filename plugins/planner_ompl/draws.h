@@ -16,9 +16,9 @@ namespace handway::planner_ompl {
 /// The random numbers of one run: where their seeds come from, and how many samples
 /// were drawn with them.
 ///
-/// OMPL seeds every generator from a generator of the whole program. Two runs would
-/// differ by what ran before them; so samplers are seeded from here instead, and
-/// whoever makes OMPL's other generators first calls seed_ompl.
+/// OMPL seeds every generator from a generator of the whole program, so that two runs would differ
+/// by what ran before them. So samplers are seeded from here instead; code that makes OMPL's other
+/// generators calls seed_ompl first.
 class Draws {
  public:
   /// @param context, region must outlive this object.
@@ -61,8 +61,8 @@ void draw_states(const StateMap& map, Draws& draws);
 /// must outlive it.
 void draw_valid_states(ompl::base::SpaceInformation& information);
 
-/// The problem's goal. To draw it counts as a sample, so that a planner that does
-/// nothing else comes to its end too. `draws` must outlive it.
+/// The problem's goal. Drawing it counts as a sample, so that a planner that only does this ends
+/// too. `draws` must outlive it.
 [[nodiscard]] std::shared_ptr<ompl::base::GoalState> make_goal(
     const ompl::base::SpaceInformationPtr& information, Draws& draws);
 

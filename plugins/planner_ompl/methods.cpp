@@ -205,7 +205,7 @@ void SequentialPrm::build_until(const PlannerTerminationCondition& done) {
   }
 }
 
-// Who waits for a first solution hears of it.
+// Announces the first solution.
 ompl::base::PathPtr SequentialPrm::announced_path() {
   ompl::base::PathPtr path = constructSolution(startM_.front(), goalM_.front());
   if (const auto& callback = pdef_->getIntermediateSolutionCallback()) {
@@ -239,8 +239,8 @@ void SequentialPrm::getPlannerData(PlannerData& data) const {
   }
 }
 
-// Until it knows its range OMPL takes 0 for the longest edge, and keeps to it when asked
-// the number of neighbours.
+// Until it knows its range OMPL takes 0 for the longest edge, and still uses that when the number
+// of neighbours is set.
 CheckedLazyPrm::CheckedLazyPrm(const ompl::base::SpaceInformationPtr& information)
     : LazyPRM(information, false) {
   setRange(information->getMaximumExtent());

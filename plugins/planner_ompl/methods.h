@@ -12,7 +12,7 @@ namespace handway::planner_ompl {
 
 /// A parameter of an OMPL planner that is offered as a setting.
 struct MethodSetting {
-  std::string key;  ///< In OMPL's ParamSet and in Handway alike.
+  std::string key;  ///< Key in OMPL's ParamSet and in Handway.
   std::string label;
   std::string help;
   std::variant<int, double> initial;
@@ -22,7 +22,7 @@ struct MethodSetting {
 
 /// Properties of a planner: whether it improves paths, and which edges it shows.
 struct MethodTraits {
-  bool improves = false;  ///< Can go on to a shorter path once it has one.
+  bool improves = false;  ///< Can shorten a path once it has one.
   bool guesses = false;   ///< Has edges that it has not checked.
 };
 
@@ -38,9 +38,9 @@ struct Method {
 
 [[nodiscard]] const std::vector<Method>& methods();
 
-/// OMPL's PRM on one thread. OMPL's own looks for a path on a second thread and grows
-/// and expands the roadmap by the clock, so that no run is like another; here it does
-/// both by the count of milestones and looks for the path after every one.
+/// OMPL's PRM on one thread. OMPL's own looks for a path on a second thread and grows and expands
+/// the roadmap by the clock, so that no two runs are equal; this one does both by the count of
+/// milestones and looks for the path after every one.
 class SequentialPrm final : public ompl::geometric::PRM {
  public:
   explicit SequentialPrm(const ompl::base::SpaceInformationPtr& information);
@@ -56,8 +56,8 @@ class SequentialPrm final : public ompl::geometric::PRM {
   [[nodiscard]] ompl::base::PathPtr announced_path();
 };
 
-/// OMPL's LazyPRM with edges of any length. Of its roadmap is shown what was found free;
-/// the rest is guesses.
+/// OMPL's LazyPRM with edges of any length. Only the part of its roadmap that was found free is
+/// shown.
 class CheckedLazyPrm final : public ompl::geometric::LazyPRM {
  public:
   explicit CheckedLazyPrm(const ompl::base::SpaceInformationPtr& information);

@@ -49,8 +49,8 @@ bool MotionCheck::checkMotion(const State* from, const State* to) const {
   return free;
 }
 
-// The state at a share of the way is what OMPL's own interpolation makes of it: the
-// planner keeps that state as a node.
+// OMPL's own interpolation gives the state at a share of the motion: the planner stores that state
+// as a node.
 double MotionCheck::free_share(const State* from, const State* to) const {
   constexpr int kHalvings = 5;  // to 1/32 of the motion
   const Configuration begin = map_.read(from);

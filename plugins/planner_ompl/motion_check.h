@@ -28,9 +28,9 @@ class StateCheck final : public ompl::base::StateValidityChecker {
   const StateMap& map_;
 };
 
-/// OMPL's question whether a motion is valid, answered for the whole motion and not
-/// for samples of it (geometric::ContinuousCollisionChecker). As OMPL asks, the first state is
-/// taken to be valid and the second is checked. Once the run has to end every answer is no.
+/// OMPL's motion validator for the whole motion instead of samples of it
+/// (geometric::ContinuousCollisionChecker). As OMPL requires, the first state is assumed to be
+/// valid and the second is checked. Once the run has to end, every motion is invalid.
 class MotionCheck final : public ompl::base::MotionValidator {
  public:
   /// `context` and `map` must outlive this object.

@@ -99,7 +99,7 @@ class OmplPlanner final : public planning::Planner {
 };
 
 /// Adds two planners for each of methods(), "ompl-KEY" and "ompl-pmd-KEY", to `registry`, and sends
-/// what OMPL has to say to the log at level "debug".
+/// OMPL's messages to the log at level "debug".
 void register_planners(planning::PlannerRegistry& registry);
 
 }  // namespace handway::planner_ompl

@@ -21,7 +21,7 @@ Eigen::VectorXd within_period(const geometric::Periods& periods, Eigen::VectorXd
   return x;
 }
 
-/// Informed samplers take the space's default sampler, whatever it was asked to make. Periodic
+/// Informed samplers take the space's default sampler, not the one that was set. Periodic
 /// coordinates are in [0, 1], of which the ends are one place.
 class SampledSpace final : public ompl::base::RealVectorStateSpace {
  public:

@@ -24,8 +24,8 @@ class StateMap {
   /// Writes the coordinates of `q`, moved into the space's box.
   void write(const planning::Configuration& q, ompl::base::State* state) const;
 
-  /// The configuration at `state`, within limits. What was written for the problem's
-  /// start or goal is read as that very configuration, to the bit.
+  /// The configuration at `state`, within limits. States of the problem's start or goal give
+  /// bitwise those configurations.
   [[nodiscard]] planning::Configuration read(const ompl::base::State* state) const;
 
  private:

@@ -115,8 +115,8 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-// The text of an STL file whose words are in capital letters, in small ones: assimp reads no
-// others. Nothing for other files.
+// Returns the text of an STL file with keywords in capital letters in small ones, which assimp
+// requires. Nothing for other files.
 std::optional<std::string> stl_in_small_letters(const std::filesystem::path& file) {
   constexpr std::size_t kHead = 5;
   std::ifstream stream(file, std::ios::binary);

@@ -96,8 +96,8 @@ class CoinMessages {
   throw Refusal(source, found, kExpectedInventor, "");
 }
 
-/// Reads as SoInput does, but takes files that others include in other letters, too, where there is
-/// none of the letters written.
+/// Reads as SoInput does, but finds included files with differences in case, too, if the exact name
+/// is missing.
 class LenientInput final : public SoInput {
  public:
   SbBool pushFile(const char* name) override { return SoInput::pushFile(found(name).c_str()); }

@@ -1,5 +1,5 @@
 /// Reads meshes of third-party formats for Handway's libraries, each file in a process of its own
-/// (handway/geometric/io/mesh_stream.h). Nothing for people to start.
+/// (handway/geometric/io/mesh_stream.h). Users don't start it.
 #include "handway/geometric/formats/mesh_stream.h"
 #include "readers.h"
 
@@ -41,7 +41,7 @@ struct Order {
   int reply = -1;  ///< Descriptor to write to.
 };
 
-// Waits for the next one. Nothing if the library has gone.
+// Waits for the next one. Nothing if the library has closed the socket.
 std::optional<Order> next_order() {
   Order order;
   std::array<char, geometric::kLongestMeshPath> path{};

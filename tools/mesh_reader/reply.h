@@ -53,7 +53,7 @@ class Mesh {
       0.0;  ///< Coordinate that was handled in single precision, as add_vertex() has it.
   std::string warnings;  ///< One a line.
 
-  /// Writes the reply whole. @returns false if nobody wants it.
+  /// Writes the whole reply. @returns false if the pipe is closed.
   [[nodiscard]] bool send(int descriptor) const;
 
  private:
