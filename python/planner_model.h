@@ -67,8 +67,8 @@ class PlannerModel {
 /// @throws InputError naming the planners there are.
 [[nodiscard]] std::unique_ptr<PlannerModel> make_planner(const std::string& name);
 
-/// The planner that the scene asks for with the scene's settings, or that called `name`, with the
-/// scene's settings if they are meant for it. @throws InputError if the scene's settings are none.
+/// The planner that the scene requests with its settings, or that called `name`, with the scene's
+/// settings if they are meant for it. @throws InputError if the scene's settings are invalid.
 [[nodiscard]] std::unique_ptr<PlannerModel> make_scene_planner(const SceneModel& scene,
                                                                const std::string& name);
 

@@ -97,7 +97,7 @@ std::vector<double> range_values(const YamlElement& range) {
   return values;
 }
 
-// Rounded to six digits: what a person would write.
+// Formats a value with six digits.
 std::string range_text(const Parameter& parameter, double value) {
   if (std::holds_alternative<int>(parameter.value)) {
     return fmt::format("{:.0f}", std::round(value));
@@ -135,7 +135,7 @@ std::vector<std::string> parameter_values(const YamlElement& element, const Para
   return values;
 }
 
-// File that a problem's name stands for, or the reason why there is none.
+// File that a problem's name stands for, or the reason why it is missing.
 struct Found {
   fs::path file;
   std::string fault;

@@ -27,7 +27,7 @@ struct MotionValidator::Worker {
     edges.stop_when(is_interrupted);
   }
 
-  /// A pair that touches, or does not keep the margin. @param hint a pair to look at first.
+  /// A pair that touches, or does not keep the margin. @param hint a pair to test first.
   std::optional<int> conflict(const Configuration& q, std::optional<int> hint = std::nullopt) {
     const std::optional<int> touching =
         hint ? checker->first_collision(q, *hint) : checker->first_collision(q);
@@ -38,7 +38,7 @@ struct MotionValidator::Worker {
   geometric::ContinuousCollisionChecker edges;
 };
 
-/// One for each thread that asks; a single one where the run has one thread, whichever that is.
+/// Workers, one for each calling thread; a single one if the run has one thread.
 struct MotionValidator::Workers {
   Workers(bool shares_one, const std::function<Worker()>& make) : all(make) {
     if (shares_one) {
@@ -228,7 +228,7 @@ std::optional<int> MotionValidator::edge_probe(const Configuration& from, const 
                                                int count) {
   ++statistics_.edges_tested;
   Worker& worker = workers_->own();
-  // Halves, then quarters, …: the sooner an obstacle is met, the fewer are looked at.
+  // Tests halves, then quarters, …: an obstacle is found early, after few samples.
   for (int parts = 2; parts / 2 <= count; parts *= 2) {
     for (int i = 1; i < parts; i += 2) {
       ++statistics_.edge_checks;

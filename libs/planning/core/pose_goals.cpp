@@ -53,7 +53,7 @@ double excess(const PoseGoal& goal, const PoseGoalMiss& miss) {
          kWeight * beyond(miss.rotation, goal.rotation_tolerance);
 }
 
-/// Looks for configurations at goal poses, and notes what is wrong with those that it refuses.
+/// Searches configurations at goal poses, and records the faults of refused ones.
 class GoalPoseSearch {
  public:
   GoalPoseSearch(const Scene& scene, const geometric::CollisionChecker& checker,
@@ -213,7 +213,7 @@ class GoalPoseSearch {
   std::map<int, int> refusals_;             ///< By pair.
   int refused_ = 0;
   int last_pair_ = 0;
-  /// Leave configurations where they are found: drawn near the reference they come to be alike, and
+  /// Keeps configurations where they are found: sampled near the reference they become similar, and
   /// the robot is in collision in all of them or in none.
   bool spread_ = false;
 };

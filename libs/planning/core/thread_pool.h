@@ -16,7 +16,7 @@ class ThreadPool {
   [[nodiscard]] int size() const { return threads_; }
 
   /// Calls `work(i)` for `first` ≤ i < `last`, in any order on all threads; one after the other
-  /// where there is one thread, or one call.
+  /// with a single thread or call.
   template <typename Work>
   void run(int first, int last, const Work& work) {
     if (threads_ > 1 && last - first > 1) {

@@ -59,8 +59,8 @@ std::vector<fs::path> libraries_in(const fs::path& directory) {
   return files;
 }
 
-// A plugin may do whatever the program may: nobody else may have put it there.
-// @throws std::runtime_error saying who could have.
+// Checks that only trusted users could write the file: a plugin may do whatever the program may.
+// @throws std::runtime_error naming the other users.
 void need_trusted(const fs::path& path) {
   struct stat state {};
   if (::stat(path.c_str(), &state) != 0) {
@@ -78,7 +78,7 @@ void need_trusted(const fs::path& path) {
   }
 }
 
-// The library's Plugin. @throws std::runtime_error saying why there is none.
+// The library's Plugin. @throws std::runtime_error with the reason if it has none.
 const Plugin& open_plugin(const fs::path& file) {
   shared_library library;
   try {

@@ -61,7 +61,7 @@ class JointColumns {
     links_.insert(links_.end(), static_cast<std::size_t>(times), link);
   }
 
-  /// A joint that moves on its own, and its number of columns where that isn't 1, nor 0 at rest.
+  /// Returns an independent joint with its number of columns if that isn't 1, nor 0 at rest.
   [[nodiscard]] std::optional<std::pair<std::string, std::ptrdiff_t>> miscounted() const {
     for (int v = 0; v < model_.variable_count(); ++v) {
       const auto count = std::ranges::count(links_, model_.variable_link(v));

@@ -40,7 +40,7 @@ class BuiltInPlanner : public Planner {
 /// configurations, so that the winner is the same for any number of threads. The path is then
 /// optimised.
 ///
-/// With a basis hand postures are sampled in the PMD subspace; without one every joint on its own.
+/// Samples hand postures in the PMD subspace of the basis; without a basis every joint separately.
 [[nodiscard]] std::unique_ptr<Planner> make_auto_planner();
 inline constexpr const char* kAutoPlanner = "auto";  ///< Its name.
 

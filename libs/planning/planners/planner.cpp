@@ -202,9 +202,9 @@ std::string command(Planner& planner, const PlanRequest& request) {
   return text + "\n";
 }
 
-// Keeps the problem for whoever looks for a fault, if $HANDWAY_LOG_PROBLEMS names a folder: in a
-// folder of its own there, the scene with the problem's ends, the hand's basis and the command
-// that plans it again. What can't be written is a warning in the program's log.
+// Stores the problem for debugging, if $HANDWAY_LOG_PROBLEMS names a folder: in a folder of its own
+// there, the scene with the problem's ends, the hand's basis and the command that plans it again. A
+// failure to write is a warning in the program's log.
 void log_problem(Planner& planner, const PlanningProblem& problem, const PlanRequest& request) {
   const char* folder = std::getenv("HANDWAY_LOG_PROBLEMS");
   if (folder == nullptr || *folder == '\0') {

@@ -45,7 +45,7 @@ class LazySearch final : public Search {
   }
 
  protected:
-  // One draw, or one look at the shortest nodes.
+  // One sample, or one check of the shortest nodes.
   [[nodiscard]] std::optional<PlanStatus> step() override {
     if (nodes_wanted_ > 0) {
       if (sample_ >= settings_.max_samples) {
@@ -138,7 +138,8 @@ class LazySearch final : public Search {
   const PmdLazySettings& settings_;
   TargetSampler targets_;
   const CorridorSpace& space_;
-  Roadmap<Certainty> roadmap_{space_.periods()};  ///< Its edges are taken as free until looked at.
+  Roadmap<Certainty> roadmap_{space_.periods()};  ///< Its edges are assumed to be free until
+                                                  ///< checked.
   int sample_ = 0;
   int failures_ = 0;      ///< Draws since one was free.
   int nodes_wanted_ = 0;  ///< Before the next look for a nodes.

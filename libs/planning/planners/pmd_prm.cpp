@@ -152,9 +152,9 @@ class RoadmapSearch {
       context_.observer().on_search_range(range.first, range.second);
       tell({.line = lines::kSearchRange, .position = range.first, .range_end = range.second});
     }
-    // Hypercubes of a wide corridor stand far apart. Where none stands in the
-    // range any more, its middle is explored: else passes would add to the first
-    // hypercube alone, for ever.
+    // Hypercubes of a wide corridor are far apart. If the range has none any more, its
+    // middle is explored: else passes would add to the first hypercube alone, for
+    // ever.
     if (settings_.fill_gaps && std::ceil(range.first * max_steps) > range.second * max_steps) {
       return explore_hypercube(0.5 * (range.first + range.second), rho);
     }
@@ -358,7 +358,7 @@ class RoadmapSearch {
   }
 
   PlanningContext& context_;
-  AlgorithmObserver* watcher_;  ///< Null: nobody wants to know them.
+  AlgorithmObserver* watcher_;  ///< Observer of the algorithm; or null.
   const PmdPrmSettings& settings_;
   double largest_rho_;
   bool each_trial_counts_;
@@ -369,8 +369,8 @@ class RoadmapSearch {
   std::unique_ptr<sampling::Sampler> arm_points_;
   std::unique_ptr<sampling::Sampler> hand_points_;
   std::pair<double, double> hypercube_;  ///< Step and half side, of the one that is explored.
-  Configuration arm_;                    ///< That hand postures are drawn for.
-  int hand_axes_ = 0;                    ///< That they are drawn from.
+  Configuration arm_;                    ///< Arm of the hand postures being sampled.
+  int hand_axes_ = 0;                    ///< Number of their axes.
   std::uint64_t arm_draw_count_ = 0;
   std::uint64_t hand_draw_count_ = 2;  ///< Begins as numSamples does.
   Roadmap<> roadmap_{joints_->periods()};

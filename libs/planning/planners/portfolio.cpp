@@ -20,8 +20,8 @@ constexpr int kLongestRounds = 12;           // from this round on they grow no 
 
 /// A member and what it has done.
 struct Portfolio::Run {
-  /// Tells `observer` what was found since the last time. Node n gets the number `stride` * n +
-  /// `index`, so that several searches' nodes differ.
+  /// Reports the new nodes and edges to `observer`. Node n gets the number `stride` * n + `index`,
+  /// so that several searches' nodes differ.
   void publish(Observer& observer, int stride) {
     const RecordedRoadmap& all = found.roadmap();
     for (; nodes_published < std::ssize(all.nodes); ++nodes_published) {

@@ -74,8 +74,8 @@ BidirectionalSearch::Growth BidirectionalSearch::extension(int tree) {
   return {from, std::move(target)};
 }
 
-// From a node of which few expansions were tried, the newest of such (EST): so trees go on where
-// they have just come through, and leave a tight place however few of the targets are beyond it.
+// Expands a node with few attempts, the newest of them (EST): so trees continue where they have
+// just come through, and leave a narrow passage however few targets are beyond it.
 BidirectionalSearch::Growth BidirectionalSearch::expansion(int tree, sampling::RandomStream draw) {
   expansions_.resize(static_cast<std::size_t>(trees_.size()));
   const auto tried = [&](int node) -> int& { return expansions_[static_cast<std::size_t>(node)]; };
@@ -138,7 +138,7 @@ bool BidirectionalSearch::passable(const Configuration& from, const Configuratio
                : context().validator().edge_free(from, to);
 }
 
-// An edge that takes more is as good as closed as long as there may be a wider passage.
+// An edge that needs more checks counts as blocked as long as a wider passage may exist.
 std::uint64_t BidirectionalSearch::edge_checks() const {
   return lazy_ ? std::min(kMostEdgeChecks,
                           kEdgeChecks + kMoreEdgeChecks * static_cast<std::uint64_t>(sample_))
@@ -162,8 +162,8 @@ bool BidirectionalSearch::connect(int reached, const TargetSampler::Target& targ
   return false;
 }
 
-// Settles what is uncertain of a connection, longest edges first: those fail most and cost least
-// then.
+// Checks the uncertain edges of a connection, longest first: those fail most
+// often.
 bool BidirectionalSearch::verify(TreePair::Connection connection) {
   std::vector<Configuration> q;
   for (const int node : connection.nodes) {

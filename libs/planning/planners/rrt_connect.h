@@ -23,7 +23,7 @@ struct RrtConnectSettings {
   TargetRegion region = {};    ///< PMDs only.
 };
 
-/// There are no regions to find short paths in.
+/// Settings without regions of short paths.
 inline const RrtConnectSettings kSettingsOverAllJoints{.range = 0.2, .refinements = 2};
 
 /// Two trees that grow towards random samples and towards each other. Over all

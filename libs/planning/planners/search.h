@@ -15,8 +15,8 @@ struct SearchBudget {
   std::uint64_t samples = std::numeric_limits<std::uint64_t>::max();  ///< Draws.
 };
 
-/// A planner's search, which can pause and go on: what it finds does not depend
-/// on where it paused.
+/// A planner's search, which can pause and continue: its results do not depend on the
+/// pauses.
 class Search {
  public:
   explicit Search(PlanningContext& context) : context_(context) {}
@@ -24,8 +24,8 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  /// Goes on until `budget` is spent beyond what was spent before; the step that
-  /// spends the last of it is finished. Looks at interruptions between steps.
+  /// Continues until `budget` more is spent; the step that spends the last of it is finished.
+  /// Checks for interruptions between steps.
   /// @returns how the search ended; nothing: it paused.
   [[nodiscard]] std::optional<PlanStatus> advance(const SearchBudget& budget) {
     const PlanStatistics& now = statistics();

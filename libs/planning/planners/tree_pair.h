@@ -14,8 +14,8 @@ namespace handway::planning {
 /// the goal (tree 1, rooted at node 1), over one set of nodes. Distances are
 /// those of a StateSpace.
 ///
-/// Edges may be uncertain. When one of a connection through both trees turns out not to
-/// be free, what it carried goes over to the other tree, and no node is lost.
+/// Edges may be uncertain. When one of a connection through both trees turns out not to be free,
+/// the subtree behind it moves to the other tree, and no node is lost.
 ///
 /// Source: Sánchez, Latombe, "A single-query bi-directional probabilistic roadmap
 /// planner with lazy collision checking", ISRR 2001, section 3.4.

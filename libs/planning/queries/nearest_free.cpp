@@ -60,7 +60,7 @@ class NearestFreeSearch {
   }
 
  private:
-  /// Within the limits of what moves.
+  /// Clamps the moving variables to their limits.
   [[nodiscard]] Configuration clamped(const Configuration& q) const {
     const Configuration inside = model_.clamped(q);
     Configuration clamped = q;
@@ -86,7 +86,7 @@ class NearestFreeSearch {
     return keeps_end_clearance(*checker_, q, clearance_);
   }
 
-  /// Takes `q`, brought within limits, if it is free and nearer than what there is.
+  /// Takes `q`, clamped to limits, if it is free and nearer than the result so far.
   bool offer(const Configuration& q) {
     Configuration candidate = clamped(q);
     if ((best_ && distance(candidate) >= distance(*best_) - 1e-12) || !is_free(candidate)) {

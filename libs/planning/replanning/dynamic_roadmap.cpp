@@ -70,7 +70,7 @@ struct ValidityState {
 
   int free_at = kNever;     ///< Found free in this revision of the scene.
   int refused_at = kNever;  ///< Found not to be free in this one, …
-  std::string refused_by;   ///< … because of this object; empty: because of what never changes.
+  std::string refused_by;   ///< … because of this object; empty: a fixed conflict.
 
   [[nodiscard]] bool was_free() const { return free_at != kNever; }
 
@@ -89,7 +89,7 @@ class RoadmapGraph : public Roadmap<ValidityState> {
   explicit RoadmapGraph(std::shared_ptr<const geometric::RobotModel> model)
       : Roadmap(geometric::normalised_turns(*model)), model_(std::move(model)) {}
 
-  /// The node at `q`, or whole turns from it, added if there is none, with edges to its nearest.
+  /// Returns the node at `q`, or whole turns from it, added if needed, with edges to its nearest.
   int node_at(const Configuration& q) {
     constexpr int kJoined = 8;  // nearest nodes that a new one gets an edge to
     constexpr double kAnywhere = std::numeric_limits<double>::infinity();
@@ -112,7 +112,7 @@ class RoadmapGraph : public Roadmap<ValidityState> {
     kOnceFree,  ///< Edges found free before.
     kAny,       ///< Others too, as if they were much longer.
   };
-  /// The shortest path over what is not refused, by A*; empty if there is none.
+  /// The shortest path without refused parts, by A*; empty if it does not exist.
   [[nodiscard]] std::vector<int> shortest_path(int from, int to, Edges edges,
                                                const SceneChanges& changes) const {
     constexpr double kUnknownCost = 10.0;  // of an edge never checked: most are refused
@@ -134,8 +134,8 @@ class RoadmapGraph : public Roadmap<ValidityState> {
   std::shared_ptr<const geometric::RobotModel> model_;
 };
 
-/// Finds out whether paths over a roadmap are free, asking no more than what is not known, and
-/// remembers the answers.
+/// Checks whether paths over a roadmap are free, testing only unknown parts, and caches the
+/// results.
 class LazyPathValidator {
  public:
   /// All must outlive this object.
@@ -143,7 +143,7 @@ class LazyPathValidator {
       : context_(context), graph_(graph), changes_(changes) {}
 
   /// The shortest free path. @param checks gives up once so many configurations are spent.
-  /// @returns nodes from `from` to `to`; nothing if there is none, or when interrupted.
+  /// @returns nodes from `from` to `to`; nothing without a path, or when interrupted.
   [[nodiscard]] std::optional<std::vector<int>> shortest_path(int from, int to,
                                                               RoadmapGraph::Edges edges,
                                                               std::uint64_t checks) {
@@ -297,7 +297,7 @@ Configuration before_obstruction(PlanningContext& context, const Configuration& 
 
 }  // namespace
 
-/// Plans with what the queries before have left.
+/// Plans with the results of earlier queries.
 struct DynamicRoadmap::Replanner final : public Planner {
   Replanner(PlanningProblem first, std::unique_ptr<Planner> from_scratch, int most_nodes)
       : problem(std::move(first)),
@@ -412,7 +412,7 @@ struct DynamicRoadmap::Replanner final : public Planner {
     return path;
   }
 
-  // Start, what is free of the last path's inner waypoints, goal.
+  // Start, free inner waypoints of the last path, goal.
   std::vector<int> free_waypoints(LazyPathValidator& validator) {
     const int start = graph->node_at(problem.start);
     const int goal = graph->node_at(problem.goal);
@@ -499,7 +499,7 @@ struct DynamicRoadmap::Replanner final : public Planner {
   SceneChanges changes;
   Path last_path;                                             ///< Empty: none was found yet.
   ReplanSource source = ReplanSource::kNone;                  ///< Source of the last query's path.
-  std::shared_ptr<const geometric::Scene> changed = nullptr;  ///< That the problem is not of yet.
+  std::shared_ptr<const geometric::Scene> changed = nullptr;  ///< Next scene, or null.
   SearchRecorder* recorder = nullptr;                         ///< Recorder of the present query.
 };
 

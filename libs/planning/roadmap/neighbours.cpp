@@ -22,7 +22,7 @@ struct Columns {
   const Eigen::MatrixXd* points;
   Offset first;
   Offset count;
-  mutable Offset seen = 0;  ///< Points whose distance was asked for.
+  mutable Offset seen = 0;  ///< Points whose distance was computed.
 
   [[nodiscard]] std::size_t kdtree_get_point_count() const {
     return static_cast<std::size_t>(count);

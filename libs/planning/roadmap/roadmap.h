@@ -21,7 +21,7 @@ namespace handway::planning {
 ///
 /// Distances are Euclidean in the coordinates given with each node: joints
 /// normalised to [0, 1] (paper, section 7).
-/// @tparam Data what is known of a node or an edge.
+/// @tparam Data data of a node or an edge.
 template <typename Data = std::monostate>
 class Roadmap {
  public:
@@ -72,7 +72,7 @@ class Roadmap {
     return nodes;
   }
 
-  /// FINDPATH's search: the shortest path by A*, both ends included; empty if there is none.
+  /// FINDPATH's search: the shortest path by A*, both ends included; empty without a path.
   [[nodiscard]] std::vector<int> shortest_path(int from, int to) const {
     return shortest_path(from, to, [](double length, auto&&...) { return length; });
   }

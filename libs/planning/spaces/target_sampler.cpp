@@ -8,8 +8,8 @@
 namespace handway::planning {
 namespace {
 
-// Radii of the balls around start and goal: what is a move of a finger's width
-// and what takes the hand out of any grasp.
+// Radii of the balls around start and goal: from a move of a finger's width to one that takes the
+// hand out of any grasp.
 constexpr double kSmallestBall = 0.005;
 constexpr double kSmallestExpansion = 0.02;
 constexpr double kLargestBall = 0.3;
@@ -116,7 +116,7 @@ TargetSampler::Target TargetSampler::in_corridor(const Eigen::VectorXd& u) const
   return target;
 }
 
-// In half of the draws the hand keeps its posture: it holds on to what is between its fingers.
+// In half of the samples the hand keeps its posture, as if it held an object.
 TargetSampler::Target TargetSampler::near_end(const Eigen::VectorXd& u) const {
   const double rho = length_from(kSmallestBall, u[1]);
   const bool hand_moves = u[2] < 0.5;

@@ -39,14 +39,14 @@ struct Edge {
   double offset = 0.0;  ///< rad or m: what these can be off the line.
 };
 
-// Lets `edge` go on to a waypoint if that is straight ahead, and all that is passed stays on the
+// Extends `edge` to a waypoint if that is straight ahead, and all passed waypoints stay on the
 // line.
 bool prolong(const Path& path, std::size_t waypoint, Edge& edge) {
   const Configuration& corner = path.waypoints[edge.end];
   const Configuration& to = path.waypoints[waypoint];
   const double length = (to - edge.from).norm();
   const Configuration direction = (to - edge.from) / std::max(length, kSamePlace);
-  // Turning the line about its beginning moves what is farther along by more.
+  // Turning the line about its beginning moves farther points by more.
   const Configuration to_corner = corner - edge.from;
   const double offset = edge.offset + (to_corner - to_corner.dot(direction) * direction).norm();
   if (!(offset <= kSameLine) || length < edge.length + 0.5 * (to - corner).norm()) {
@@ -241,8 +241,9 @@ double advance_in(double rest, double spare, double rate) {
   return rate * rest <= spare ? rest : spare / rate;
 }
 
-/// Conservative advancement: from a configuration with some clearance the arc is followed as far
-/// as no pair can have come closer than the arcs' clearance, and no constraint be violated.
+/// Checks an arc by conservative advancement: from a configuration with some clearance it is
+/// followed as far as no pair can have come closer than the arcs' clearance, and no constraint be
+/// violated.
 bool is_free(const PathPiece& arc, const geometric::MotionBound& motion,
              geometric::CollisionChecker& checker, const BlendOptions& options) {
   const double clearance = options.arc_clearance;
@@ -294,7 +295,7 @@ BlendResult certified_blends(const PlanningProblem& problem, const Path& path,
   std::vector<bool> certain(path.waypoints.size(), false);
   std::vector<bool> smaller(path.waypoints.size(), false);
   BlendedPath blended(path, deviations, options.shape);
-  // An arc depends on its own deviation alone: what is free once stays free.
+  // An arc depends on its own deviation alone: free arcs stay free.
   for (bool changed = true; changed;) {
     changed = false;
     for (const PathPiece& piece : blended.pieces()) {

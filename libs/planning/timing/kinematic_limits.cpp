@@ -37,7 +37,7 @@ RatesByJoint rates_of(const RobotModel& model) {
   return rates;
 }
 
-// Puts defaults where there is no limit, and notes it.
+// Sets defaults for missing limits, and records them.
 void assume(const RobotModel& model, Rate rate, const Eigen::VectorXd& defaults,
             Eigen::VectorXd& limits, std::vector<AssumedLimit>& assumed) {
   for (int v = 0; v < model.variable_count(); ++v) {

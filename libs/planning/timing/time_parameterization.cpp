@@ -84,7 +84,7 @@ struct Range {
   }
 };
 
-/// The largest number for which `is_low` was seen to hold and the smallest for which it was not,
+/// The largest number found for which `is_low` holds and the smallest for which it does not,
 /// between `low`, for which it holds, and `high`.
 template <typename Predicate>
 std::pair<double, double> bisect(double low, double high, const Predicate& is_low) {
@@ -156,7 +156,7 @@ struct Shares {
   }
 };
 
-/// Asks how near motions along one piece come to the limits.
+/// Evaluates how near motions along one piece come to the limits.
 class PieceShares {
  public:
   PieceShares(const PathPiece& piece, const JointKinematicLimits& limits)
@@ -309,7 +309,7 @@ TimeParameterization align_stops(const TimeParameterization& law, double period)
     const double rounded = period * std::max(1.0, std::ceil(section.duration() / period - 1e-9));
     stretch(section.knots, rounded / section.duration());
     append(section, aligned);
-    // Multiples of the period exactly, free of what rounding adds up.
+    // Exact multiples of the period, without accumulated rounding.
     aligned.knots.back().time = period * std::round(aligned.duration() / period);
   }
   return aligned;
@@ -322,7 +322,7 @@ namespace {
 constexpr std::array kAccelerations{1.0, 0.7, 0.5, 0.3};
 constexpr std::array kJerks{1.0, 0.5, 0.2};
 constexpr std::array kWindows{0.02, 0.04, 0.07, 0.11, 0.16, 0.23, 0.32, 0.44, 0.6, 0.8, 1.0};
-// For what is between the samples, of a limit.
+// Margin of a limit for motion between the samples.
 constexpr double kMargin = 1.002;
 // Knots of a section, above which not every window is tried.
 constexpr std::size_t kLongSection = 6000;

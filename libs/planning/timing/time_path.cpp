@@ -97,7 +97,7 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
 constexpr double kErrorDecay = 0.05;  // s, time constant of the error after a joint has moved
 constexpr double kLookStep = 1e-4;    // m, that a point of the robot moves between two looks
 
-/// Compares the clearance along the trajectory with what following errors and the margin need.
+/// Compares the clearance along the trajectory with following errors and the margin.
 void check_safety(const PlanningProblem& problem, const Trajectory& trajectory,
                   const TimingOptions& options, PreflightReport& report) {
   const geometric::RobotModel& model = problem.model();

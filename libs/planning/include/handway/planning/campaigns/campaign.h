@@ -55,8 +55,8 @@ struct HANDWAY_PLANNING_EXPORT Campaign {
   [[nodiscard]] std::size_t run_count() const {
     return problems.size() * planners.size() * seeds.size();
   }
-  /// All runs: for each seed every problem, for each problem every planner, so that a
-  /// campaign that is cut short has run all of them about equally often.
+  /// All runs: for each seed every problem, for each problem every planner, so that an interrupted
+  /// campaign has run all of them about equally often.
   [[nodiscard]] std::vector<RunSpec> runs() const;
 };
 
@@ -93,8 +93,8 @@ struct RunRecord : PlanStatistics {
 /// of values becomes a CampaignPlanner of its own, and so does each value under `vary`;
 /// two that come to the same parameters become one.
 ///
-/// @throws InputError naming file, line and element of what is wrong, planners, parameters
-/// and their ranges included. The problems themselves are not opened.
+/// @throws InputError naming file, line and element of the error, planners, parameters and their
+/// ranges included. The problems themselves are not opened.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Campaign read_campaign(const std::filesystem::path& file,
                                                              const PlannerRegistry& registry);
 

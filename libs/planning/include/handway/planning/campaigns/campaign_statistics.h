@@ -69,11 +69,11 @@ struct MannWhitney {
   bool exact = false;   ///< p from U's exact distribution, not from the normal approximation.
 };
 
-/// Do the values of two samples tend to differ? (H. B. Mann and D. R. Whitney, "On a test of
-/// whether one of two random variables is stochastically larger than the other", Annals of
-/// Mathematical Statistics 18, 1947.) Exact for samples of fewer than 50 without ties; else
-/// the normal approximation with corrections for ties and continuity, as in R's wilcox.test.
-/// Values may be infinite, not NaN; p is 1 if a sample is empty or all values are the same.
+/// Tests whether the values of two samples tend to differ (H. B. Mann and D. R. Whitney, "On a test
+/// of whether one of two random variables is stochastically larger than the other", Annals of
+/// Mathematical Statistics 18, 1947). Exact for samples of fewer than 50 without ties; else the
+/// normal approximation with corrections for ties and continuity, as in R's wilcox.test. Values may
+/// be infinite, not NaN; p is 1 if a sample is empty or all values are the same.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT MannWhitney mann_whitney(std::span<const double> first,
                                                                std::span<const double> second);
 
@@ -82,10 +82,10 @@ struct MannWhitney {
 /// procedure", Scandinavian Journal of Statistics 6, 1979). In the order of `p`.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> holm_adjusted(std::span<const double> p);
 
-/// A number of a run that reports tell about.
+/// A number of a run in reports.
 struct RunMeasure {
   std::string key;    ///< In files, for example "time_s".
-  std::string label;  ///< For people, with its unit.
+  std::string label;  ///< Display name, with its unit.
   std::function<double(const RunRecord&)> value;
 };
 

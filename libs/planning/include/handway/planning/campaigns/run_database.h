@@ -11,11 +11,11 @@
 
 namespace handway::planning {
 
-/// The runs of a campaign in an SQLite file: every run at most once, and once add() has
-/// returned for good, whatever happens to the program or the machine afterwards.
+/// The runs of a campaign in an SQLite file: every run at most once. Once add() has returned they
+/// survive any failure of the program or the machine.
 ///
 /// Tables: `setting` (key, value), `problem` (name, file, digest), `planner` (label, planner,
-/// parameters as JSON) and `run`, a row a run with the fields of RunRecord, problem and planner
+/// parameters as JSON) and `run`, one row per run with the fields of RunRecord, problem and planner
 /// by id; a view `runs` has names instead. docs/campaigns.md shows them.
 ///
 /// For one thread at a time. One object a file: a lock beside it keeps a second
@@ -24,11 +24,11 @@ class HANDWAY_PLANNING_EXPORT RunDatabase {
  public:
   enum class Opening {
     kNew,     ///< Refuse a file that holds runs.
-    kResume,  ///< Go on with one, or begin.
+    kResume,  ///< Continue a file, or create it.
   };
 
-  /// Opens or makes `file` for the runs of `campaign`. It may hold more than the campaign
-  /// asks for: runs of other seeds, problems or parameters stay untouched.
+  /// Opens or creates `file` for the runs of `campaign`. It may hold other runs: those of other
+  /// seeds, problems or parameters stay untouched.
   /// @param campaign as RunExecutor::campaign() gives it, with all files of its problems.
   /// @param version of the program, kept with each run.
   /// @throws InputError if the file can't be written, is another program's, is in use, or
@@ -42,7 +42,7 @@ class HANDWAY_PLANNING_EXPORT RunDatabase {
   /// The campaign's runs that are not there yet, in the campaign's order.
   [[nodiscard]] std::vector<RunSpec> pending() const;
 
-  /// Adds runs in one transaction: all or none. One that is there already stays as it was.
+  /// Adds runs in one transaction: all or none. Existing runs stay as they are.
   /// @throws InputError if it can't be written (a full disk); nothing is added then.
   void add(std::span<const RunRecord> records);
 

@@ -13,7 +13,7 @@
 
 namespace handway::planning {
 
-/// Carries out single runs of a campaign; may be asked by several threads at once.
+/// Carries out single runs of a campaign; may be called by several threads at once.
 class HANDWAY_PLANNING_EXPORT RunExecutor {
  public:
   /// Opens all problems.
@@ -34,8 +34,8 @@ class HANDWAY_PLANNING_EXPORT RunExecutor {
   std::vector<PlanningProblem> problems_;
 };
 
-/// Called with runs that are done, a few at a time and now and then with none; on the
-/// thread that called carry_out(). What it throws ends the work.
+/// Called with finished runs, a few at a time and now and then with none; on the thread that called
+/// carry_out(). Its exceptions end the work.
 using TakeRecords = std::function<void(std::span<const RunRecord>)>;
 
 /// Workers that carry out a campaign's runs: threads, or processes.
@@ -46,9 +46,9 @@ class HANDWAY_PLANNING_EXPORT RunWorkers {
   /// Number of runs that are carried out at a time.
   [[nodiscard]] virtual int count() const = 0;
 
-  /// Carries out `runs`, dealt out one by one, and hands over every record as soon as it is
-  /// there. Returns when all are done or, if `stop` asks for it, when the last of those
-  /// that were not cancelled is handed over.
+  /// Carries out `runs`, dealt out one by one, and passes every record on as soon as it is
+  /// finished. Returns when all are done or, after a request by `stop`, when the last run that was
+  /// not cancelled has been passed on.
   /// @throws what `take` throws or a run fails with, once no worker is busy any more.
   virtual void carry_out(const RunExecutor& executor, std::span<const RunSpec> runs,
                          const TakeRecords& take, std::stop_token stop) = 0;
@@ -72,9 +72,9 @@ class HANDWAY_PLANNING_EXPORT ThreadWorkers : public RunWorkers {
 class HANDWAY_PLANNING_EXPORT ProcessTeam : public RunWorkers {
  public:
   [[nodiscard]] virtual bool leads() const = 0;
-  /// Carries out what the leader hands over, until it says that all is done. @pre !leads()
+  /// Carries out the leader's runs until the leader ends it. @pre !leads()
   virtual void serve(const RunExecutor& executor) = 0;
-  /// Tells the leader that this process can't serve, and why. @pre !leads()
+  /// Sends the leader the reason why this process can't serve. @pre !leads()
   virtual void decline(const std::string& reason) = 0;
 };
 

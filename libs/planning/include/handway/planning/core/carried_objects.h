@@ -13,24 +13,24 @@ namespace handway::planning {
 /// An attached object that a hand holds.
 struct CarriedObject {
   std::string name;
-  /// The joints that hold it, as variables, ascending: those of the hand that move its links
-  /// against each other; a wrist is none.
+  /// The joints that hold it, as variables, ascending: joints of the hand that move its links
+  /// against each other; a wrist does not.
   std::vector<int> holding;
 };
 
-/// The objects that hands of the first robot carry: attached to a palm or to what it carries, or
-/// allowed to touch a link that a finger's joint moves. What is attached elsewhere, as a tool at
-/// the flange or a camera at the forearm, is none.
+/// The objects that hands of the first robot hold: attached to a palm or to objects held by it, or
+/// allowed to touch a link that a finger's joint moves. Objects attached elsewhere, as a tool at
+/// the flange or a camera at the forearm, are not included.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<CarriedObject> carried_objects(
     const geometric::Scene& scene);
 
-/// Variables that stay where they are because they hold something, ascending: the holding joints of
-/// all carried_objects(); nothing in a scene with a group, which says itself what moves.
+/// Variables that stay because they hold an object, ascending: the holding joints of all
+/// carried_objects(); empty in a scene with a group, which selects the moving joints itself.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> holding_variables(
     const geometric::Scene& scene);
 
-/// Says which joints move on a path while they hold an object: what is attached stays where it is
-/// in the palm, whatever the fingers do. A sentence for each object; empty if all stay.
+/// Warns about joints that move on a path while they hold an object: an attached object keeps its
+/// pose in the palm, whatever the fingers do. A sentence for each object; empty if all stay.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> holding_warnings(
     const geometric::Scene& scene, std::span<const geometric::Configuration> waypoints);
 

@@ -13,8 +13,8 @@ struct Limb {
   std::vector<int> hand;  ///< In the order of those that were given.
 };
 
-/// The limbs of a robot whose arm branches, in the order of the ends of its arms. What several
-/// arms share, as a torso, is of none of them.
+/// The limbs of a robot whose arm branches, in the order of the ends of its arms. Joints shared by
+/// several arms, as a torso, belong to none of them.
 /// @param arm, hand variables of the robot. @returns one limb where the arm does not branch.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<Limb> limbs(const geometric::RobotModel& model,
                                                               const std::vector<int>& arm,

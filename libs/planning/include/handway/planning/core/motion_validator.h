@@ -34,7 +34,7 @@ inline constexpr double kLeastEndClearance = 2.0 * geometric::kLeastResolution;
 class HANDWAY_PLANNING_EXPORT MotionValidator {
  public:
   /// @param problem, request, statistics, threads must outlive this object.
-  /// @param is_interrupted asked from any thread; once it is true, every edge is refused.
+  /// @param is_interrupted called from any thread; once it is true, every edge is refused.
   MotionValidator(const PlanningProblem& problem, const PlanRequest& request,
                   PlanStatistics& statistics, ThreadPool& threads,
                   std::function<bool()> is_interrupted);
@@ -42,8 +42,8 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   MotionValidator(const MotionValidator&) = delete;
   MotionValidator& operator=(const MotionValidator&) = delete;
 
-  /// Start and goal, with what is so near there that edges keep less than the resolution. Empty if
-  /// either is no configuration of the robot.
+  /// Start and goal, with the pairs that are so near there that edges keep less than the
+  /// resolution. Empty if either is not a configuration of the robot.
   [[nodiscard]] const std::vector<geometric::EdgeEnd>& ends() const { return ends_; }
   /// Describes why the start (0) or the goal (1) can't be an end of a path, as "is out of limits:
   /// …"; empty if it can.
@@ -61,20 +61,20 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
     std::optional<int> index;          ///< Empty: none is free.
     std::vector<int> rejecting_pairs;  ///< One for each of those before it, in order.
   };
-  /// Asks `candidate(i)` for i = 0, 1, … on all threads and stops at the first
-  /// free one; the answer is that of asking one after the other.
+  /// Tests `candidate(i)` for i = 0, 1, … on all threads and stops at the first free one; the
+  /// result is that of testing one after the other.
   [[nodiscard]] FirstFree first_free(int count, const std::function<Configuration(int)>& candidate);
 
   struct Edge {
     Configuration from;
     Configuration to;
   };
-  /// Edges to ask for in order: the function says whether the edge of an index is free, and counts
-  /// it in the statistics. When one is asked for first, other threads check those that are likely
-  /// to be asked for next. This object must outlive it.
+  /// Edges to check in order: the function returns whether the edge of an index is free, and counts
+  /// it in the statistics. Meanwhile other threads check the edges that are likely to be requested
+  /// next. This object must outlive it.
   [[nodiscard]] std::function<bool(std::size_t)> edges(std::vector<Edge> edges);
-  /// @param most_checks as ContinuousCollisionChecker::check(): an edge so close to something that
-  /// more configurations would have to be looked at is refused.
+  /// @param most_checks as ContinuousCollisionChecker::check(): an edge so close to an obstacle
+  /// that it needs more configurations is refused.
   [[nodiscard]] bool edge_free(
       const Configuration& from, const Configuration& to,
       std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
@@ -103,7 +103,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   struct Worker;
   struct Workers;
 
-  /// `edge`, once the statistics know of it.
+  /// Returns `edge`, counted in the statistics.
   const geometric::EdgeResult& counted(const geometric::EdgeResult& edge);
 
   const PlanningProblem& problem_;
@@ -112,7 +112,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   ThreadPool& threads_;
   std::vector<int> arm_pairs_;
   std::vector<geometric::EdgeEnd> ends_;
-  int last_rejecting_pair_ = 0;  ///< Asked first: neighbours in space collide in the same pair.
+  int last_rejecting_pair_ = 0;  ///< Tested first: neighbours in space collide in the same pair.
   std::unique_ptr<Workers> workers_;
 };
 

@@ -65,7 +65,7 @@ struct MotionSums {
 /// For one thread.
 class HANDWAY_PLANNING_EXPORT Objective {
  public:
-  /// A configuration with what its costs are made from.
+  /// A configuration with the data for its costs.
   struct Point {
     Configuration q;
     Eigen::VectorXd joints;   ///< Normalised to [0, 1].
@@ -108,7 +108,7 @@ class HANDWAY_PLANNING_EXPORT Objective {
   [[nodiscard]] Point with_hand(const Point& at, const Point& hand) const;
 
   /// MotionSums::outside of a path on which the hand goes straight from the start to the subspace,
-  /// stays in it and leaves it straight for the goal: no path between these ends has less.
+  /// stays in it and leaves it straight for the goal: the least of all paths between these ends.
   [[nodiscard]] static double forced_outside(const Point& start, const Point& goal);
 
   /// Distance queries for clearance since this was made.
@@ -153,7 +153,7 @@ struct PathQuality {
 inline constexpr double kNearSubspace = 0.05;
 
 /// Integrals by the trapezium rule on parts of at most 0.02; clearance at their ends. An end's
-/// stretch is the part of the path next to it on which the hand makes for the subspace (its
+/// stretch is the part of the path next to it on which the hand approaches the subspace (its
 /// distance falls by half of the length at least): the start and the goal are given.
 /// @throws std::invalid_argument for a path without waypoints.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PathQuality path_quality(const PlanningProblem& problem,

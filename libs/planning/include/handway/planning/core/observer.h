@@ -19,8 +19,8 @@ struct NodeEvent {
 
 class AlgorithmObserver;
 
-/// Told what a planner does while it plans, on the planner's own thread and in
-/// the same order on every run. Everything defaults to nothing.
+/// Callbacks of a planner while it plans, called on the planner's own thread and in the same order
+/// on every run. By default they do nothing.
 class Observer {
  public:
   virtual ~Observer() = default;
@@ -32,10 +32,10 @@ class Observer {
   virtual void on_search_range(double /*d_ini*/, double /*d_goal*/) {}
   /// A free path from start to goal that is being optimised.
   virtual void on_path(const Path& /*path*/) {}
-  /// `fraction` of the sample budget that is spent, in [0, 1], and what is being done.
+  /// `fraction` of the sample budget that is spent, in [0, 1], and the present activity.
   virtual void on_progress(double /*fraction*/, std::string_view /*activity*/) {}
 
-  /// Who watches the steps of the paper's algorithms, too; null: nobody.
+  /// Observer of the steps of the paper's algorithms, too; null: none.
   [[nodiscard]] virtual AlgorithmObserver* algorithm() { return nullptr; }
 };
 
@@ -69,7 +69,7 @@ inline constexpr AlgorithmLine kFailure{4, 35};
 /// Step that a planner has just done in a line. Fields that the line does not use are as below.
 struct AlgorithmStep {
   AlgorithmLine line;
-  bool yes = true;  ///< The answer, if the line asks something.
+  bool yes = true;  ///< The answer, if the line is a condition.
   const geometric::Configuration* q =
       nullptr;    ///< The sample in question; valid during the call alone.
   int from = -1;  ///< Nodes of the roadmap: an edge, or (from) one node.

@@ -43,7 +43,7 @@ using BoundParameter = BasicParameter<std::variant<bool*, int*, double*, BoundCh
 HANDWAY_PLANNING_EXPORT void assign(const BoundParameter& member, const Parameter& parameter);
 
 /// Sets the value from text ("0.01", "true", "joint").
-/// @throws InputError naming the key, the text and what is allowed; the value is as before.
+/// @throws InputError naming the key, the text and the allowed values; the value is unchanged.
 HANDWAY_PLANNING_EXPORT void set_from_text(Parameter& parameter, std::string_view text);
 
 /// The value as text that set_from_text accepts.
@@ -53,11 +53,11 @@ HANDWAY_PLANNING_EXPORT void set_from_text(Parameter& parameter, std::string_vie
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<Parameter> departures(
     const std::vector<Parameter>& parameters);
 
-/// The parameter called `key`; null if there is none.
+/// The parameter called `key`; null if it does not exist.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter* parameter_called(
     const std::vector<Parameter>& parameters, std::string_view key);
 
-/// Returns the parameter called `key`. @pre there is one.
+/// Returns the parameter called `key`. @pre it exists.
 /// @throws InputError naming the keys there are.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter& find_parameter(
     const std::vector<Parameter>& parameters, std::string_view key);

@@ -25,7 +25,7 @@ struct PlanRequest {
   /// Distance of the robot from all else, where the ends allow it; see ContinuousCollisionChecker.
   /// ≥ 0.
   double margin_mm = 0.0;
-  double optimize_s = 0.0;  ///< Seconds to go on with optimising the path that was found.
+  double optimize_s = 0.0;  ///< Time for optimising the path found, s.
 };
 
 enum class PlanStatus {
@@ -36,7 +36,7 @@ enum class PlanStatus {
   kTimeLimit,
   kCancelled,
   kStalled,     ///< Sampling is exhausted: going on would change nothing.
-  kInfeasible,  ///< There is no path.
+  kInfeasible,  ///< No path exists.
 };
 
 /// More clearance than this (m) is not distinguished.
@@ -46,12 +46,12 @@ inline constexpr double kFarClearance = 0.05;
 /// pair.
 struct Certificate {
   double resolution_mm = 0.0;  ///< Along edges, pairs that move keep at least this; …
-  /// … but next to an end, where it is less, half of what they have there; see
+  /// … but next to an end with less, half of the distance there; see
   /// ContinuousCollisionChecker.
   double resolution_at_start_mm = 0.0;
   double resolution_at_goal_mm = 0.0;
   double min_clearance_mm = 0.0;  ///< A lower bound over the whole path, at most a fifth too low.
-  std::uint64_t checks = 0;       ///< Configurations looked at.
+  std::uint64_t checks = 0;       ///< Configurations checked.
 };
 
 /// Counts of a planner's work.
@@ -117,8 +117,8 @@ struct SearchReach {
   geometric::Configuration farthest_from_goal = {};   ///< The one at `from_goal`.
 };
 
-/// A pair that is nearer at an end of the path than the margin that was asked for. Next to this end
-/// it keeps less; everything else keeps the margin along the whole path.
+/// A pair that is nearer at an end of the path than the requested margin. Next to this end it keeps
+/// less; everything else keeps the margin along the whole path.
 struct OutOfMargin {
   bool at_goal = false;  ///< Else at the start.
   geometric::NamedPair pair;
@@ -127,7 +127,7 @@ struct OutOfMargin {
 /// The outcome of planning. `path` is empty unless the status is kSolved.
 struct PlanResult {
   PlanStatus status = PlanStatus::kSamplesSpent;
-  std::string reason;  ///< One sentence for a person.
+  std::string reason;  ///< One sentence for display.
   Path path;
   Certificate certificate;
   PlanStatistics statistics;
@@ -148,14 +148,14 @@ struct PlanResult {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(PlanStatus status);
 
 /// Explains why a search found no path, one sentence each, as far as it is known: its progress from
-/// both ends, whether an end is boxed in, which bodies collided in most rejected samples and where
-/// along the motion, and what to try. Empty for a path, and if an end is not valid: the result's
-/// reason says that.
+/// both ends, whether an end is enclosed, which bodies collided in most rejected samples and where
+/// along the motion, and remedies to try. Empty for a path, and if an end is not valid: the
+/// result's reason has that.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> explain_failure(
     const PlanResult& result);
 
-/// Counts the edits of what results are made from. Two revisions of one document are equal if and
-/// only if nothing was edited between them; 0 in all is before the first.
+/// Counts the edits of the inputs of results. Two revisions of one document are equal if and only
+/// if no edit was made between them; 0 in all is before the first.
 struct Revision {
   std::uint64_t scene = 0;   ///< Objects, attachments, start and goal.
   std::uint64_t robot = 0;   ///< Models, and where the robots are mounted.

@@ -20,16 +20,16 @@ struct GoalCandidate {
 /// Result of inverse kinematics for a scene's goal poses.
 struct PoseGoalSolutions {
   std::vector<GoalCandidate> candidates;  ///< The nearest to the start first, in normalised joints.
-  /// Reason if there are no candidates, as a sentence: by how much the poses are missed, or what
-  /// collides in all configurations that reach them. Empty otherwise.
+  /// Reason if there are no candidates, as a sentence: the distance from the poses, or the bodies
+  /// that collide in all configurations that reach them. Empty otherwise.
   std::string fault;
   geometric::Configuration nearest;  ///< The first candidate, or else what comes nearest to a pose.
 };
 
-/// Looks for configurations at the scene's goal poses, several for each, by numeric inverse
-/// kinematics from many starts over all joints that move the goal's link. They keep their limits,
-/// collide with nothing and obey the constraints. At first the tool goes exactly to the pose, axes
-/// that are free excepted; where nothing free reaches it, anywhere within the tolerances. The other
+/// Finds configurations at the scene's goal poses, several for each, by numeric inverse kinematics
+/// from many starts over all joints that move the goal's link. They keep their limits, are free of
+/// collision and obey the constraints. At first the tool goes exactly to the pose, axes that are
+/// free excepted; if no free configuration reaches it, anywhere within the tolerances. The other
 /// joints are as in the scene's goal or, if it has none, in `start`. Same arguments, same bits.
 /// @param start shape [variable_count].
 /// @pre the scene has goal poses; their links are the robot's, and joints move them.

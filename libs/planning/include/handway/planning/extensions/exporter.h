@@ -17,7 +17,7 @@ struct ExportedFile {
 };
 
 struct ExportOptions {
-  /// Export though robot_objection() has something to say: somebody knows better.
+  /// Export in spite of robot_objection().
   bool any_robot = false;
 };
 
@@ -29,7 +29,7 @@ class HANDWAY_PLANNING_EXPORT Exporter {
   virtual ~Exporter() = default;
   /// The word on the command line: "csv".
   [[nodiscard]] virtual std::string name() const = 0;
-  /// One line for a person.
+  /// One line for display.
   [[nodiscard]] virtual std::string description() const = 0;
   /// True if what executes the files stops at every waypoint, so that the motion has to be
   /// timed without arcs.
@@ -39,12 +39,12 @@ class HANDWAY_PLANNING_EXPORT Exporter {
 
   /// The files for a motion, none of them written.
   /// @throws InputError naming joint, time and value if the motion can't run (see
-  /// check_trajectory()), or saying what the format needs and the motion has not, the right robot
+  /// check_trajectory()), or the data that the format needs and the motion lacks, the right robot
   /// included.
   [[nodiscard]] std::vector<ExportedFile> files(const Motion& motion,
                                                 const ExportOptions& options = {}) const;
 
-  /// Makes all files first, then writes each as a whole; makes `folder` if there is none.
+  /// Makes all files first, then writes each as a whole; creates a missing `folder`.
   /// @returns what has been written.
   /// @throws InputError as files(), or if a file can't be written.
   [[nodiscard]] std::vector<std::filesystem::path> write(const Motion& motion,
@@ -67,10 +67,10 @@ class HANDWAY_PLANNING_EXPORT SceneExporter {
   virtual ~SceneExporter() = default;
   /// The word on the command line: "gltf".
   [[nodiscard]] virtual std::string name() const = 0;
-  /// One line for a person.
+  /// One line for display.
   [[nodiscard]] virtual std::string description() const = 0;
 
-  /// Writes the scene into `folder`, which is made if there is none; each file is replaced whole.
+  /// Writes the scene into `folder`, which is created if missing; each file is replaced whole.
   /// @returns what has been written.
   /// @throws InputError for a scene without a robot, what the format can't hold, or a file that
   /// can't be written.

@@ -28,9 +28,9 @@ class HANDWAY_PLANNING_EXPORT Importer {
  public:
   virtual ~Importer() = default;
   [[nodiscard]] virtual std::string name() const = 0;
-  /// Looks at the name and the first bytes; must not throw on any readable file.
+  /// Tests the name and the first bytes; must not throw on any readable file.
   [[nodiscard]] virtual bool can_read(const std::filesystem::path& file) const = 0;
-  /// @throws InputError naming file, element, what was found and expected.
+  /// @throws InputError naming file, element, the value found and the expected one.
   [[nodiscard]] virtual LoadedScene read(const std::filesystem::path& file) const = 0;
 };
 
@@ -93,10 +93,10 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
  public:
   PluginManager() = default;
 
-  /// Loads every library of `directory` (none if it does not exist), in the order
-  /// of their names. A file that is no plugin, was built against other headers, bears
-  /// the name of one that is loaded or fails to register is listed as refused and
-  /// adds nothing. Libraries stay loaded for the life of the program.
+  /// Loads every library of `directory` (none if it does not exist), in the order of their names. A
+  /// file that is no plugin, was built against other headers, has the name of a loaded one or fails
+  /// to register is listed as refused and adds nothing. Libraries stay loaded for the life of the
+  /// program.
   void load_plugins(const std::filesystem::path& directory);
 
   [[nodiscard]] PlannerRegistry& planners() { return planners_; }
@@ -110,7 +110,7 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
   [[nodiscard]] const std::vector<std::unique_ptr<SceneExporter>>& scene_exporters() const {
     return scene_exporters_;
   }
-  /// Null if there is none of that name.
+  /// Returns the exporter of that name, or null.
   [[nodiscard]] const SceneExporter* find_scene_exporter(const std::string& name) const;
   /// @throws InputError with the names there are, if none is called `name`.
   [[nodiscard]] const Exporter& exporter(const std::string& name) const;
@@ -132,8 +132,8 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
 /// that is not, handway-plugins beside this library.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::filesystem::path plugin_directory();
 
-/// Opens a scene file: Handway's own YAML, a robot, or whatever an importer reads; or a robot of
-/// the library by its name. A basis that the scene names is loaded too.
+/// Opens a scene file: Handway's own YAML, a robot, or any format of an importer; or a robot of the
+/// library by its name. A basis that the scene names is loaded too.
 /// @throws InputError if the file can't be read or is of no known format.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT LoadedScene load_scene(const std::filesystem::path& file,
                                                              const PluginManager& plugins);

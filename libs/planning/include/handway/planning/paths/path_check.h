@@ -30,20 +30,20 @@ struct PathCheckResult {
   [[nodiscard]] bool valid() const { return faults.empty(); }
 };
 
-/// Says which continuous joint turns by more than half a turn from one waypoint to the next, as
-/// recordings do that keep angles within ±π: "joint J turns by -356° at once, where 3.7° lead to
+/// Describes a continuous joint that turns by more than half a turn from one waypoint to the next,
+/// as in recordings that keep angles within ±π: "joint J turns by -356° at once, where 3.7° lead to
 /// the same place"; empty if none does. Longer turns have waypoints between.
 /// @param from, to shape [variable_count].
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string turn_fault(const geometric::RobotModel& model,
                                                              const Configuration& from,
                                                              const Configuration& to);
 
-/// Checks a path without trusting whoever made it: joint limits, both ends
-/// against the problem's, constraints, and collisions on the raw triangles (FclChecker) at
-/// configurations so close that no point of the robot moves more than
-/// `resolution` (m) from one to the next. What lies between these is certified as planners do, by
+/// Checks a path independently of its source: joint limits, both ends against the
+/// problem's, constraints, and collisions on the raw triangles (FclChecker) at
+/// configurations so close that no point of the robot moves more than `resolution` (m) from
+/// one to the next. Motions between these are certified as planners do, by
 /// PathConflictSearch.
-/// @throws PreparationStopped where `stop` asks for it.
+/// @throws PreparationStopped if `stop` is requested.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PathCheckResult check_path(const PlanningProblem& problem,
                                                                  const Path& path,
                                                                  double resolution,
@@ -62,14 +62,14 @@ struct PathConflict {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string conflict_text(
     const geometric::CollisionWorld& world, std::optional<int> pair, double resolution = 0.0);
 
-/// Looks for the first conflict of every configuration on a polyline, ends included, in the order
-/// in which it is followed, as time_path() and preflight() do.
+/// Finds the first conflict of every configuration on a polyline, ends included, in the order in
+/// which it is followed, as time_path() and preflight() do.
 class HANDWAY_PLANNING_EXPORT PathConflictSearch {
  public:
   /// @param resolution (m) that the motion was planned with: it may be any piece of that.
   explicit PathConflictSearch(const PlanningProblem& problem, double resolution = 5e-5);
 
-  /// @param stop asked now and then; once it says true there is no conflict to be found any more.
+  /// @param stop called now and then; once it returns true, the search ends without a conflict.
   /// @returns nothing if the polyline is free.
   [[nodiscard]] std::optional<PathConflict> run(std::span<const Configuration> waypoints,
                                                 const std::function<bool()>& stop = {});

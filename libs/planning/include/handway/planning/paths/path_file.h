@@ -36,8 +36,8 @@ struct JointsAtRest {
   std::vector<std::string> jumps = {};
   std::vector<std::string> passed_over = {};  ///< Columns of the file that are no joint's.
 
-  /// A sentence that names file, joints (of many the first), jumps and columns that were passed
-  /// over, without a full stop; empty if the file has all joints and nothing else, and no jump.
+  /// A sentence that names file, joints (of many the first), jumps and ignored columns, without a
+  /// full stop; empty if the file has all joints and nothing else, and no jump.
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string remark(const std::filesystem::path& file) const;
 };
 
@@ -45,10 +45,10 @@ struct JointsAtRest {
 /// its beginning. False if it can't be read.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_path_file(const std::filesystem::path& file);
 
-/// Reads what geometric::read_joint_table() reads: such a table, and what robots, plotters and data
-/// sets write. Columns may come in any order. Those of times, velocities and of anything that is no
-/// joint are passed over, unless their name is a slip of a joint's that is missing. The columns of
-/// coupled joints may be missing, but where they are there they must agree with the coupling within
+/// Reads tables by geometric::read_joint_table(): paths of this program, and tables of robots,
+/// plotters and data sets. Columns may come in any order. Those of times, velocities and of
+/// anything but joints are ignored, unless their name is a misspelling of a missing joint. The
+/// columns of coupled joints may be missing; if present, they must agree with the coupling within
 /// 1e-4. Angles are in rad; columns may name degrees ("pan [deg]").
 ///
 /// A trajectory_msgs/JointTrajectory as YAML or JSON, also in the messages around one, is a path

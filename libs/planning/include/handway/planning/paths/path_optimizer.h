@@ -17,11 +17,11 @@ namespace handway::planning {
 /// Lowers the cost of a free path, as an Objective measures it; every motion of the result is
 /// certified like a planner's.
 ///
-/// A path of many waypoints is pruned first. Then, in rounds, replacements of stretches are drawn
-/// at random: straight motions, straight motions of the arm, the hand or a joint alone, the same
+/// A path of many waypoints is pruned first. Then, in rounds, replacements of stretches are
+/// sampled: straight motions, straight motions of the arm, the hand or a joint alone, the same
 /// stretch nearer to the PMD subspace, the hand moving before the arm or after it; and moves of
-/// single waypoints. Costs are known without a check of the motion, so that of each round what
-/// saves most and is free takes its place.
+/// single waypoints. Costs are known without a check of the motion, so that each round applies the
+/// free replacement that saves most.
 ///
 /// Any-time and deterministic: what it has after a number of checks depends on the path, the
 /// weights and the seed alone.
@@ -35,15 +35,15 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   PathOptimizer(PlanningContext& context, const ObjectiveWeights& weights, const Path& path,
                 std::uint64_t seed, int patience = 200);
 
-  /// Goes on until `checks` configurations more were checked, by a single motion's more at most,
+  /// Continues until `checks` configurations more were checked, by a single motion's more at most,
   /// until converged() or until the run has to end.
   void advance(std::uint64_t checks);
 
   /// `patience` for going on after planning.
   static constexpr int kThorough = 2000;
-  /// Goes on in rounds of 1000 checks until converged() or until the run has to end: as many rounds
-  /// give the same path, whether they were asked for or are what some seconds sufficed for.
-  /// @param go_on asked before each round, with the checks of the rounds before; returns bool.
+  /// Continues in rounds of 1000 checks until converged() or until the run has to end: the same
+  /// number of rounds gives the same path, whether a number or a time was requested.
+  /// @param go_on called before each round, with the checks of the rounds before; returns bool.
   /// @returns the checks of all rounds.
   template <typename GoOn>
   std::uint64_t advance_in_rounds(const GoOn& go_on) {
@@ -63,8 +63,8 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   void set_patience(int patience) { patience_ = patience; }
 
   [[nodiscard]] Path path() const;
-  /// By how much the hand is on average farther from the PMD subspace than it would be if it went
-  /// straight to it, stayed in it and left it for the goal; 0 if that does not count.
+  /// Mean distance of the hand from the PMD subspace beyond the least one, of a hand that goes
+  /// straight to it, stays in it and leaves it for the goal; 0 if that has no weight.
   [[nodiscard]] double avoidable_distance() const;
   /// Ratio of the path's length to that of the straight motion between its ends.
   [[nodiscard]] double detour() const;
@@ -137,9 +137,9 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
 /// Makes `found`, as a PathOptimizer leaves it, the path of `result`; the time it takes is added to
 /// the result's smoothing time.
 /// @param checks configurations to spend on it for every 16 waypoints.
-/// @param most_rounds up to so many times as many are spent where the hand stays farther from the
-/// PMD subspace than the ends force it to, and as many again where the path goes a long way round;
-/// half as many where the length alone counts.
+/// @param most_rounds largest number of rounds of `checks` for a path whose hand is farther from
+/// the PMD subspace than its ends require, and as many again for a path with a long detour. If
+/// above 1, half a round suffices for other paths if the length alone counts.
 HANDWAY_PLANNING_EXPORT void smooth_result(PlanningContext& context,
                                            const ObjectiveSettings& objective, int checks,
                                            const Path& found, PlanResult& result,

@@ -16,7 +16,7 @@ namespace handway::planning {
 /// Following error of a robot on a motion, and the clearance that has to remain.
 struct SafetyMargin {
   /// Following error of each variable at its velocity limit, rad or m; shape [variable_count], ≥ 0.
-  /// Of size 0: assumed_following_error().
+  /// If of size 0: assumed_following_error().
   Eigen::VectorXd following_error;
   double margin = 0.0;  ///< m, ≥ 0.
 };
@@ -44,16 +44,16 @@ struct ClearanceShortfall {
   [[nodiscard]] HANDWAY_PLANNING_EXPORT double suggested_margin_mm() const;
 };
 
-/// Compares clearance with what following errors and a margin need, configuration by configuration.
-/// Errors are mapped to millimetres by a bound of the motion of both bodies against each other: the
-/// smaller of MotionBound and that of the bodies' bounding balls around the joints' axes as they
-/// are, to first order of the errors.
+/// Compares the clearance with the sum of following errors and a margin, configuration by
+/// configuration. Errors are mapped to millimetres by a bound of the motion of both bodies against
+/// each other: the smaller of MotionBound and that of the bodies' bounding balls around the joints'
+/// present axes, to first order of the errors.
 class HANDWAY_PLANNING_EXPORT SafetyClearance {
  public:
   /// @param margin m.
   SafetyClearance(const PlanningProblem& problem, double margin);
 
-  /// Looks at `q` while each joint may be `error` away from it.
+  /// Evaluates `q` while each joint may be `error` away from it.
   /// @param error rad or m, ≥ 0; shape [variable_count]. @param place see ClearanceShortfall.
   void look(const Configuration& q, const Eigen::VectorXd& error, double place);
 

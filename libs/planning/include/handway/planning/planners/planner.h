@@ -49,9 +49,9 @@ class HANDWAY_PLANNING_EXPORT Planner {
   [[nodiscard]] ObjectiveSettings& objective() { return objective_; }
   [[nodiscard]] const ObjectiveSettings& objective() const { return objective_; }
 
-  /// Checks start and goal, plans, optimises as asked for, certifies. Of several goals the nearest
-  /// is tried first; one to which no path is found within a second has to wait until the others
-  /// have been tried for as long, and then gets twice the time.
+  /// Checks start and goal, plans, optimises as requested, certifies. Of several goals the nearest
+  /// is tried first; a goal without a path within a second has to wait until the others have been
+  /// tried for as long, and then gets twice the time.
   /// @param stop ends the search within 100 ms with kCancelled.
   /// @param observer may be null.
   /// @throws InputError if the planner needs a basis and the problem has none.

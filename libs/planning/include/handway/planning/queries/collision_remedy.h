@@ -32,7 +32,7 @@ struct CollisionRemedy {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::Scene remedied(const geometric::Scene& scene,
                                                                 const CollisionRemedy& remedy);
 
-/// Returns a sentence for those who write scene files: what to write there for that change.
+/// Returns a sentence for authors of scene files with the text for that change.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string describe_remedy(const geometric::Scene& scene,
                                                                   const CollisionRemedy& remedy);
 

@@ -12,8 +12,8 @@
 
 namespace handway::planning {
 
-/// Coordinates that say in few numbers where a configuration is between start and goal and
-/// what its hand does, for people to look at.
+/// Few coordinates that describe the place of a configuration between start and goal and the
+/// posture of its hand, for display.
 class HANDWAY_PLANNING_EXPORT HandArmChart {
  public:
   /// @param problem outlives this.

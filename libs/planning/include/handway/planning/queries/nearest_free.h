@@ -17,7 +17,7 @@ struct NearestFreeOptions {
   /// Wanted clearance of a configuration, m; less is accepted if no configuration has it, down to
   /// the least of a path's end (twice geometric::kLeastResolution).
   double clearance = geometric::metres(0.5);
-  int most_checks = 20000;  ///< Configurations to look at.
+  int most_checks = 20000;  ///< Largest number of checks.
   std::uint64_t seed = 1;
 };
 
@@ -25,14 +25,14 @@ struct NearestFreeOptions {
 struct NearestFree {
   std::optional<Configuration> q;  ///< Free and within limits; nothing if none was found.
   double distance = 0.0;           ///< From where the search began, as in the options.
-  int checks = 0;                  ///< Configurations looked at.
+  int checks = 0;                  ///< Configurations checked.
 };
 
-/// Looks for a configuration near `q` that is free of collision and within limits: shells around
+/// Searches near `q` for a configuration that is free of collision and within limits: shells around
 /// `q` that grow by a third, in each of them every variable alone, then random directions of the
-/// hand, of the arm and of both. What the first successful shell has is drawn back towards `q`:
-/// along the straight line, joint by joint, and by random steps. Found is a near one; that there is
-/// no nearer one is not proved. Same arguments, same bits.
+/// hand, of the arm and of both. The result of the first successful shell is drawn back towards
+/// `q`: along the straight line, joint by joint, and by random steps. The result is near, but not
+/// proved to be the nearest. Same arguments, same bits.
 /// @param q shape [variable_count]; of any values that are finite.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT NearestFree
 find_nearest_free(const PlanningProblem& problem, const Configuration& q,

@@ -51,22 +51,22 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
   /// where a limit ends it.
   /// @param X_BP where the palm is in `q`. @param by length of the joints' motion, rad; its sign is
   /// the direction.
-  /// @param direction shape [joints that move the palm]; empty at first. What it came to, for calls
-  /// that go on from there.
+  /// @param direction shape [joints that move the palm]; empty at first. Set to the final
+  /// direction, for calls that continue from there.
   /// @returns `q` itself of an arm that is not redundant.
   [[nodiscard]] Configuration swung(const Configuration& q, const geometric::Pose& X_BP, double by,
                                     Eigen::VectorXd& direction) const;
 
  private:
-  /// The direction of unit length in the null space at `q` that is nearest to `last`; empty: where
-  /// there is none.
+  /// The direction of unit length in the null space at `q` that is nearest to `last`; empty without
+  /// a null space.
   [[nodiscard]] Eigen::VectorXd null_space_direction(const Configuration& q,
                                                      const Eigen::VectorXd& last) const;
 
   std::shared_ptr<const geometric::RobotModel> model_;
   int palm_;
   std::vector<int> arm_;
-  std::unique_ptr<geometric::InverseKinematics> closed_form_;       ///< Null: there is none.
+  std::unique_ptr<geometric::InverseKinematics> closed_form_;       ///< Null: not available.
   std::unique_ptr<geometric::NumericInverseKinematics> iterative_;  ///< From where the arm is.
   std::unique_ptr<geometric::NumericInverseKinematics> searching_;  ///< From other starts, too.
 };
@@ -86,9 +86,9 @@ struct ReachFigures {
     const geometric::RobotModel& model, int link, const std::vector<int>& arm,
     const Configuration& q);
 
-/// The link that stands for a hand as a whole: the closest that carries all of its fingers, also
-/// where a wrist below it counts to the hand; without fingers the last that the arm moves. Of
-/// several hands on arms: the first.
+/// The link that represents a whole hand: the closest that carries all of its fingers, also where a
+/// wrist below it counts to the hand; without fingers the last that the arm moves. With several
+/// hands on arms: the first.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT int palm_link(const geometric::RobotModel& model,
                                                     const std::vector<int>& arm,
                                                     const std::vector<int>& hand);

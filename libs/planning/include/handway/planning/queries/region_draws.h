@@ -21,8 +21,8 @@ struct SamplingRegion {
   int pmds = 1;  ///< Principal directions that are used together, beside the free joints.
 };
 
-/// The region that `planner` begins with, as its parameters say; with all the principal
-/// directions that it may use of a basis with so many. Nothing if it draws from everywhere.
+/// The region that `planner` begins with, by its parameters; with all the principal directions that
+/// it may use of a basis with so many. Nothing if it samples everywhere.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<SamplingRegion> first_region(Planner& planner,
                                                                                  int directions);
 
@@ -37,18 +37,18 @@ struct RegionDraws {
   std::vector<Eigen::Vector3d> fingertips;  ///< One a finger and configuration.
   std::vector<Eigen::Vector3d> motion;      ///< The palm on the straight motion, start to goal.
   std::vector<Eigen::Vector3d> centres;     ///< The palm in the hypercubes' middles; empty if many.
-  int hypercubes = 0;                       ///< That the corridor is cut into.
+  int hypercubes = 0;                       ///< Hypercubes of the corridor.
   double palm_reach = 0.0;  ///< Nine tenths of the palms are no farther from where the straight
                             ///< motion has them, m.
 };
 
-/// Draws configurations from a region of a problem, whether they are free or not, for people to see
-/// what a parameter means.
+/// Samples configurations from a region of a problem, free or not, to show the effect of a
+/// parameter.
 /// @param palm link of the robot. @param configurations to draw, the same for the same arguments;
 /// those of a region are those of a smaller one, moved outwards.
 /// @param stop gives what there is by then.
-/// @throws InputError if a corridor of tool poses is asked for and the arm has fewer than six
-/// joints, or principal directions and there is no basis.
+/// @throws InputError if a corridor of tool poses is requested and the arm has fewer than six
+/// joints, or principal directions without a basis.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT RegionDraws draw_region(const PlanningProblem& problem,
                                                               int palm,
                                                               const SamplingRegion& region,
@@ -63,13 +63,13 @@ struct PalmBox {
 };
 
 /// Boxes around the palm's places in the hypercubes of a region's corridor (paper, section 5.1,
-/// Fig. 12), for people to see where a planner samples. A hypercube has as many dimensions as the
-/// arm has joints, and the palm three: a box holds the palm's places in all corners and in the
-/// middle of its hypercube, and so nearly all in between. Axes are those of the corners'
-/// spread. Hypercubes none of whose corners the arm reaches have no box.
+/// Fig. 12), to show where a planner samples. A hypercube has as many dimensions as the arm has
+/// joints, and the palm three: a box holds the palm's places in all corners and in the middle of
+/// its hypercube, and so nearly all in between. Axes are those of the corners' spread. Hypercubes
+/// none of whose corners the arm reaches have no box.
 /// @param palm link of the robot. @param most boxes: of more hypercubes every n-th has one.
 /// @param stop gives what there is by then.
-/// @throws InputError if a corridor of tool poses is asked for and the arm has fewer than six
+/// @throws InputError if a corridor of tool poses is requested and the arm has fewer than six
 /// joints.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<PalmBox> palm_boxes(
     const PlanningProblem& problem, int palm, const SamplingRegion& region, int most,

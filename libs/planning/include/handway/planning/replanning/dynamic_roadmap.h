@@ -12,24 +12,24 @@ namespace handway::planning {
 
 /// Source of a path, from the cheapest to the most expensive.
 enum class ReplanSource {
-  kNone,      ///< There is none.
+  kNone,      ///< No path.
   kLastPath,  ///< The path of the time before; it is still free.
-  kRoadmap,   ///< Over what is left of the roadmap.
+  kRoadmap,   ///< Over the valid part of the roadmap.
   kRepair,    ///< The last path with a detour around what cuts it.
   kPlanner,   ///< Planned from scratch.
 };
 
 /// Plans again and again in a scene that changes little from one time to the next.
 ///
-/// It keeps a roadmap of what it learned. A node or edge that was free stays free
-/// of all that stands where it stood, so that only pairs with changed objects are
-/// checked again, and only along paths that are about to be taken. One that was
-/// refused stays refused until the object that refused it changes. Asked to plan,
-/// it takes, in this order: the shortest path over edges that were free before,
-/// which mostly is the last one; a path over other edges of the roadmap; the last
-/// path, with a detour from where it is cut to where it is free again (a
-/// bidirectional search in the paper's regions, there); a path planned from scratch. All but an
-/// unchanged path are smoothed, and all that was learned goes into the roadmap.
+/// It keeps a roadmap of earlier checks. A node or edge that was free stays free of
+/// all unchanged objects, so that only pairs with changed objects are checked again,
+/// and only along candidate paths. One that was refused stays refused until the object
+/// that refused it changes. A plan is, in this order: the shortest path over edges
+/// that were free before, which mostly is the last one; a path over other edges of the
+/// roadmap; the last path, with a detour from where it is blocked to where it is free
+/// again (a bidirectional search in the paper's regions, there); a path planned from
+/// scratch. All but an unchanged path are smoothed, and all results go into the
+/// roadmap.
 ///
 /// Roadmap whose answers are deterministic, for any number of threads. For one call at a time.
 ///
@@ -47,9 +47,9 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
   /// The problem as it is now. After a change, this or plan() makes a new checker.
   [[nodiscard]] const PlanningProblem& problem();
 
-  /// Makes the changes of objects that lead to another scene, and takes its start and goal, which
-  /// plan() checks like the ends of any problem. @returns false, having done nothing, if that takes
-  /// more: other robots, carried objects or constraints, or an end that the scene has not.
+  /// Applies the changes of objects that lead to another scene, and takes its start and goal, which
+  /// plan() checks like the ends of any problem. @returns false, without any effect, if that is not
+  /// sufficient: other robots, attached objects or constraints, or a missing end.
   [[nodiscard]] bool follow(const geometric::Scene& scene);
 
   /// Plans as Planner::plan(). On failure, the roadmap and the last path stay for the next call.
@@ -65,7 +65,7 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
   std::unique_ptr<Replanner> replanner_;
 };
 
-/// "Reused the last path", "Found in the roadmap", …: for people.
+/// Text for display: "Reused the last path", "Found in the roadmap", …
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(ReplanSource source);
 
 }  // namespace handway::planning

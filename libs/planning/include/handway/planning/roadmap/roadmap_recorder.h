@@ -30,13 +30,13 @@ struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
   std::pair<double, double> search_range{0.0, 1.0};  ///< [d_ini, d_goal], the last one reported.
   std::uint64_t left_out = 0;                        ///< Nodes beyond what the recorder keeps.
 
-  /// The winner's nodes and edges alone; all if there is none.
+  /// The winner's nodes and edges alone; all without a winner.
   [[nodiscard]] RecordedRoadmap of_winner() const;
 };
 
-/// Writes down the roadmap of a run, and passes on what it observes, nodes by their place among all
-/// that it was told of. Of runs with more nodes than it keeps, it has the first. A number that
-/// comes again is of another search's node from then on.
+/// Records the roadmap of a run, and forwards its events, with nodes by their place among all
+/// nodes. Of runs with more nodes than it keeps, it has the first. A number that comes again
+/// belongs to another search's node from then on.
 class HANDWAY_PLANNING_EXPORT RoadmapRecorder : public Observer {
  public:
   /// @param most_nodes that are kept. @param next may be null; outlives this.

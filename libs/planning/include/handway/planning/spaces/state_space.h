@@ -32,8 +32,8 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
   /// Shape [dimension()]; within the box but for roundings.
   [[nodiscard]] virtual Eigen::VectorXd coordinates(const Configuration& q) const = 0;
 
-  /// The configuration at `x`, nearest to `reference` where there are several; joints that have
-  /// no coordinate are as there. Nothing if no configuration is at `x`.
+  /// The configuration at `x`, nearest to `reference` if there are several; joints that have no
+  /// coordinate are as there. Nothing if `x` has no configuration.
   [[nodiscard]] virtual std::optional<Configuration> configuration(
       const Eigen::VectorXd& x, const Configuration& reference) const = 0;
 
@@ -70,10 +70,10 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
   [[nodiscard]] std::optional<Configuration> configuration(
       const Eigen::VectorXd& x, const Configuration& reference) const final;
 
-  /// Hypercubes of half side `rho` that the corridor is cut into, less one: STEPS of section 5.3,
-  /// the smallest power of two n such that n + 1 evenly spaced points of the straight motion are no
-  /// farther apart than `rho`; at most 2^20. Powers of two, so that sampling::sweep_position()
-  /// visits each point once.
+  /// Hypercubes of half side `rho` that the corridor is cut into, minus one: STEPS of section 5.3,
+  /// the smallest power of two n such that n + 1 evenly spaced points of the straight motion are at
+  /// most `rho` apart; at most 2^20. Powers of two, so that sampling::sweep_position() visits each
+  /// point once.
   [[nodiscard]] int steps(double rho) const;
   /// Size of the points that corridor_point() takes.
   [[nodiscard]] virtual int corridor_dimension() const = 0;
@@ -101,7 +101,7 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
 /// vector in units of 1 m and 3 rad.
 /// In a Cartesian corridor the arm's inverse kinematics is solved in closed form or by iteration;
 /// of a redundant arm the configuration at a pose then depends on the reference.
-/// @throws InputError if a Cartesian corridor is asked for and the arm has fewer than six joints,
+/// @throws InputError if a Cartesian corridor is requested and the arm has fewer than six joints,
 /// or some that do not move its last link.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<CorridorSpace> make_corridor_space(
     const PlanningProblem& problem, CorridorForm form);
@@ -119,13 +119,13 @@ enum class HandSpace {
 
 /// Fails if a hand has principal motion directions to choose and the problem has no basis that
 /// names them. A hand that holds an object has none to choose.
-/// @param user who needs the basis, for the message, as "planner pmd-prm".
+/// @param user of the basis, for the message, as "planner pmd-prm".
 /// @throws InputError
 HANDWAY_PLANNING_EXPORT void require_directions(const PlanningProblem& problem,
                                                 const std::string& user);
 
 /// The axes of a space of hand postures: the problem's basis, or one of all joints of the hand,
-/// which it also is where a hand holds an object and few of its joints are left to move.
+/// which is also used if a hand holds an object and only few of its joints can move.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT sampling::PmdBasis hand_basis(const PlanningProblem& problem,
                                                                     HandSpace space);
 
@@ -144,8 +144,8 @@ HANDWAY_PLANNING_EXPORT void require_directions(const PlanningProblem& problem,
 /// the hand in the box of its axes.
 class HANDWAY_PLANNING_EXPORT HandArmRegion {
  public:
-  /// The hand's axes are those of the problem's basis, or, for kAllJoints and where it has none,
-  /// every hand joint on its own. @param problem must outlive this object.
+  /// The hand's axes are those of the problem's basis, or, for kAllJoints and without a basis,
+  /// every hand joint separately. @param problem must outlive this object.
   /// @throws InputError as make_corridor_space().
   HandArmRegion(const PlanningProblem& problem, HandSpace hand, CorridorForm form);
 

@@ -46,9 +46,9 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
 
   [[nodiscard]] const CorridorSpace& space() const { return region_.space(); }
 
-  /// The configuration at `x`, joints without a coordinate as at `reference`; where the scene has
-  /// constraints, the one that is found near it and keeps them, and `x` becomes its coordinates.
-  /// Nothing if there is none.
+  /// The configuration at `x`, joints without a coordinate as at `reference`; in a scene with
+  /// constraints, a nearby one that keeps them, and `x` becomes its coordinates. Nothing if it does
+  /// not exist.
   [[nodiscard]] std::optional<Configuration> configuration(Eigen::VectorXd& x,
                                                            const Configuration& reference) const;
 
@@ -93,7 +93,7 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
   const TargetRegion& settings_;
   bool in_regions_;
   HandArmRegion region_;
-  std::vector<int> variables_;  ///< That may change.
+  std::vector<int> variables_;  ///< The moving variables.
   sampling::RandomStream stream_;
   Draw draw_;
   std::unique_ptr<sampling::Sampler> points_;

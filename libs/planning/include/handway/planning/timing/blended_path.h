@@ -30,8 +30,8 @@ struct HANDWAY_PLANNING_EXPORT PathPiece {
   double radius = 0.0;               ///< r; 0: straight; of a smooth arc length by angle.
   geometric::Configuration origin;   ///< Start of the piece.
   geometric::Configuration tangent;  ///< t, of length 1: the direction in which it begins.
-  geometric::Configuration normal;   ///< n, of length 1, square to t; of zeros if straight.
-  geometric::Configuration turn;     ///< u - t of a smooth arc; of size 0: it is none.
+  geometric::Configuration normal;   ///< n, of length 1, normal to t; zeros if straight.
+  geometric::Configuration turn;     ///< u - t of a smooth arc; else of size 0.
   std::size_t waypoint = 0;     ///< The waypoint that it ends in (straight) or goes around (arc).
   bool ends_in_corner = false;  ///< It ends at a waypoint where the motion has to stop.
 
@@ -47,9 +47,9 @@ struct HANDWAY_PLANNING_EXPORT PathPiece {
 /// A path whose corners are rounded by arcs, as differentiable as velocity limits need it, or, with
 /// smooth ones, jerk limits. Lengths are Euclidean in the joints' units (rad, m).
 ///
-/// Source: Kunz, Stilman, "Time-optimal trajectory generation for path following with
-/// bounded acceleration and velocity", RSS 2012, section IV: an arc takes at most half
-/// of either edge, and passes its waypoint at no more than the deviation allowed.
+/// Source: Kunz, Stilman, "Time-optimal trajectory generation for path following with bounded
+/// acceleration and velocity", RSS 2012, section IV: an arc takes at most half of either edge, and
+/// passes its waypoint within the allowed deviation.
 class HANDWAY_PLANNING_EXPORT BlendedPath {
  public:
   /// @param deviations how far from each waypoint its arc may pass, shape [waypoints],
@@ -88,20 +88,20 @@ struct BlendOptions {
   std::stop_token stop = {};  ///< Blending ends with geometric::PreparationStopped.
 };
 
-/// A blended path that is free of collision all along, or why there is none.
+/// A blended path that is free of collision all along, or the reason for its absence.
 struct BlendResult {
   std::optional<BlendedPath> path;
   std::string fault;  ///< A sentence; empty if there is a path.
   int arcs = 0;
-  int reduced = 0;  ///< Arcs that had to be smaller than asked, to keep their clearance.
-  int stops = 0;    ///< Corners where the motion has to stop.
+  int reduced = 0;                 ///< Arcs that were reduced to keep their clearance.
+  int stops = 0;                   ///< Corners where the motion has to stop.
   double largest_deviation = 0.0;  ///< rad or m
 };
 
-/// Rounds the corners of a path without leaving free space. Every edge is checked again,
-/// then every arc, by conservative advancement: as far from a checked configuration as the
-/// joints can't have spent its clearance. The deviation of an arc that is not free is
-/// halved, until it is, or until there is no arc and the motion stops at the waypoint.
+/// Rounds the corners of a path without leaving free space. Every edge is checked again, then every
+/// arc, by conservative advancement: from a checked configuration as far as the joints can't have
+/// used up its clearance. The deviation of an arc that is not free is halved, until it is free, or
+/// until no arc is left and the motion stops at the waypoint.
 /// @throws InputError if the path has no waypoints, or one that is no configuration of the robot
 /// within its limits.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT BlendResult certified_blends(

@@ -13,9 +13,9 @@
 
 namespace handway::planning {
 
-/// A joint without an acceleration limit is taken to reach its velocity limit in
-/// this time, s. Neither URDF nor the makers' leaflets of the TX90 and the SAH tell
-/// accelerations; four times the velocity is modest for arms of that size.
+/// A joint without an acceleration limit is assumed to reach its velocity limit in this time, s.
+/// Neither URDF nor the makers' leaflets of the TX90 and the SAH have accelerations; four times the
+/// velocity is modest for arms of that size.
 inline constexpr double kDefaultRampTime = 0.25;
 
 /// A joint without a jerk limit is taken to reach its acceleration limit in this time, s.
@@ -42,7 +42,7 @@ struct JointKinematicLimits {
   Eigen::VectorXd jerk{};        ///< Shape [variable_count], rad/s³ or m/s³; size 0: not limited.
   std::vector<AssumedLimit> assumed{};  ///< By rate, then by variable.
   /// Limits of positions that are narrower than the robot's own: shape [variable_count], rad or m;
-  /// size 0: there are none.
+  /// size 0: none.
   Eigen::VectorXd lower{};
   Eigen::VectorXd upper{};
 
@@ -61,7 +61,7 @@ struct JointKinematicLimits {
   [[nodiscard]] HANDWAY_PLANNING_EXPORT JointKinematicLimits without_jerk() const;
 };
 
-/// For a person: a line for each rate of which limits were assumed.
+/// Text for display: a line for each rate with assumed limits.
 /// @param most joints that are named in a line; of more the rest is counted.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> assumption_lines(
     const std::vector<AssumedLimit>& assumed,
@@ -78,8 +78,8 @@ rate_limits(const geometric::RobotModel& model);
 
 /// The limits of the robot's joints, replaced where `file` has others. The file is
 /// read by geometric::read_joint_limits(); its limits of positions narrow the robot's own.
-/// @throws InputError naming line and key, also for a joint that the robot has not: limits that
-/// somebody relies on must not be passed over.
+/// @throws InputError naming line and key, also for a joint that the robot lacks: limits that a
+/// user relies on must not be ignored.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT JointKinematicLimits
 read_joint_kinematic_limits(const geometric::RobotModel& model, const std::filesystem::path& file);
 

@@ -9,7 +9,7 @@
 
 namespace handway::planning {
 
-/// When a motion is where on its path: between two knots the acceleration along the path changes
+/// Time parameterization of a path: between two knots the acceleration along the path changes
 /// evenly, or not at all, and the path is one piece. Where the motion stops, a second knot at the
 /// same time begins the next stretch.
 struct TimeParameterization {
@@ -28,16 +28,16 @@ struct TimeParameterization {
   [[nodiscard]] double duration() const { return knots.empty() ? 0.0 : knots.back().time; }
 };
 
-/// The fastest motion along `path` that keeps the limits, from rest to rest, stopping at
-/// corners that have no arc. Jerk is not limited: accelerations jump; see jerk_limited().
-/// Where limits.jerk is given speeds on arcs are so low that their shape alone does not exceed it.
+/// The fastest motion along `path` that keeps the limits, from rest to rest, stopping at corners
+/// that have no arc. Jerk is not limited: accelerations jump; see jerk_limited(). If limits.jerk is
+/// given, speeds on arcs are so low that their shape alone does not exceed it.
 ///
 /// Source: Pham, Pham, "A new approach to time-optimal path parameterization based on
-/// reachability analysis", IEEE Transactions on Robotics 34(3), 2018 (TOPP-RA): from
-/// the end backwards the speeds from which the rest can still be done, then forwards
-/// always as fast as these allow, on a grid that has the path's joins in it. The limits
-/// are asked at both ends of a cell; what arcs exceed them by in between is
-/// taken away by stretching time.
+/// reachability analysis", IEEE Transactions on Robotics 34(3), 2018 (TOPP-RA). A
+/// backward pass finds the speeds from which the rest is feasible; a forward pass goes
+/// as fast as these allow, on a grid that has the path's joins in it. Limits are
+/// evaluated at both ends of a cell; excesses of arcs in between are removed by
+/// stretching time.
 /// @pre path and limits have the same number of variables.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization
 time_optimal(const BlendedPath& path, const JointKinematicLimits& limits);
@@ -51,14 +51,14 @@ align_stops(const TimeParameterization& law, double period);
 /// at corners that have no arc. The path is the same to the bit: only its times are other ones.
 ///
 /// From stop to stop time_optimal() is averaged over a window of time: its acceleration, which
-/// jumps, becomes one that changes evenly, by no more than its jumps in the window's length. Then
-/// the stretch is slowed down to where velocity, acceleration and jerk of all joints are in their
-/// limits. Of several windows, and of several shares of the accelerations to begin with, the
-/// fastest is taken. Nearly, not quite as fast as can be: the limits are met where one joint
-/// is at its worst.
+/// jumps, becomes one that changes evenly, by at most its jumps in the window's length. Then the
+/// stretch is slowed down until velocity, acceleration and jerk of all joints are in their
+/// limits. Of several windows, and of several initial shares of the accelerations, the fastest
+/// is taken. The result is nearly optimal: the limits are reached where one joint is at its
+/// worst.
 /// @pre limits.jerk is of the model's shape.
 /// @throws std::invalid_argument if the path has circular arcs, where no jerk is limited;
-/// geometric::PreparationStopped where `stop` asks for it.
+/// geometric::PreparationStopped if `stop` is requested.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization jerk_limited(
     const BlendedPath& path, const JointKinematicLimits& limits, const std::stop_token& stop = {});
 

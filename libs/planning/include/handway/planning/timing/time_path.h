@@ -75,19 +75,19 @@ struct PreflightReport {
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string advice() const;
 };
 
-/// Checks everything that can be known without the robot: check_trajectory(), the start
-/// against what was measured and the straight motion from there, and collisions for every
-/// configuration between the points (they are followed in straight lines), with the clearance along
-/// time. A trajectory that fails check_trajectory() is not looked at further. The clearance of one
-/// that is cleared is compared with options.safety: a joint's following error is in proportion to
-/// its velocity, and decays after it.
+/// Checks all that is known without the robot: check_trajectory(), the start against the measured
+/// one and the straight motion from there, and collisions for every configuration between the
+/// points (they are followed in straight lines), with the clearance along time. A trajectory that
+/// fails check_trajectory() is not checked further. The clearance of a cleared one is compared
+/// with options.safety: a joint's following error is in proportion to its velocity, and decays
+/// after it.
 /// @param options limits (not of size 0), measured start, the resolution of blends and safety
 /// count.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PreflightReport preflight(const PlanningProblem& problem,
                                                                 const Trajectory& trajectory,
                                                                 const TimingOptions& options);
 
-/// For a person, a line each.
+/// Text for display, one finding per line.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_text(const PreflightReport& report);
 
 /// A JSON object: `cleared`, `verdict` ("cleared", "tight" or "not cleared"), `faults` (`joint`,
@@ -118,8 +118,8 @@ struct TimedPath {
                                                           const Path& path, const std::string& name,
                                                           const TimingOptions& options = {});
 
-/// `text` made a Motion::name: what is no letter, digit or "_" becomes "_", and "path_" goes
-/// before what does not begin with a letter.
+/// `text` made a Motion::name: characters other than letters, digits or "_" become "_", and "path_"
+/// is put before a text that does not begin with a letter.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string motion_name(std::string text);
 
 }  // namespace handway::planning

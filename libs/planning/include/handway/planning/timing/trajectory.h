@@ -50,9 +50,9 @@ struct Trajectory {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> waypoint_times(
     const BlendedPath& path, const TimeParameterization& law);
 
-/// A time (s) below which no motion through the path's waypoints in straight lines can
-/// stay, whatever it does between: each joint alone, from rest to rest, from one of its turning
-/// points to the next, at its velocity and acceleration limits.
+/// Lower bound (s) of the duration of any motion through the path's waypoints in straight lines:
+/// each joint alone, from rest to rest, from one of its turning points to the next, at its velocity
+/// and acceleration limits.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double least_duration(const Path& path,
                                                             const JointKinematicLimits& limits);
 
@@ -64,11 +64,11 @@ struct TrajectoryFault {
   std::string text;    ///< A sentence with all of this.
 };
 
-/// Finds what a controller would choke on: no points, points of another size, numbers
-/// that are not finite, time that does not increase, a first or last point that is
-/// not at rest; joints beyond their limits, coupled ones included; velocities and accelerations
-/// beyond `limits`, as they are written and as they follow from one point to the next; jerk, if it
-/// is limited, as it follows from accelerations. Of each kind the first for each joint.
+/// Finds faults that a controller would refuse: no points, points of another size, numbers that are
+/// not finite, time that does not increase, a first or last point that is not at rest; joints
+/// beyond their limits, coupled ones included; velocities and accelerations beyond `limits`, both
+/// the given ones and those between consecutive points; jerk, if it is limited, by the
+/// accelerations. Of each kind the first for each joint.
 /// @param fixed variables whose positions do not count, as of geometric::limit_violations().
 /// @pre limits are of the model's shape.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<TrajectoryFault> check_trajectory(
