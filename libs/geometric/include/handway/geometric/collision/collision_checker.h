@@ -31,23 +31,23 @@ struct CheckCounts {
   }
 };
 
-/// Between which a distance is, m.
+/// The two features between which a distance is measured, m.
 struct DistanceRange {
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();
 };
 
-/// The answer to a tolerance question.
+/// Result of a tolerance query.
 enum class Closeness {
-  kFarther,   ///< At least as far apart as the tolerance.
+  kFarther,   ///< At least the tolerance apart.
   kCloser,    ///< Closer than that, not touching.
   kTouching,  ///< In collision.
 };
 
-/// A connected piece of a body's surface that is inside of another body's hollow closed shape.
+/// A connected piece of a body's surface inside of another body's hollow closed shape.
 struct Enclosed {
-  int inner = -1;  ///< Index of the body, …
-  int outer = -1;  ///< … and of that around it.
+  int inner = -1;  ///< Index of the inner body, …
+  int outer = -1;  ///< … and of the outer one.
   int piece = 0;   ///< Piece of the inner body's surfaces.
   int shell = 0;   ///< Hollow shape of the outer body.
 
@@ -55,7 +55,7 @@ struct Enclosed {
   [[nodiscard]] std::tuple<int, int, int, int> key() const { return {inner, outer, piece, shell}; }
 };
 
-/// Answers collision questions about the pairs of a CollisionWorld.
+/// Answers collision queries about the pairs of a CollisionWorld.
 ///
 /// A checker holds the state of one configuration and is for one thread; clones share the
 /// immutable parts. Touching counts as collision, and so does a body inside of another one's
@@ -74,7 +74,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   [[nodiscard]] const CheckCounts& counts() const { return counts_; }
   void reset_counts() { counts_ = {}; }
 
-  /// Places all bodies for the questions that follow.
+  /// Places all bodies for the following queries.
   /// @param q shape [variable_count]; limits are not checked.
   /// @throws std::invalid_argument if the shape is wrong or a value is not finite.
   void place(const Configuration& q);
@@ -82,17 +82,17 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// Poses of the placed links in the robot's base frame. Shape [link_count].
   [[nodiscard]] const std::vector<Pose>& link_poses() const { return X_BL_; }
 
-  /// Do the two bodies of world().pairs()[pair] touch, as placed? Questions about one pair take
-  /// constraints, too; see CollisionWorld::constraints().
+  /// Returns whether the two placed bodies of world().pairs()[pair] touch. Queries about one pair
+  /// accept constraints, too; see CollisionWorld::constraints().
   [[nodiscard]] bool pair_collides(int pair);
 
-  /// A lower bound of the distance of the pair's bodies, m: the distance itself
-  /// where that is below `enough`, otherwise anything from `enough` up to it.
-  /// 0 if they touch, or one is inside of the other, however deep.
+  /// A lower bound of the distance of the pair's bodies, m: the distance itself if it is below
+  /// `enough`, otherwise any value from `enough` up to it. 0 if they touch, or one contains the
+  /// other, at any depth.
   [[nodiscard]] double pair_distance(int pair, double enough);
 
-  /// The pair's distance to within a `share` of it, in [0, 1), or from `enough` up if it is at
-  /// least that. The larger the share, the cheaper.
+  /// The pair's distance to within a `share` of it, in [0, 1), or a value from `enough` up if it is
+  /// at least that. A larger share is cheaper.
   /// @pre no constraint.
   [[nodiscard]] DistanceRange pair_distance_range(int pair, double enough, double share) {
     ++counts_.pair_distances;
@@ -104,11 +104,11 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
     return {std::max(0.0, lower - padding), std::max(0.0, upper - padding)};
   }
 
-  /// Is the pair closer than `tolerance` (m)? Cheaper than its distance.
+  /// Returns whether the pair is closer than `tolerance` (m). Cheaper than its distance.
   [[nodiscard]] Closeness pair_closeness(int pair, double tolerance);
 
-  /// A lower bound of the pair's distance, at most `enough`, at a small price;
-  /// it may be far below the distance.
+  /// A cheap lower bound of the pair's distance, at most `enough`; it may be far below the
+  /// distance.
   [[nodiscard]] double pair_bound(int pair, double enough) {
     if (world_->constraint(pair)) {
       return pair_distance(pair, enough);
@@ -165,8 +165,8 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   void count_pair_collision() { ++counts_.pair_collisions; }
   void count_exact_test() { ++counts_.exact_tests; }
 
-  /// Called after the bodies have been placed. The questions about one pair that follow are about
-  /// its surfaces and solids: they know nothing of padding.
+  /// Called after the bodies have been placed. The following queries about one pair are about its
+  /// surfaces and solids, without padding.
   virtual void do_place() {}
   [[nodiscard]] virtual bool do_pair_collides(int pair) = 0;
   [[nodiscard]] virtual double do_pair_distance(int pair, double enough) = 0;
@@ -176,7 +176,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
     return do_pair_distance(pair, enough);
   }
   [[nodiscard]] virtual double do_pair_quick_bound(int /*pair*/) { return 0.0; }
-  /// Questions about all pairs take their padding into account.
+  /// Queries about all pairs take their padding into account.
   virtual void do_near_pairs(double distance, std::vector<int>& pairs);
   virtual void do_closest_first(double /*distance*/, std::vector<int>& /*pairs*/) {}
   /// Tests `hint` first, then all in a fixed order. @pre there are pairs.
@@ -199,11 +199,11 @@ struct NamedPair {
   double distance = 0.0;
 };
 
-/// The pair world.pairs()[pair] by its bodies' names, or the constraint of that index.
+/// The pair world.pairs()[pair] by its bodies' names, or the constraint with that index.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT NamedPair named_pair(const CollisionWorld& world, int pair,
                                                             double distance);
 
-/// "a with b", or "constraint a".
+/// Formats "a with b", or "constraint a".
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const NamedPair& pair);
 
 /// Describes the conflict of `q` with a pair or constraint that first_collision() returned: "is in
@@ -225,13 +225,13 @@ struct NamedPair {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<NamedPair> find_collisions(
     CollisionChecker& checker, const Configuration& q);
 
-/// The closest pair in `q`; a distance above `enough` may be reported as `enough`.
-/// A world without pairs is infinitely clear.
+/// The closest pair in `q`; a distance above `enough` may be reported as `enough`. A world without
+/// pairs has an infinite distance.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT NamedPair
 find_clearance(CollisionChecker& checker, const Configuration& q,
                double enough = std::numeric_limits<double>::infinity());
 
-/// Is any pair closer than `distance` (m) in `q`? The third of PQP's three queries.
+/// Returns whether any pair is closer than `distance` (m) in `q`: the third of PQP's queries.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closer_than(CollisionChecker& checker,
                                                            const Configuration& q, double distance);
 

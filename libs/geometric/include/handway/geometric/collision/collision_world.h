@@ -26,9 +26,9 @@ inline constexpr double kFarthestPoint = 1e6;
 struct CollisionBody {
   std::string name;              ///< Link or object; "robot/link" for a robot that is fixed.
   int link = -1;                 ///< Link of the planned robot that carries the body; -1: fixed.
-  Pose X_FB = Pose::Identity();  ///< In the carrying link's frame, or in the world.
-  std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
-  bool is_carried = false;                   ///< An object on a link.
+  Pose X_FB = Pose::Identity();  ///< Pose in its link's frame, or in the world.
+  std::shared_ptr<const TriangleMesh> mesh;  ///< Triangles in the body's frame B.
+  bool is_carried = false;                   ///< True for an object on a link.
   /// The body is a scaled copy of the body before it: this one is checked against fixed bodies, the
   /// other one against moving ones.
   bool is_scaled_copy = false;
@@ -36,7 +36,7 @@ struct CollisionBody {
   /// Paddings of both bodies of a pair add up.
   double padding = 0.0;
   std::vector<std::string> touching = {};  ///< Names of bodies that an attached object may touch.
-  /// Its closed shapes, inside of which nothing may be; never null.
+  /// Its closed shapes, whose interiors must be free; never null.
   std::shared_ptr<const BodySolids> solids = nullptr;
   /// Centre of B in the link's or the object's frame, along its axes, m: other than 0 for a mesh
   /// that is far from the origin of that frame. Links and objects are at X_FB but for this.
@@ -47,7 +47,7 @@ struct CollisionBody {
 
 /// Indices of two bodies that must not touch.
 struct BodyPair {
-  int a = -1;  ///< Always a body that moves.
+  int a = -1;  ///< Always a moving body.
   int b = -1;
 };
 
@@ -65,8 +65,8 @@ struct BodyPair {
 /// distance is the rest beyond it.
 class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
  public:
-  /// @throws InputError if the scene has no robot, an attachment names none, or a point is
-  /// farther away than kFarthestPoint; as LinkConstraint.
+  /// @throws InputError if the scene has no robot, an attachment has no link, or a point is farther
+  /// away than kFarthestPoint; as LinkConstraint.
   explicit CollisionWorld(const Scene& scene);
 
   /// This world after a change of one fixed object, all else shared: equal to CollisionWorld(scene)
@@ -89,7 +89,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   [[nodiscard]] const CollisionBody& body(int index) const {
     return bodies_[static_cast<std::size_t>(index)];
   }
-  /// Moving against moving first, then moving against still; each in body order.
+  /// Pairs of two moving bodies first, then moving against fixed bodies; each in body order.
   [[nodiscard]] const std::vector<BodyPair>& pairs() const { return pairs_; }
   [[nodiscard]] bool is_self_pair(const BodyPair& pair) const { return body(pair.b).moves(); }
   /// The distance (m) that the bodies of pairs()[pair] have to keep; 0 for most.
@@ -103,11 +103,11 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   /// index pairs().size() + c is constraint c, its distance is its slack (rad or m), and it
   /// "touches" where it is violated.
   [[nodiscard]] const std::vector<LinkConstraint>& constraints() const { return constraints_; }
-  /// Pairs and constraints.
+  /// Number of pairs and constraints.
   [[nodiscard]] int check_count() const {
     return static_cast<int>(pairs_.size() + constraints_.size());
   }
-  /// The constraint of that index; null for a pair.
+  /// The constraint with that index; null for a pair.
   [[nodiscard]] const LinkConstraint* constraint(int check) const {
     const auto index = static_cast<std::size_t>(check);
     return index < pairs_.size() ? nullptr : &constraints_[index - pairs_.size()];
@@ -120,7 +120,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   void place_moving(const Configuration& q, std::vector<Pose>& X_BL,
                     std::vector<Pose>& X_WBody) const;
 
-  /// Indices of the bodies that move, rising.
+  /// Indices of the moving bodies, ascending.
   [[nodiscard]] const std::vector<int>& moving() const { return moving_; }
 
   /// Pairs with a fixed body of that name, in order.

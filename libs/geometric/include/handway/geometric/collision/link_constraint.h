@@ -36,9 +36,9 @@ class HANDWAY_GEOMETRIC_EXPORT LinkConstraint {
   /// @returns rad or m; negative where the constraint is violated.
   [[nodiscard]] double slack(const std::vector<Pose>& X_BL) const;
 
-  /// An amount (rad or m) by which the constraint is exceeded, and how it changes while the link
-  /// moves: by linear · v + angular · ω, where v is the velocity of the link's point that is at the
-  /// base's origin. All in the robot's base.
+  /// An amount (rad or m) by which the constraint is exceeded, and its rate as the link moves:
+  /// linear · v + angular · ω, where v is the velocity of the link's point at the base's origin.
+  /// All in the robot's base.
   struct Excess {
     double amount;
     Eigen::Vector3d linear;
@@ -71,7 +71,7 @@ class HANDWAY_GEOMETRIC_EXPORT LinkConstraint {
 /// A configuration near `q` that keeps all constraints: damped Gauss-Newton steps, the shortest in
 /// normalised joints, within the limits.
 /// @param variables those that may change.
-/// @returns `q` itself if it keeps them; nothing if none was found in a few steps.
+/// @returns `q` itself if it keeps them; nothing if a few steps found none.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<Configuration> project_onto_constraints(
     const RobotModel& model, std::span<const LinkConstraint> constraints,
     std::span<const int> variables, Configuration q);

@@ -26,7 +26,7 @@ struct FiledJointLimits {
 /// `has_acceleration_limits`, `max_acceleration`, `has_deceleration_limits`, `max_deceleration`,
 /// `has_jerk_limits`, `max_jerk`, `has_soft_limits`, `soft_lower_limit`, `soft_upper_limit` (all
 /// optional). Limits whose flag is false don't count.
-/// @param joints names of the robot's joints. The file may be about others, too.
+/// @param joints names of the robot's joints. The file may have others, too.
 /// @throws InputError naming line and key, also for a name that is almost that of a joint missing
 /// in the file: limits that a user relies on must not be ignored.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<FiledJointLimits> read_joint_limits(
@@ -40,8 +40,8 @@ struct FiledJointLimits {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::filesystem::path joint_limits_beside(
     const RobotDescription& robot);
 
-/// Narrows the limits of the robot's joints to those of positions in joint_limits_beside(). A file
-/// that can't be read, and limits that leave a joint no range, become warnings of the robot.
+/// Narrows the position limits of the robot's joints to those in joint_limits_beside(). A file that
+/// can't be read, and limits that leave a joint no range, become warnings of the robot.
 HANDWAY_GEOMETRIC_EXPORT void narrow_joint_limits(RobotDescription& robot);
 
 }  // namespace handway::geometric

@@ -13,7 +13,7 @@
 
 namespace handway::geometric {
 
-/// A mesh as its file has it: neither joined nor cleaned.
+/// A mesh exactly as in its file: neither joined nor cleaned.
 struct ImportedMesh {
   TriangleMesh triangles;       ///< All parts in the file's root frame.
   Color color;                  ///< Colour of the first triangle (Inventor files only).
@@ -35,7 +35,7 @@ struct ImportedMesh {
 /// from any thread.
 ///
 /// @param scale of an Inventor file, from its lengths to millimetres; the mesh is in metres. Meshes
-/// of other formats are as they stand in the file, DAE's unit applied (see read_mesh()).
+/// of other formats are not scaled, except by DAE's unit (see read_mesh()).
 /// @returns finite vertices and indices that are in range.
 /// @throws InputError if the file is missing, no regular file or larger than 1 GB, can't be read,
 /// has a vertex that is not finite or an index beyond its points; if reading it crashes, or takes
@@ -48,7 +48,7 @@ struct ImportedMesh {
 /// source; nothing if it has not. @param largest coordinate (m), see ImportedMesh.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<InputProblem> rounding_problem(double largest);
 
-/// Does the file's name end like one of a mesh format that assimp knows?
+/// Returns whether the file's name has an extension of a mesh format of assimp.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_assimp_file(const std::filesystem::path& file);
 
 }  // namespace handway::geometric

@@ -17,8 +17,8 @@ HANDWAY_GEOMETRIC_EXPORT void write_obj(const TriangleMesh& mesh,
 /// `name` with everything but ASCII letters, digits, - and _ replaced by _.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string file_name_of(const std::string& name);
 
-/// The folder `STEM_meshes` beside a file STEM.*, for meshes that it needs and
-/// no other file holds. It is made with the first mesh.
+/// The folder `STEM_meshes` beside a file STEM.*, for its meshes that have no file. It is created
+/// with the first mesh.
 class SavedMeshes {
  public:
   explicit SavedMeshes(const std::filesystem::path& file);

@@ -10,7 +10,7 @@
 
 namespace handway::geometric {
 
-/// Reads robots of another format than URDF; plugins hand them over.
+/// Reader of robots in another format than URDF; provided by plugins.
 struct RobotReader {
   std::string name;  ///< "an SDF model (.sdf)"
   /// Tests the name and the first bytes; must not throw on any readable file.
@@ -19,7 +19,7 @@ struct RobotReader {
   std::function<RobotDescription(const std::filesystem::path&)> read;
 };
 
-/// From now on load_robot() takes files of this format, too. May be called from any thread.
+/// Registers a format, which load_robot() reads from now on. May be called from any thread.
 HANDWAY_GEOMETRIC_EXPORT void register_robot_reader(RobotReader reader);
 
 /// Returns whether load_robot() reads the file: URDF, xacro, or a format that is registered.
@@ -31,7 +31,7 @@ HANDWAY_GEOMETRIC_EXPORT void register_robot_reader(RobotReader reader);
 /// collision, adjacent links and links that overlap (sample_overlapping_links()) are allowed to
 /// touch. A missing group "arm" or "hand" is taken from propose_groups(). The description has a
 /// warning about both for robots without an SRDF.
-/// @throws InputError if the file can't be read or makes no robot.
+/// @throws InputError if the file can't be read or has no valid robot.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const RobotModel> load_robot(
     const std::filesystem::path& file);
 

@@ -25,16 +25,16 @@ inline constexpr int kSceneVersion = 1;
 
 /// Reads the objects of a text that is a scene file or its part `objects`, as objects_text() writes
 /// it, with their display settings. Meshes are named by absolute paths or are of the library.
-/// @param source where the text is from, for messages. @param scene with its robots, which objects
-/// may be attached to.
+/// @param source origin of the text, for messages. @param scene with its robots, to which objects
+/// may be attached.
 /// @returns a scene of objects alone, under the names of the text.
 /// @throws InputError naming source, line and element of the error.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Scene read_objects(const std::string& text,
                                                           const std::string& source,
                                                           const Scene& scene);
 
-/// The constraints of a text that is a list of them, as a scene file has it. @param source where
-/// the text is from, for messages. @param scene whose bodies they are about.
+/// The constraints of a text that is a list of them, as in a scene file. @param source origin of
+/// the text, for messages. @param scene whose bodies they refer to.
 /// @throws InputError naming source, line and element of the error.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<PathConstraint> read_constraints(
     const std::string& text, const std::string& source, const Scene& scene);
@@ -50,7 +50,7 @@ inline constexpr int kSceneVersion = 1;
 /// (made by a program or an importer) are saved as OBJ in the folder
 /// `STEM_meshes` beside the scene.
 ///
-/// Robots that come from no URDF are saved as `STEM_ROBOT.urdf` (write_urdf()).
+/// Robots without a URDF are saved as `STEM_ROBOT.urdf` (write_urdf()).
 ///
 /// @throws InputError if a file can't be written; the old scene file is then as
 /// it was.
@@ -58,8 +58,8 @@ HANDWAY_GEOMETRIC_EXPORT void write_scene(const Scene& scene, const std::filesys
 
 /// The scene's objects as the part `objects` of a scene file, to be read by read_objects() in any
 /// scene: meshes are named by absolute paths.
-/// @param meshes_beside a file; meshes that no mesh file holds are saved in STEM_meshes beside it.
-/// @throws InputError if they can't be.
+/// @param meshes_beside a file; meshes without a file are saved in STEM_meshes beside it.
+/// @throws InputError if that fails.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string objects_text(
     const Scene& scene, const std::filesystem::path& meshes_beside);
 

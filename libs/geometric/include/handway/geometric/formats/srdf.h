@@ -15,8 +15,8 @@ namespace handway::geometric {
 /// `follows` a multiplier. Reasons other than Adjacent, Always and Never are read as User. Lines
 /// about unknown links, joints and groups are skipped, as are unknown elements: one warning
 /// each.
-/// @throws InputError naming the line if the file can't be read, an element is
-/// misspelt or a number is none; `robot` is then unchanged.
+/// @throws InputError naming the line if the file can't be read, an element is misspelt or a number
+/// is invalid; `robot` is then unchanged.
 HANDWAY_GEOMETRIC_EXPORT void read_srdf(const std::filesystem::path& file, RobotDescription& robot);
 
 /// Returns the names of its groups, in the file's order, without reading the groups.
@@ -27,10 +27,10 @@ HANDWAY_GEOMETRIC_EXPORT void read_srdf(const std::filesystem::path& file, Robot
 /// Replaces all `disable_collisions` of an SRDF file by those of the robot, adds the groups and end
 /// effectors whose names it lacks, and keeps the rest, comments included; creates a missing file.
 /// The file is replaced whole.
-/// @param decided groups that become those of the robot also where the file has others; where the
-/// robot has none, they go with their postures, and so do all end effectors that the robot has not.
-/// @throws InputError if the old file is no SRDF or the new one can't be
-/// written; the old file is then untouched.
+/// @param decided groups that replace those of the file; if the robot lacks one, it is removed with
+/// its postures, and so are all end effectors that the robot lacks.
+/// @throws InputError if the old file is not SRDF or the new one can't be written; the old file is
+/// then untouched.
 HANDWAY_GEOMETRIC_EXPORT void update_srdf(const RobotDescription& robot,
                                           const std::filesystem::path& file,
                                           const std::vector<std::string>& decided = {});

@@ -17,18 +17,18 @@ namespace handway::geometric {
 /// A part of a YAML file that knows its name and line, for precise messages about errors in it.
 /// Cheap to copy; not for several threads at once.
 ///
-/// All functions throw InputError naming file, line and element if the part is
-/// not what they ask for.
+/// All functions throw InputError naming file, line and element if the part has another
+/// type.
 class HANDWAY_GEOMETRIC_EXPORT YamlElement {
  public:
-  /// The top of a file that holds one YAML document.
-  /// @param what what the file should be, for messages: "a scene file".
+  /// The top of a file with one YAML document.
+  /// @param what expected kind of the file, for messages: "a scene file".
   [[nodiscard]] static YamlElement read(const std::filesystem::path& file, const std::string& what);
-  /// The top of a text that is no file's. @param source where it is from, for messages.
+  /// The top of a text without a file. @param source its origin, for messages.
   [[nodiscard]] static YamlElement parse(const std::string& text, const std::string& source,
                                          const std::string& what);
 
-  /// From the top, for example "objects[2].pose.xyz"; empty for the top.
+  /// Path from the top, for example "objects[2].pose.xyz"; empty for the top.
   [[nodiscard]] const std::string& name() const { return name_; }
   /// "FILE:LINE".
   [[nodiscard]] std::string where() const;
@@ -64,7 +64,7 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   [[nodiscard]] std::vector<YamlElement> items() const;
 
   [[nodiscard]] std::string text() const;
-  /// True or false, in these words.
+  /// Reads the words `true` and `false`.
   [[nodiscard]] bool flag() const;
   /// Finite and within ±10⁶ (metres, radians: larger numbers are in wrong units).
   [[nodiscard]] double number() const;
@@ -87,11 +87,11 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   std::string name_;
 };
 
-/// The text of a YAML file of one document that is fit to be parsed: at most 16 MB, a million
-/// elements and 500 levels, what aliases stand for counted as often as they do.
-/// @param what what the file should be, for messages: "a scene file".
-/// @throws InputError as read_text_file(); if it is no YAML, has more or fewer documents than one,
-/// exceeds a limit, or has an alias within what it stands for.
+/// The text of a YAML file of one document that can be parsed: at most 16 MB, a million elements
+/// and 500 levels, with the targets of aliases counted once for each alias.
+/// @param what expected kind of the file, for messages: "a scene file".
+/// @throws InputError as read_text_file(); if it is not YAML, has more or fewer documents than one,
+/// exceeds a limit, or has an alias within its own target.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string read_yaml_text(const std::filesystem::path& file,
                                                                   const std::string& what);
 

@@ -37,11 +37,11 @@ class HANDWAY_GEOMETRIC_EXPORT DiskCache {
  public:
   static constexpr std::uintmax_t kBudget = std::uintmax_t{512} << 20;  ///< Bytes.
 
-  /// The user's: $XDG_CACHE_HOME/handway/meshes, else ~/.cache/handway/meshes. Removes the folder
-  /// that early versions used.
+  /// The user's cache: $XDG_CACHE_HOME/handway/meshes, else ~/.cache/handway/meshes. Removes the
+  /// folder that early versions used.
   [[nodiscard]] static DiskCache of_user();
 
-  /// @param folder is made with the first entry; empty: nothing is kept.
+  /// @param folder is created with the first entry; empty: nothing is stored.
   /// @param budget bytes that all entries may take together.
   explicit DiskCache(std::filesystem::path folder, std::uintmax_t budget = kBudget);
 
@@ -60,7 +60,7 @@ class HANDWAY_GEOMETRIC_EXPORT DiskCache {
     return std::nullopt;
   }
 
-  /// Removes the entries that were not used for the longest time where the budget is exceeded.
+  /// Removes the least recently used entries if the budget is exceeded.
   void write(const CacheKey& key, std::string_view bytes) const;
 
  private:

@@ -22,7 +22,7 @@ struct InputProblem {
   std::string advice;    ///< Advice on how to fix it; may be empty.
 };
 
-/// Thrown for input that can't be read or makes no sense; tools exit with code 3.
+/// Thrown for input that can't be read or is invalid; tools exit with code 3.
 class HANDWAY_GEOMETRIC_EXPORT InputError : public std::runtime_error {
  public:
   /// `what()` reads "SOURCE: ELEMENT: found FOUND, expected EXPECTED. ADVICE".
@@ -40,13 +40,13 @@ class HANDWAY_GEOMETRIC_EXPORT OutputError : public InputError {
   using InputError::InputError;
 };
 
-/// The one of `names` with the smallest edit distance to `word`, for advice on
-/// misspelt names; empty if none is near (more than a third of the letters off).
+/// The one of `names` with the smallest edit distance to `word`, for advice on misspelt names;
+/// empty if all are far (more than a third of the letters).
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string nearest_name(std::string_view word,
                                                                 std::span<const std::string> names);
 
 /// The `count` of `names`, or all if there are fewer, with the smallest edit distances to `word`,
-/// nearest first, however far they are.
+/// nearest first, at any distance.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> nearest_names(
     std::string_view word, std::span<const std::string> names, std::size_t count);
 /// The one of `names` of which `word`, which is not among them, is a misspelling: at most two
@@ -54,7 +54,7 @@ class HANDWAY_GEOMETRIC_EXPORT OutputError : public InputError {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<std::string> slip_of(
     std::string_view word, std::span<const std::string> names);
 
-/// `Did you mean "NAME"?`, or the names there are if none is near and they are few.
+/// Advice: `Did you mean "NAME"?`, or all names if they are few and none is near.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string advise_name(std::string_view word,
                                                                std::span<const std::string> names);
 

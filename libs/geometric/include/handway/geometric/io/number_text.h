@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// Numbers in text files, and lines of cells that hold them.
+/// Numbers in text files, and lines of cells with numbers.
 namespace handway::geometric {
 
 /// Returns the finite number that the whole of `text` spells, in any locale; surrounding blanks are
@@ -17,11 +17,11 @@ namespace handway::geometric {
 /// The shortest text that parse_number() reads back as the same number.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string number_text(double value);
 
-/// Without blanks, quotes and the end of line around it.
+/// Trims blanks, quotes and the end of line.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string_view trimmed(std::string_view text);
 
-/// Trimmed parts between separators; ' ' separates by any run of blanks. Separators within a cell
-/// that is quoted whole do not count.
+/// Trimmed parts between separators; ' ' separates by any run of blanks. Separators within a fully
+/// quoted cell do not count.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string_view> cells(std::string_view line,
                                                                            char separator);
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// Lines and cells of tables as other programs write them.
+/// Lines and cells of tables of other programs.
 namespace handway::geometric {
 
 /// A line of a text file without its end.
@@ -19,7 +19,7 @@ struct TextLine {
   bool ended = true;       ///< False for a last line without its end.
 };
 
-/// All lines of a text, of which they stay a part.
+/// All lines of a text, as views into it.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<TextLine> text_lines(std::string_view text);
 
 /// The separator of a line's cells: tab, semicolon or comma, the first that it has outside of

@@ -9,20 +9,20 @@
 #include <string_view>
 #include <vector>
 
-/// Times of the rows of a table as other programs write them: numbers in some unit, since 1970 or
-/// since the start; dates and clock times.
+/// Times of the rows of a table of other programs: numbers in some unit, since 1970 or since the
+/// start; dates and clock times.
 namespace handway::geometric {
 
-/// A cell that spells a time.
+/// The time in a cell.
 struct SpelledTime {
   enum class Kind { kDate, kClock, kDateAndClock };
   Kind kind = Kind::kDate;
   double seconds = 0.0;  ///< Since 1970 (UTC), or since midnight.
 };
 
-/// The time that the whole of a cell spells: ISO 8601 ("2024-03-01T12:00:00.5Z", with a blank for
-/// the T, with another zone), a date (also "01.03.2024" and "03/01/2024") or a clock time
-/// ("12:00:00.5", "12:00:00,5", "1:00:00 PM").
+/// Parses a cell that is a time: ISO 8601 ("2024-03-01T12:00:00.5Z", with a blank for the T, with
+/// another zone), a date (also "01.03.2024" and "03/01/2024") or a clock time ("12:00:00.5",
+/// "12:00:00,5", "1:00:00 PM").
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<SpelledTime> parse_time(std::string_view cell);
 
 /// Unit and kind of times that a column's name gives.
@@ -44,7 +44,7 @@ struct TimeColumns {
     std::size_t column = 0;
     double unit = 1.0;  ///< Factor of numbers; dates and clock times are in s.
   };
-  std::vector<Part> parts;     ///< Empty: there are no times.
+  std::vector<Part> parts;     ///< Empty: no times.
   std::optional<double> unit;  ///< The named one of a single column, s.
 
   [[nodiscard]] bool has(std::size_t column) const;
@@ -53,7 +53,7 @@ struct TimeColumns {
 /// Kind of a column's cells.
 enum class CellContent { kOther, kNumbers, kDates, kClocks, kDatesAndClocks };
 
-/// The content of a column with such a cell.
+/// Returns the content of a column with such a cell.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT CellContent content_of(std::string_view cell);
 
 /// Prefers columns whose names have no other meaning, and of several the first.
@@ -62,18 +62,18 @@ enum class CellContent { kOther, kNumbers, kDates, kClocks, kDatesAndClocks };
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TimeColumns
 time_columns(const std::vector<std::string>& names, const std::vector<CellContent>& contents);
 
-/// Makes seconds that never fall of the times in a table.
+/// Converts the times of a table into seconds that never fall.
 /// - The unit is the named one. If none is named, or the values contradict it, it follows from
 ///   their size (of times since 1970) and their steps: rows are less than 5 s apart.
 ///   - Times since 1970 begin at 0.
-///   - A clock without a date that passes midnight runs on.
+/// - A clock without a date that passes midnight continues.
 /// - If time runs back, the clock was set: times run on from there by a usual step. A few rows
 ///   that come too late get the time of the one before.
 /// @param times in the order of rows; those that are not finite stay.
 /// @param unit the named one, s.
 /// @param spelled whether they are dates or clock times, in s.
-/// @param lines of the file, of each row; without them rows are counted from 1.
-/// @returns warnings, in words: what the unit was taken for, how often and where time ran back.
+/// @param lines line of each row in the file; without them rows are counted from 1.
+/// @returns warnings, in words: the unit inferred, and how often and where time ran back.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> settle_times(
     std::vector<double>& times, std::optional<double> unit = {}, bool spelled = false,
     std::span<const std::size_t> lines = {});

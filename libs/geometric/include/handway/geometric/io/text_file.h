@@ -18,7 +18,7 @@ class HANDWAY_GEOMETRIC_EXPORT FilesRead {
   FilesRead(const FilesRead&) = delete;
   FilesRead& operator=(const FilesRead&) = delete;
 
-  /// Each once, by its absolute path, in the order in which they were first read.
+  /// Files, each once, by its absolute path, in the order in which they were first read.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
 
  private:
@@ -28,14 +28,14 @@ class HANDWAY_GEOMETRIC_EXPORT FilesRead {
   FilesRead* outer_;
 };
 
-/// To be called by every reader of a file that a scene or a problem may refer to.
+/// To be called by every reader of files that a scene or a problem may refer to.
 HANDWAY_GEOMETRIC_EXPORT void note_file_read(const std::filesystem::path& file);
 
-/// The whole content of a file that people write, as UTF-8 without control characters and
-/// byte-order mark: UTF-8, UTF-16 with its mark, or with bytes of Latin-1 in between.
-/// @param what what the file should be, for messages: "a robot file (URDF)".
+/// The whole content of a text file, as UTF-8 without control characters and byte-order mark:
+/// UTF-8, UTF-16 with its mark, or with bytes of Latin-1 in between.
+/// @param what expected kind of the file, for messages: "a robot file (URDF)".
 /// @throws InputError if it is missing, a folder, device or pipe, unreadable, empty, larger than
-/// `limit` bytes, or no text; a byte that is no text is named with its line.
+/// `limit` bytes, or not text; an invalid byte is reported with its line.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string read_text_file(
     const std::filesystem::path& file, const std::string& what,
     std::size_t limit = std::size_t{64} << 20);

@@ -16,7 +16,7 @@ class Periods {
  public:
   /// Makes periods of no coordinate.
   Periods() = default;
-  /// @param periods > 0; 0 of a coordinate that doesn't come round. Shape [dimension].
+  /// @param periods > 0; 0 for a coordinate without a period. Shape [dimension].
   explicit Periods(Eigen::VectorXd periods)
       : periods_((periods.array() > 0.0).any() ? std::move(periods) : Eigen::VectorXd()) {}
 
@@ -26,7 +26,7 @@ class Periods {
     return !none() && periods_[coordinate] > 0.0;
   }
 
-  /// `to`, moved by whole periods to at most half a period from `from`.
+  /// Returns `to`, moved by whole periods to at most half a period from `from`.
   [[nodiscard]] Eigen::VectorXd nearest(const Eigen::VectorXd& from, Eigen::VectorXd to) const {
     for (Eigen::Index i = 0; i < periods_.size(); ++i) {
       to[i] -= whole(i, to[i] - from[i]);
@@ -34,13 +34,13 @@ class Periods {
     return to;
   }
 
-  /// The shortest vector from `from` to where `to` is.
+  /// The shortest vector from `from` to a value equivalent to `to`.
   [[nodiscard]] Eigen::VectorXd difference(const Eigen::VectorXd& from,
                                            const Eigen::VectorXd& to) const {
     return nearest(from, to) - from;
   }
 
-  /// Length of difference(), squared.
+  /// Squared length of difference().
   template <typename A, typename B>
   [[nodiscard]] double squared_distance(const A& from, const B& to) const {
     double sum = 0.0;

@@ -7,8 +7,8 @@
 
 namespace handway::geometric {
 
-/// A rigid transform. `Pose X_AB` is the pose of frame B measured in frame A,
-/// so that a point p_BQ of B reads p_AQ = X_AB * p_BQ. Metres.
+/// A rigid transform. `Pose X_AB` is the pose of frame B measured in frame A, so that a point p_BQ
+/// of B is p_AQ = X_AB * p_BQ. Metres.
 using Pose = Eigen::Isometry3d;
 
 /// Values of a robot's independent joints in the model's variable order,
@@ -28,7 +28,7 @@ using Configuration = Eigen::VectorXd;
   return X;
 }
 
-/// The turn about `rotation_vector` by its length (rad).
+/// The rotation about `rotation_vector` by its length (rad).
 [[nodiscard]] inline Eigen::AngleAxisd turn_from_rotation_vector(
     const Eigen::Vector3d& rotation_vector) {
   const double angle = rotation_vector.norm();

@@ -5,15 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Sines and cosines of many angles at once, in a form that compilers turn into
-/// SIMD. Only IEEE additions and multiplications: the same bits on every machine,
-/// which the C library does not promise.
+/// Sines and cosines of many angles at once, in a form that compilers turn into SIMD. Only IEEE
+/// additions and multiplications: bitwise the same on every machine, which the C library does not
+/// guarantee.
 namespace handway::geometric {
 
-/// Angles up to this size take the fast way; beyond it the C library serves.
+/// Angles up to this size use the fast method; larger ones use the C library.
 inline constexpr double kLargestFastAngle = 1e5;  // rad
 
-/// The fast way for one angle; at most 2.3e-16 off the true values.
+/// The fast method for one angle; at most 2.3e-16 off the true values.
 ///
 /// Cody-Waite reduction to [-pi/4, pi/4], then the minimax polynomials of
 /// fdlibm's k_sin.c and k_cos.c (Sun Microsystems, 1993), Estrin's order.

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-/// Conversions for file and screen borders; everything inside is SI.
+/// Conversions at the borders, of files and the screen; everything inside is SI.
 namespace handway::geometric {
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad per degree

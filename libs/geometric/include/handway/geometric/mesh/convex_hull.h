@@ -10,9 +10,9 @@
 namespace handway::geometric {
 
 /// The surface of the convex hull of `points` (m), its triangles counterclockwise seen from
-/// outside. Points that span no volume (fewer than four, or all in one plane) give an empty mesh.
+/// outside. Points without volume (fewer than four, or all in one plane) give an empty mesh.
 ///
-/// Point by point: those faces that a point sees are replaced by the cone from it to their rim.
+/// Incremental: each point replaces the faces visible from it by the cone from it to their rim.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh
 convex_hull(std::span<const Eigen::Vector3d> points);
 

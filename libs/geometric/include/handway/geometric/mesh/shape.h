@@ -59,11 +59,11 @@ using Shape = std::variant<Box, Sphere, Cylinder, Cone, Mesh>;
 /// "box", "sphere", "cylinder", "cone" or "mesh": the word in scene files.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string_view shape_name(const Shape& shape);
 
-/// The distance (m) by which the polyhedron that stands for a round shape may leave it.
+/// Largest distance (m) of the polyhedron for a round shape from that shape.
 inline constexpr double kRoundTolerance = 1e-4;
 
-/// Returns the triangles that stand for `shape` in collision checking. A box and a mesh are exact.
-/// A round shape becomes a polyhedron that contains the true solid and leaves it by at most
+/// Returns the triangles of `shape` for collision checking. A box and a mesh are exact. A round
+/// shape becomes a polyhedron that contains the true solid and leaves it by at most
 /// kRoundTolerance, or, if its radius is more than 10 m, by 1e-5 of the radius.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const TriangleMesh> tessellate(
     const Shape& shape);
@@ -84,7 +84,7 @@ struct Padding {
 /// Returns whether the shape has an inside: primitives do, and meshes whose surface is_closed().
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const Shape& shape);
 
-// Shapes of other programs in terms of our own.
+// Shapes of other programs, converted to Handway's.
 
 /// A capsule along z, centred: its cylinder and the balls at its ends, with their poses in its
 /// frame.

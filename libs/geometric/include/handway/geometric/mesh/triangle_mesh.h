@@ -11,8 +11,8 @@
 
 namespace handway::geometric {
 
-/// Triangles over shared vertices, in the frame of the body that owns them.
-/// The one geometric form that collision checking works on.
+/// Triangles over shared vertices, in the frame of the body that owns them. Collision checking
+/// works on this form of geometry alone.
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;                ///< m
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices into `vertices`.
@@ -33,7 +33,7 @@ struct Aabb {
 /// @pre the mesh has a vertex.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Aabb bounding_box(const TriangleMesh& mesh);
 
-/// `mesh` with every vertex v replaced by X_AB * (scale ∘ v).
+/// Returns `mesh` with every vertex v replaced by X_AB * (scale ∘ v).
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh
 transformed(const TriangleMesh& mesh, const Pose& X_AB,
             const Eigen::Vector3d& scale = Eigen::Vector3d::Ones());
@@ -43,12 +43,12 @@ HANDWAY_GEOMETRIC_EXPORT void append(TriangleMesh& whole, const TriangleMesh& pa
 
 /// Returns the triangles with one vertex for each position, also of triangle soups (STL). A
 /// triangle may then have a vertex twice.
-/// @param grid m: places are one if they round to the same multiple of it; 0: if they are equal.
+/// @param grid m: places are merged if they round to the same multiple of it; 0: if equal.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh welded(const TriangleMesh& mesh,
                                                            double grid = 0.0);
 
-/// For every vertex the number of the piece that it belongs to, from 0: vertices of one piece hang
-/// together by triangles. A vertex without triangles is a piece of its own.
+/// For every vertex the number of its piece, from 0: vertices of one piece are connected by
+/// triangles. A vertex without triangles is a piece of its own.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::uint32_t> piece_numbers(
     const TriangleMesh& mesh);
 

@@ -9,26 +9,26 @@
 
 namespace handway::geometric {
 
-/// Inverse kinematics of an arm in closed form, for a link that it carries; null if the arm is not
-/// built for it, or the link is moved by other variables than the arm's.
+/// Inverse kinematics of an arm in closed form, for a link that it carries; null if the arm has
+/// another structure, or other variables than the arm's move the link.
 /// @param arm the arm's variables.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<InverseKinematics>
 closed_form_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int tip_link,
                                const std::vector<int>& arm);
 
-/// By iteration, with those of the arm's variables that move the link.
-/// @throws InputError if none does, or as NumericInverseKinematics.
+/// Iterative solver with those of the arm's variables that move the link.
+/// @throws InputError if no variable does, or as NumericInverseKinematics.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<NumericInverseKinematics>
 iterative_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int tip_link,
                              const std::vector<int>& arm, const NumericIkOptions& options);
 
-/// In closed form if there is one, else by iteration.
+/// In closed form if available, else iterative.
 /// @throws InputError as iterative_inverse_kinematics().
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<InverseKinematics>
 make_arm_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int tip_link,
                             const std::vector<int>& arm, const NumericIkOptions& options);
 
-/// A ball that the origin of a link does not leave, in the robot's base frame.
+/// A ball that contains the origin of a link in all configurations, in the robot's base frame.
 struct ReachBall {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< The arm's first joint, m.
   double radius = 0.0;                               ///< m; above the reach by the losses of bends.

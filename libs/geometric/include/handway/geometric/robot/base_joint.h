@@ -22,14 +22,14 @@ struct BasePlace {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Plane's normal, in the joint's frame.
 };
 
-/// Appends a planar or floating joint as a chain of slides and turns, with links without shape
-/// between them that are called like the joints:
+/// Appends a planar or floating joint as a chain of slides and rotations, connected by links
+/// without shape with the joints' names:
 /// - planar: NAME/x, NAME/y, and NAME/theta about the normal, as MoveIt calls them;
 /// - floating: NAME/trans_x, NAME/trans_y, NAME/trans_z, as MoveIt calls them, then NAME/yaw
 ///   about z, NAME/pitch about the new y and NAME/roll about the newest x: the angles of URDF's
 ///   `rpy`. So every orientation is reached; next to a pitch of ±90°, yaw and roll are equivalent.
 ///
-/// All turns are continuous but the pitch, which has ±90°. Slides have ±kDefaultBaseReach.
+/// All rotations are continuous but the pitch, which has ±90°. Slides have ±kDefaultBaseReach.
 HANDWAY_GEOMETRIC_EXPORT void add_base_joint(RobotDescription& robot, const BaseJoint& base,
                                              const BasePlace& place);
 
@@ -38,13 +38,13 @@ HANDWAY_GEOMETRIC_EXPORT void add_base_joint(RobotDescription& robot, const Base
 /// The slides alone.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> slides_of(const BaseJoint& base);
 
-/// Values of joints_of() for a pose of the child in the joint's frame, of which a planar joint
-/// takes what it can reach.
+/// Values of joints_of() for a pose of the child in the joint's frame; a planar joint takes the
+/// nearest pose.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<double> values_at(const BaseJoint& base,
                                                                      const Pose& X_JC);
 
-/// The robot's root moves, too: a new root "world" (or "world_2", … if there is one) and the joint
-/// in between. Its joints go to the front of the group "arm", if there is one.
+/// Makes the robot's root move, too: adds a new root "world" (or "world_2", if taken) and the joint
+/// in between. Its joints go to the front of the group "arm", if any.
 HANDWAY_GEOMETRIC_EXPORT void add_moving_root(RobotDescription& robot, const BaseJoint& base,
                                               const std::string& root, std::string_view frame);
 

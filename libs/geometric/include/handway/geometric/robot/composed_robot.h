@@ -30,22 +30,22 @@ struct RobotPart {
 
 /// Names the links and joints of all parts, and makes one kinematic tree of them.
 ///
-/// Names stay as they are unless parts share them; then the first part keeps its own, and the
-/// others put theirs after their part's: `hand/joint_1`. A part is fixed to the link that carries
-/// it by the joint `PART_mount`.
+/// Names stay unless parts share them; then the first part keeps its own, and the others put theirs
+/// after their part's: `hand/joint_1`. A part is fixed to the link that carries it by the joint
+/// `PART_mount`.
 ///
-/// The groups "arm" and "hand" are those of all parts together; of a part whose SRDF names neither,
-/// those that propose_groups() finds. Each part that moves is a group of its own name, too, unless
-/// there is such a group. Other groups, end effectors and postures keep their names as links do.
-/// A pair of links may touch if it may in the part that has both; of different parts, only the
-/// links next to the mount may.
+/// The groups "arm" and "hand" are those of all parts together; for a part whose SRDF names
+/// neither, those of propose_groups(). Each moving part is a group of its own name, too, unless
+/// that group exists. Other groups, end effectors and postures keep their names as links do. A pair
+/// of links may touch if it may in the part that has both; of different parts, only the links next
+/// to the mount may.
 ///
 /// @param parts @pre carriers are before what they carry.
 /// @throws InputError if a carrier has no such link.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT RobotDescription
 compose_robots(std::vector<RobotPart>& parts);
 
-/// The variable of the joint of that name; else of the only one that is called so in its part:
+/// The variable of the joint of that name; else of the only joint with that name in its part:
 /// "joint_1" is found as "hand/joint_1".
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<int> find_variable_of_part(
     const RobotModel& model, std::string_view joint);

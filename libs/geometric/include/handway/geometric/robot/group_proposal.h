@@ -46,13 +46,13 @@ struct GroupProposal {
                                                       const std::string& name);
 
 /// Adds the groups "arm" and "hand" of the proposal, those that have joints, and the end effector
-/// of the hand. Groups and end effectors that are there stay.
+/// of the hand. Existing groups and end effectors stay.
 HANDWAY_GEOMETRIC_EXPORT void add_groups(const GroupProposal& proposal, RobotDescription& robot);
 
-/// The hand of a robot as a robot of its own, with the names that it has there: what hangs from the
-/// last link that all joints of the hand have in common. The hand is the group "hand", or without
-/// one what propose_groups() finds.
-/// @returns the robot itself if there is nothing to leave out, or no hand.
+/// The hand of a robot as a robot of its own, with its names in the robot: the subtree of the last
+/// link that all joints of the hand have in common. The hand is the group "hand", or without one
+/// the result of propose_groups().
+/// @returns the robot itself if it has nothing to remove, or no hand.
 /// @throws InputError if a joint of the hand follows one of the arm.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const RobotModel> hand_alone(
     const std::shared_ptr<const RobotModel>& robot);

@@ -52,12 +52,12 @@ class HANDWAY_GEOMETRIC_EXPORT InverseKinematics {
 
   [[nodiscard]] const RobotModel& model() const { return *model_; }
   [[nodiscard]] int tip_link() const { return tip_link_; }
-  /// Indices of the model's variables that are solved for, in ascending order.
+  /// Indices of the variables solved for, in ascending order.
   [[nodiscard]] const std::vector<int>& variables() const { return variables_; }
 
   /// @param X_BT pose of the tip link's frame in the robot's base frame.
-  /// @param reference shape [model().variable_count()]: where to stay near to,
-  /// and the values of the variables that are not solved for.
+  /// @param reference shape [model().variable_count()]: configuration to stay near to, with the
+  /// values of the variables that are not solved for.
   /// @throws InputError if sizes differ, a number is not finite or X_BT is no
   /// rigid transform. A pose out of reach is no error: see IkResult::reason.
   [[nodiscard]] IkResult solve(const Pose& X_BT, const Configuration& reference) const;
@@ -72,7 +72,7 @@ class HANDWAY_GEOMETRIC_EXPORT InverseKinematics {
   InverseKinematics(std::shared_ptr<const RobotModel> model, int tip_link,
                     std::vector<int> variables);
 
-  /// The derived class's part; arguments are checked. The result needs no order.
+  /// The derived class's solver; arguments are checked. The result needs no order.
   [[nodiscard]] virtual IkResult do_solve(const Pose& X_BT,
                                           const Configuration& reference) const = 0;
 

@@ -43,8 +43,8 @@ point_jacobian(const RobotModel& model, std::span<const Pose> X_BL, int link,
 /// projection into the null space of J. Zero, but for rounding, for a chain that is not redundant.
 /// @param J shape [task, joints]. @param wanted shape [joints].
 /// @param damping of the inverse, in J's units squared, > 0: near singular postures, where
-/// directions of the task are all but lost, larger values let the task give way instead of the
-/// joints.
+/// directions of the task are almost lost, larger values sacrifice the task instead of the joint
+/// speeds.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Eigen::VectorXd null_space_motion(
     const Eigen::MatrixXd& J, const Eigen::VectorXd& wanted, double damping = 1e-9);
 

@@ -35,7 +35,7 @@ struct LimitViolation {
 };
 
 /// Returns every joint that `q` puts out of its limits by more than limit_tolerance(), in the order
-/// of the links. Of a joint that is limited only for the sake of a coupled one, the coupled one is
+/// of the links. For a joint that is limited only because of a coupled one, the coupled one is
 /// named.
 /// @param q finite, shape [variable_count].
 /// @param fixed variables that are ignored: joints that don't move can't be brought back.
@@ -44,13 +44,13 @@ struct LimitViolation {
 
 /// @param source what `q` is, for the message: "waypoint 3".
 /// @param fixed as of limit_violations().
-/// @throws InputError if `q` is no configuration of the robot, or has limit_violations().
+/// @throws InputError if `q` is not a configuration of the robot, or has limit_violations().
 HANDWAY_GEOMETRIC_EXPORT void require_configuration(const RobotModel& model, const Configuration& q,
                                                     const std::string& source,
                                                     std::span<const int> fixed = {});
 
-/// "joint J at 0.9000 rad, allowed -0.5000 to 0.5000 (22.9° beyond)", and which joint it follows;
-/// with more digits where these four make the value look as if it were the limit.
+/// Text "joint J at 0.9000 rad, allowed -0.5000 to 0.5000 (22.9° beyond)", with the joint that it
+/// follows; with more digits if these four make the value equal to the limit.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const LimitViolation& violation);
 
 }  // namespace handway::geometric

@@ -15,7 +15,7 @@ namespace handway::geometric {
   return (range.array() > 0.0).select((q - model.lower()).cwiseQuotient(range), 0.0);
 }
 
-/// `p` with every joint within [0, 1]; continuous joints, which have no limits, as they are.
+/// `p` with every joint clamped to [0, 1]; continuous joints, which have no limits, unchanged.
 [[nodiscard]] inline Configuration clamped_to_range(const RobotModel& model, Configuration p) {
   for (int v = 0; v < model.variable_count(); ++v) {
     p[v] = model.is_continuous(v) ? p[v] : std::min(std::max(p[v], 0.0), 1.0);
@@ -23,7 +23,7 @@ namespace handway::geometric {
   return p;
 }
 
-/// 1 for each continuous joint: of normalised joints.
+/// Periods of normalised joints: 1 for each continuous joint.
 [[nodiscard]] inline Periods normalised_turns(const RobotModel& model) {
   Eigen::VectorXd turns(model.variable_count());
   for (int v = 0; v < model.variable_count(); ++v) {

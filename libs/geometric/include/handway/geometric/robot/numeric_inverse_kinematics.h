@@ -14,7 +14,7 @@
 namespace handway::geometric {
 
 struct NumericIkOptions {
-  /// The frame T that is brought to the target, in the tip link's frame L.
+  /// The frame T to bring to the target, in the tip link's frame L.
   Pose X_LT = Pose::Identity();
   /// Leaves the orientation open; only T's origin counts.
   bool position_only = false;
@@ -30,12 +30,12 @@ struct NumericIkOptions {
   double orientation_weight = 0.3;
   int max_iterations = 100;  ///< Limit of each start; ≥ 1.
   int max_restarts = 100;    ///< Random starts after the reference; ≥ 0.
-  /// Wall clock over all starts. A finite limit makes failures depend on the
-  /// machine's speed; without one the result has the same bits on every run.
+  /// Wall clock over all starts. A finite limit makes failures depend on the machine's speed;
+  /// without one the result is bitwise the same on every run.
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint64_t seed = 1;  ///< Seed of the random starts.
   /// Moves a solution in the chain's null space, and within the slack, nearer to the reference.
-  /// Without it a redundant arm stays in the posture that the iterations happen upon.
+  /// Without it a redundant arm stays in the arbitrary posture that the iterations reach.
   bool stay_near = false;
 };
 
@@ -92,14 +92,14 @@ class HANDWAY_GEOMETRIC_EXPORT NumericInverseKinematics : public InverseKinemati
       const ConfigurationPredicate& accept = {}) const;
 
  private:
-  /// Calls `take` with the outcome of each start, the reference first, until it returns true or
-  /// starts or time are spent. @returns whether the time was.
+  /// Calls `take` with the outcome of each start, the reference first, until it returns true, or
+  /// until starts or time are spent. @returns whether the time was.
   bool search(const Pose& X_BT, const Configuration& reference,
               const std::function<bool(const NumericIkResult&)>& take) const;
   [[nodiscard]] IkResult do_solve(const Pose& X_BT, const Configuration& reference) const override;
 
   NumericIkOptions options_;
-  std::vector<int> turning_;  ///< Variables that may turn by whole turns.
+  std::vector<int> turning_;  ///< Variables that may move by whole turns.
 };
 
 }  // namespace handway::geometric

@@ -50,7 +50,7 @@ struct Joint {
   JointLimits limits;
   std::optional<Mimic> mimic;
 
-  /// A revolute joint without ends, which comes round again after a whole turn.
+  /// Returns whether the joint is revolute without ends: its values repeat after a whole turn.
   [[nodiscard]] bool is_continuous() const {
     return type == JointType::kRevolute && std::isinf(limits.lower) && std::isinf(limits.upper);
   }
@@ -124,11 +124,11 @@ struct NamedPosture {
 
 enum class BaseMotion { kPlanar, kFloating };
 
-/// A planar or floating joint, which is a chain of slides and turns: see add_base_joint().
+/// A planar or floating joint, which is a chain of slides and rotations: see add_base_joint().
 struct BaseJoint {
   std::string name;
   BaseMotion motion = BaseMotion::kPlanar;
-  /// It was added because a scene lets the robot's root move; the robot's file has it not.
+  /// Added because a scene lets the robot's root move; missing in the robot's file.
   bool of_scene = false;
 };
 
@@ -169,7 +169,7 @@ HANDWAY_GEOMETRIC_EXPORT void narrow_limits(RobotDescription& robot, Joint& join
 /// the last, JOINT/1, JOINT/2, …, carry links of their names without shape; the last keeps name and
 /// link.
 ///
-/// The joint keeps its limits: where the sum could leave them, the ranges of the joints that it
+/// The joint keeps its limits: if the sum could leave them, the ranges of the joints that it
 /// follows are narrowed towards their neutral values by one share, which keeps the sum within for
 /// any of their values, with a warning.
 /// @param source, element of the coupling, for messages.
@@ -179,9 +179,9 @@ HANDWAY_GEOMETRIC_EXPORT void couple_joint(RobotDescription& robot, const JointC
                                            const std::string& source, const std::string& element);
 
 /// The mirror image of a robot, in the plane y = 0 of its root link: a left hand from a right one,
-/// or the other way round. Every posture of it is the mirror image of the same posture of `robot`,
-/// joint by joint. Names stay, so that postures, mappings and hand bases of one serve the other;
-/// but "right" in the robot's own name becomes "left" and "left" "right", or it ends in
+/// or the reverse. Every posture of it is the mirror image of the same posture of `robot`, joint
+/// by joint. Names stay, so that postures, mappings and hand bases of one fit the other; but
+/// "right" in the robot's own name becomes "left" and "left" "right", or it gets the suffix
 /// "_mirrored".
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT RobotDescription mirrored(RobotDescription robot);
 

@@ -89,18 +89,18 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   }
   [[nodiscard]] const Joint& variable(int index) const { return joint(variable_link(index)); }
   [[nodiscard]] std::optional<int> find_variable(std::string_view joint_name) const;
-  /// Limits of all variables, within which coupled joints keep theirs; of a continuous joint, which
-  /// has none, half a turn each way: the range over which it is sampled and by which distances are
-  /// normalised. Shape [variable_count].
+  /// Limits of all variables, within which coupled joints keep theirs. A continuous joint, which
+  /// has none, gets half a turn each way: the range over which it is sampled and by which distances
+  /// are normalised. Shape [variable_count].
   [[nodiscard]] const Configuration& lower() const { return lower_; }
   [[nodiscard]] const Configuration& upper() const { return upper_; }
 
-  /// True if the joint turns without end: its values count modulo 2π.
+  /// Returns whether the joint turns without end: its values count modulo 2π.
   [[nodiscard]] bool is_continuous(int variable) const { return turns_.has(variable); }
-  /// 2π for each continuous joint.
+  /// Periods: 2π for each continuous joint.
   [[nodiscard]] const Periods& turns() const { return turns_; }
-  /// `to`, with continuous joints moved by whole turns to within half a turn of `from`; as it is if
-  /// the sizes differ.
+  /// Returns `to`, with continuous joints moved by whole turns to within half a turn of `from`;
+  /// unchanged if the sizes differ.
   [[nodiscard]] Configuration nearest_equivalent(const Configuration& from,
                                                  const Configuration& to) const {
     return from.size() == to.size() ? turns_.nearest(from, to) : to;
@@ -113,7 +113,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   /// turn at once: so nearest_equivalent() of each to the one before is itself.
   [[nodiscard]] std::vector<Configuration> in_half_turns(
       const std::vector<Configuration>& waypoints) const;
-  /// Within all limits.
+  /// Returns `q` clamped to all limits.
   [[nodiscard]] Configuration clamped(Configuration q) const;
 
   /// Variables of the group's joints, in configuration order; coupled and fixed
@@ -128,8 +128,8 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   /// @param[out] X_BL shape [link_count].
   void forward_kinematics(const Configuration& q, std::span<Pose> X_BL) const;
 
-  /// True if the joints between the two links' closest common ancestor and the
-  /// links include `variable`, that is, if it moves one against the other.
+  /// Returns whether `variable` moves the two links against each other: whether it is on the chain
+  /// between them, up to their closest common ancestor.
   [[nodiscard]] bool moves_between(int variable, int link_a, int link_b) const;
 
  private:
@@ -148,7 +148,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   Periods turns_;
 };
 
-/// The value of the joint that carries `link`: of the last joint of a coupling's chain (see
+/// The value of the joint that carries `link`: for the last joint of a coupling's chain (see
 /// couple_joint()), that of the whole chain.
 /// @pre the joint moves. @param q shape [variable_count].
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT double joint_value(const RobotModel& model, int link,

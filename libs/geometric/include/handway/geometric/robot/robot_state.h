@@ -10,9 +10,9 @@
 
 namespace handway::geometric {
 
-/// A robot in one configuration at one place: what changes, beside the
-/// RobotModel that doesn't. Use one per thread. Link poses are always up to
-/// date, so that reading is const and cheap.
+/// A robot in one configuration at one place: the changing part beside the RobotModel.
+/// Use one per thread. Link poses are always up to date, so that reading is const and
+/// cheap.
 class HANDWAY_GEOMETRIC_EXPORT RobotState {
  public:
   /// Starts in the model's neutral configuration. @pre model is not null.
@@ -40,7 +40,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotState {
   /// @throws InputError if no moving joint has this name.
   [[nodiscard]] double joint_value(std::string_view joint_name) const;
 
-  /// True if every joint is in its limits: see limit_violations().
+  /// Returns whether every joint is in its limits: see limit_violations().
   [[nodiscard]] bool within_limits() const;
 
   /// Pose X_WL of a link in the world. @pre 0 ≤ link < model().link_count().
@@ -49,7 +49,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotState {
   }
   /// @throws InputError if the robot has no such link.
   [[nodiscard]] const Pose& link_pose(std::string_view link_name) const;
-  /// All of them, shape [link_count].
+  /// Poses of all links, shape [link_count].
   [[nodiscard]] std::span<const Pose> link_poses() const { return X_WL_; }
 
  private:

@@ -21,18 +21,18 @@ struct Tx90IkOptions {
 /// Closed-form inverse kinematics of the Staeubli TX90 and of arms built like
 /// it, for any link fixed to the last axis. Lengths are read from the model.
 ///
-/// All branches are found: two shoulders, two elbows, two wrists, so up to
-/// eight postures (R. P. Paul, Robot Manipulators, 1981, chapter 3). Where a
-/// pose leaves a joint free the reference decides: with axes 4 and 6 in line
-/// (within 1e-10 rad) joint 4 keeps its reference and joint 6 does the rest,
-/// and there is one wrist branch; with the wrist centre on axis 1, which only
-/// an arm without lateral offset can do, joint 1 keeps its reference. Coinciding
-/// branches (arm stretched) appear once, as the first named in ArmBranch.
+/// All branches are found: two shoulders, two elbows, two wrists, so up to eight postures (R.
+/// P. Paul, Robot Manipulators, 1981, chapter 3). If a pose leaves a joint free, the
+/// reference decides. With axes 4 and 6 in line (within 1e-10 rad), joint 4 keeps its
+/// reference and joint 6 does the rest, and there is one wrist branch. With the wrist centre
+/// on axis 1, which is possible only for an arm without lateral offset, joint 1 keeps its
+/// reference. Coinciding branches (arm stretched) appear once, as the first named in
+/// ArmBranch.
 class HANDWAY_GEOMETRIC_EXPORT SphericalWristInverseKinematics : public InverseKinematics {
  public:
   ~SphericalWristInverseKinematics() override;
 
-  /// The branch that a configuration of the whole robot is on.
+  /// The branch of a configuration of the whole robot.
   /// @pre q has shape [model().variable_count()].
   [[nodiscard]] virtual ArmBranch branch_of(const Configuration& q) const = 0;
 
@@ -40,9 +40,9 @@ class HANDWAY_GEOMETRIC_EXPORT SphericalWristInverseKinematics : public InverseK
   using InverseKinematics::InverseKinematics;
 };
 
-/// @throws InputError if the robot has no such link, or naming what keeps the
-/// chain from being solved in closed form: other than six joints, axes that
-/// are not square, parallel or concurrent within 1e-6 rad or m.
+/// @throws InputError if the robot has no such link, or naming the reason why the chain has no
+/// closed form: other than six joints, axes that are not perpendicular, parallel or concurrent
+/// within 1e-6 rad or m.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<SphericalWristInverseKinematics>
 make_spherical_wrist_inverse_kinematics(std::shared_ptr<const RobotModel> model,
                                         std::string_view tip_link,

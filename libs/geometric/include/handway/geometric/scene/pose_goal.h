@@ -10,9 +10,9 @@
 
 namespace handway::geometric {
 
-/// A goal given by where a link of the planned robot has to be, instead of by a configuration.
+/// A goal given by the pose of a link of the planned robot, instead of by a configuration.
 ///
-/// G is the frame that the tool frame T, fixed to the link L, is brought to.
+/// G is the target of the tool frame T, which is fixed to the link L.
 struct PoseGoal {
   std::string link;              ///< Link of robots[0].
   Pose X_WG = Pose::Identity();  ///< Target pose of T in the world.
@@ -44,8 +44,8 @@ struct PoseGoalMiss {
                                                                 const PoseGoalMiss& miss,
                                                                 double slack);
 
-/// "3.2 mm and 1.5 degrees": how far `miss` is beyond zero, of a goal with free orientation the
-/// distance alone.
+/// Formats "3.2 mm and 1.5 degrees": the size of `miss`; the distance alone for a goal with free
+/// orientation.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string describe_miss(const PoseGoal& goal,
                                                                  const PoseGoalMiss& miss);
 

@@ -34,7 +34,7 @@ struct PlannerRequest {
 struct OrientationConstraint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();       ///< In the body's frame, not zero.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< In the world, not zero.
-  double angle = std::numbers::pi / 18.0;  ///< rad, the most between them; in (0, π].
+  double angle = std::numbers::pi / 18.0;  ///< Largest angle between them, rad; in (0, π].
 
   friend bool operator==(const OrientationConstraint&, const OrientationConstraint&) = default;
 };
@@ -66,11 +66,11 @@ struct RobotInstance {
   std::shared_ptr<const RobotModel> model;
   Pose X_WB = Pose::Identity();  ///< Base (root link) in the world.
   Configuration configuration;   ///< Current configuration; shape [variable_count].
-  /// The robots that are mounted on each other to make `model`, the one that stands in the world
+  /// The robots that are mounted on each other to make `model`, the one that is fixed to the world
   /// first: it has the `name` and `file` of this robot. Empty for a robot of one file.
   std::vector<RobotPart> parts = {};
-  /// Links, by name, that keep from objects and other robots as if they were larger; what they
-  /// carry does, too. Among each other links are as large as they are.
+  /// Padding of links, by name, against objects and other robots; objects attached to them have it,
+  /// too. It does not apply between the robot's own links.
   std::map<std::string, Padding> padding = {};
 };
 
@@ -81,7 +81,7 @@ struct Attachment {
   std::vector<std::string> touching;  ///< Links that may touch it, besides `link`.
 };
 
-/// A thing that robots must not collide with, or carry.
+/// An obstacle for robots, or an object to carry.
 struct SceneObject {
   std::string name;
   Shape shape;
@@ -106,15 +106,15 @@ struct Scene {
   /// Goal of robots[0]. With goal poses: values of joints that do not move their links, and seed of
   /// the inverse kinematics; the start if empty.
   std::optional<Configuration> goal;
-  std::vector<PoseGoal> goal_poses;         ///< Any of them will do; empty: `goal` it is.
+  std::vector<PoseGoal> goal_poses;         ///< Alternative goals; empty: `goal` is the goal.
   std::vector<PathConstraint> constraints;  ///< Constraints on paths of robots[0].
   /// Pairs of bodies (links of robots[0], objects, "robot/link" of others): true: never checked;
   /// false: checked although the robot's own matrix excludes them.
   std::map<AllowedCollisions::Pair, bool> may_touch;
   std::vector<NamedPosture> postures;  ///< Postures of robots[0] or a part of it; names are unique.
   std::filesystem::path hand_basis;    ///< PMD basis file as the scene names it; may be empty.
-  PlannerRequest planner;              ///< For planning alone.
-  SceneDisplay display;                ///< For the window alone.
+  PlannerRequest planner;              ///< Read by planning alone.
+  SceneDisplay display;                ///< Read by the window alone.
   std::vector<std::string> warnings;   ///< Warnings of the reader.
 };
 

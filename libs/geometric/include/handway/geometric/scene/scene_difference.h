@@ -21,11 +21,11 @@ struct ObjectChange {
 
 /// Difference of two scenes as far as collisions go, with the same robots and attached objects.
 struct SceneDifference {
-  /// One after the other. An object of another shape is removed, and added at the end.
+  /// Changes in order. An object of another shape is removed, and added at the end.
   std::vector<ObjectChange> changes;
   bool other_constraints = false;
-  bool other_group = false;  ///< Are other joints to move?
-  /// Do the changes leave the objects in the order of the later scene?
+  bool other_group = false;  ///< True if other joints move.
+  /// True if the changes leave the objects in the order of the later scene.
   bool keeps_order = true;
 
   [[nodiscard]] bool empty() const { return changes.empty() && !other_constraints; }
@@ -37,7 +37,7 @@ struct SceneDifference {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<SceneDifference> scene_difference(
     const Scene& before, const Scene& after);
 
-/// Makes the change in the scene's objects. @pre an object that is moved or removed is there.
+/// Applies the change to the scene's objects. @pre an object to move or remove exists.
 HANDWAY_GEOMETRIC_EXPORT void apply(const ObjectChange& change, Scene& scene);
 
 }  // namespace handway::geometric

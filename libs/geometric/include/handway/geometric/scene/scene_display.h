@@ -14,16 +14,16 @@ namespace handway::geometric {
 /// Display settings of an object.
 struct ObjectDisplay {
   bool hidden = false;     ///< Not drawn; it still counts in planning.
-  bool locked = false;     ///< Not to be changed by hand.
+  bool locked = false;     ///< The user can't change it.
   std::string group = {};  ///< Objects with the same word are moved together; empty: none.
 
   friend bool operator==(const ObjectDisplay&, const ObjectDisplay&) = default;
 };
 
-/// From where to look, under a name that no other view of the scene has.
+/// Camera position, under a name that no other view of the scene has.
 struct SavedView {
   std::string name;
-  Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< In the middle of the picture (world, m).
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< Centre of the picture (world, m).
   double distance = 1.0;                             ///< Distance to the camera, m; above 0.
   double azimuth = 0.0;    ///< Direction to the camera about +z from +x, rad.
   double elevation = 0.0;  ///< Above the horizon, rad.

@@ -12,8 +12,8 @@
 
 namespace handway::geometric {
 
-/// The pairs of links with collision geometry that a joint connects, also where
-/// links without geometry stand between them.
+/// The pairs of links with collision geometry that a joint connects, also through links without
+/// geometry.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT AllowedCollisions adjacent_links(const RobotModel& model);
 
 /// Number of collisions of two links that are not adjacent.
@@ -23,23 +23,23 @@ struct SampledPair {
   int collisions = 0;       ///< Number of samples in collision.
   bool at_neutral = false;  ///< In RobotModel::neutral().
   bool at_middle = false;   ///< With every joint in the middle of its range.
-  /// One joint moves both, and is at the end of its range at neutral.
+  /// True if one joint moves both, and is at the end of its range at neutral.
   bool jaws = false;
   bool by_user = false;  ///< The robot allows it by AllowedReason::kUser.
 
-  /// In collision at the neutral posture and in at least half of the samples: the shapes overlap by
-  /// construction, as those of a knuckle and its palm may.
+  /// True if in collision at the neutral posture and in at least half of the samples: the shapes
+  /// overlap by construction, as those of a knuckle and its palm may.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool overlaps(int samples) const;
-  /// Jaws of a gripper that meet where their joint ends, and hardly before: in at most 1 % of the
-  /// samples. They are made to touch.
+  /// Jaws of a gripper that meet at the end of their joint's range, and rarely before: in at most 1
+  /// % of the samples. They are designed to touch.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool closes(int samples) const;
-  /// Neither of these, nor always in collision, nor by_user: collisions are such.
+  /// True for other pairs, unless always in collision or by_user: their collisions count.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_checked(int samples) const;
 };
 
 struct SelfCollisionSamples {
   int samples = 0;
-  /// Samples in which pairs touch that are checked.
+  /// Samples with a collision of checked pairs.
   int colliding = 0;
   std::vector<SampledPair> pairs;
 };
@@ -47,17 +47,17 @@ struct SelfCollisionSamples {
 /// Counts collisions of all pairs of links that move against each other and are not adjacent, in
 /// configurations sampled uniformly between the limits. Only allowed collisions by the user are
 /// taken into account. Same model, samples and seed give the same counts. One thread.
-/// @param stop ends it after the sample that it is at: `samples` is the number of those drawn.
-/// @param progress is called with the share that is done, from 0 to 1; may be empty.
+/// @param stop ends it after the present sample: `samples` is the number of those done.
+/// @param progress is called with the share done, from 0 to 1; may be empty.
 /// @throws std::invalid_argument if `samples` < 1.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT SelfCollisionSamples sample_self_collisions(
     const RobotModel& model, int samples, std::uint64_t seed, const std::stop_token& stop = {},
     const std::function<void(double)>& progress = {});
 
-/// The allowed-collision matrix that follows: pairs that are adjacent, that were in collision in
-/// every sample (Always) or in none (Never), and that overlap (Default).
+/// The resulting allowed-collision matrix: pairs that are adjacent, that were in collision in every
+/// sample (Always) or in none (Never), and that overlap (Default).
 ///
-/// "Never" is a claim about the samples only: more samples make it safer.
+/// "Never" is a statement about the samples only: more samples make it safer.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT AllowedCollisions
 allowed_collisions(const RobotModel& model, const SelfCollisionSamples& sampled);
 

@@ -11,9 +11,9 @@ namespace handway::geometric {
 /// joints. Links next to a mount may touch, and so may links of different parts that overlap in
 /// every sampled posture, with a warning in the description.
 ///
-/// Joints keep their values; those of parts that are new stand at the part's neutral posture.
-/// @pre robot.parts has at least two parts, carriers before what they carry.
-/// @throws InputError if a carrier has no such link, or the parts make no robot.
+/// Joints keep their values; those of new parts get the part's neutral posture.
+/// @pre robot.parts has at least two parts, carriers before the parts on them.
+/// @throws InputError if a carrier has no such link, or the parts make no valid robot.
 HANDWAY_GEOMETRIC_EXPORT void compose_parts(RobotInstance& robot);
 
 /// Mounts a robot of the scene, with all that it carries, on a link of another one: it becomes a
@@ -21,7 +21,7 @@ HANDWAY_GEOMETRIC_EXPORT void compose_parts(RobotInstance& robot);
 /// @param carrier name of a robot or of a part. @param link by the carrier's own name.
 /// @param X_LB base of the mounted robot in that link.
 /// @throws InputError if there is no such robot or link, or the carrier is the robot itself; the
-/// scene is then as it was.
+/// scene is then unchanged.
 HANDWAY_GEOMETRIC_EXPORT void mount_robot(Scene& scene, const std::string& robot,
                                           const std::string& carrier, const std::string& link,
                                           const Pose& X_LB);

@@ -27,11 +27,11 @@ namespace handway::geometric {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Pose object_pose(const Scene& scene, const Configuration& q,
                                                         const SceneObject& object);
 
-/// `X_WO` in the frame that `object` is placed in: the world, or its link.
+/// `X_WO` in the frame of `object`'s placement: the world, or its link.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Pose in_parent(const Scene& scene, const Configuration& q,
                                                       const SceneObject& object, const Pose& X_WO);
 
-/// The tight box around objects, the first robot standing at `q`; world, m.
+/// The tight box around objects, with the first robot at `q`; world, m.
 /// @pre names at least one object of the scene.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Aabb bounds(const Scene& scene, const Configuration& q,
                                                    const std::vector<std::string>& names);
@@ -51,10 +51,10 @@ namespace handway::geometric {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<double> gap_to_support(
     const Scene& scene, const SceneObject& object);
 
-/// From the floor (z = 0) to the lowest point of an object that stands in the world, m.
+/// Height of the lowest point of an object that is fixed to the world above the floor (z = 0), m.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT double height_above_floor(const SceneObject& object);
 
-/// Between an object that was put down and what it stands on, m.
+/// Gap between an object that was dropped and its support, m.
 inline constexpr double kRestingGap = 0.5e-3;
 
 /// Finds a free place (world, m) for the middle of the underside of a box along the world's axes,
@@ -70,7 +70,7 @@ inline constexpr double kRestingGap = 0.5e-3;
 
 /// Returns the motion that brings objects to be added into free space as a whole, as free_foot()
 /// does; floating objects stay at their height.
-/// @param added a scene with them, which may be `scene` itself: then it is beside where they are.
+/// @param added a scene with them, which may be `scene` itself: then they go beside themselves.
 /// @param names at least one object of `added`.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Pose motion_into_free(const Scene& scene,
                                                              const Configuration& q,

@@ -17,7 +17,7 @@ struct RobotFinding {
   std::string found;
   std::string mend;
   std::vector<std::string> links = {};  ///< Links concerned; may be empty.
-  /// Seen with every joint in the middle of its range, not at the neutral posture.
+  /// Found with every joint in the middle of its range, not at the neutral posture.
   bool at_middle = false;
 };
 
@@ -44,7 +44,7 @@ struct SetupDecisions {
 /// Returns the robot with the sampled allowed-collision matrix and the groups and end effectors
 /// that it lacks. Pairs allowed by the user (User) stay, unless `decisions` overrides them.
 /// @param sampled of this model. @param groups decided_groups() of it.
-/// @param decisions if the wrist is decided, the groups "arm" and "hand" that there are are
+/// @param decisions if the wrist is decided, existing groups "arm" and "hand" are
 /// replaced.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT RobotDescription
 with_setup(const RobotModel& model, const SelfCollisionSamples& sampled,

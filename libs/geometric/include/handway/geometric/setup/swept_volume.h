@@ -13,8 +13,8 @@ namespace handway::geometric {
 /// as cells of `cell` (m) allow; links that don't move among them are left out. For display, not
 /// for collision checks. Empty if `stop` comes first.
 ///
-/// The cells that surface points of the links come into are filled; the faces between filled and
-/// empty ones are smoothed by moving their corners towards the middle of their neighbours.
+/// Cells that contain surface points of the links are filled; the faces between filled and empty
+/// ones are smoothed by moving their corners towards the middle of their neighbours.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh
 swept_volume(const RobotInstance& robot, const std::vector<Configuration>& postures, double cell,
              const std::stop_token& stop);

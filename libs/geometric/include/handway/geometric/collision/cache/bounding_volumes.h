@@ -10,7 +10,7 @@
 
 namespace handway::geometric {
 
-/// A sphere of a cover, m.
+/// A sphere of a sphere tree, m.
 struct CoveringSphere {
   Eigen::Vector3d centre;
   double radius = 0.0;
@@ -27,10 +27,10 @@ struct BoundingVolumes {
   double margin = 0.0;
 };
 
-/// The volumes of `meshes`, in order. They are those of the checker: made once, and kept in the
-/// user's cache.
-/// @param largest (m) a larger sphere of the tree is replaced by the up to sixteen below it, if
-/// there are any; 0: the smallest.
+/// Returns the volumes of `meshes`, in order. They are those of the checker: made once, and stored
+/// in the user's cache.
+/// @param largest (m) a larger sphere of the tree is replaced by its children, up to sixteen, if
+/// any; 0: the smallest.
 /// @pre each mesh has a triangle.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<BoundingVolumes> bounding_volumes(
     const std::vector<std::shared_ptr<const TriangleMesh>>& meshes, double largest);

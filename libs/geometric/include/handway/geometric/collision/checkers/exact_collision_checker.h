@@ -44,7 +44,7 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
 
   [[nodiscard]] NarrowPhaseQuery query(int pair, std::span<const Pose> X_WBody);
 
-  /// A lower bound (m) of the distance of the pair's surfaces, from one sphere or box a body.
+  /// A lower bound (m) of the distance of the pair's surfaces, from one sphere or box per body.
   [[nodiscard]] double root_bound(int pair) const;
 
   /// The distance (m) below which the pair collides.
@@ -74,7 +74,7 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   /// A lower bound from the pair's table of distances, if it has one; else 0.
   [[nodiscard]] double cached_distance(int pair);
 
-  /// FCL's answer for the pair as placed.
+  /// FCL's answer for the pair in the present configuration.
   [[nodiscard]] bool touches(int pair) const;
 
   std::shared_ptr<const Volumes> volumes_;

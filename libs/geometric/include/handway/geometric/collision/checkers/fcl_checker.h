@@ -7,8 +7,8 @@
 
 namespace handway::geometric {
 
-/// The reference: FCL's OBBRSS trees on the raw triangles, one pair after the
-/// other, nothing in front of them; and whether one body is inside of the other.
+/// The reference: FCL's OBBRSS trees on the raw triangles, one pair after the other, without a
+/// broad phase; then a test whether one body contains the other.
 class HANDWAY_GEOMETRIC_EXPORT FclChecker final : public CollisionChecker {
  public:
   explicit FclChecker(std::shared_ptr<const CollisionWorld> world);

@@ -18,7 +18,7 @@ namespace handway::geometric {
 /// Result of checking a straight motion between two configurations.
 struct EdgeResult {
   bool free = false;
-  /// If not free, and settled: the pair that touches, or comes closer than the resolution, …
+  /// If not free, and settled: the pair that touches, or is closer than the resolution, …
   std::optional<int> pair;
   double at = 0.0;           ///< … and where on the edge, in [0, 1].
   std::uint64_t checks = 0;  ///< Configurations checked.
@@ -34,27 +34,27 @@ struct EdgeEnd {
   struct NearPair {
     int pair;
     double distance;  ///< m
-    /// m, that edges keep of it next to the end: half the distance.
+    /// Distance (m) that edges keep from it next to the end: half of `distance`.
     [[nodiscard]] double resolution() const { return 0.5 * distance; }
   };
   Configuration q;
   std::vector<NearPair> near;
 
-  /// The nearest pair, if there is one.
+  /// The nearest pair, if any.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const NearPair* nearest() const;
   /// Returns the resolution near the end, m, for edges of resolution `elsewhere`.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT double resolution(double elsewhere) const;
 };
 
-/// @param q free of collision. @param resolution m, of edges; what is nearer than twice of it
-/// counts. @param margin m; so does what has to keep that and is nearer, by four resolutions more.
+/// @param q free of collision. @param resolution m, of edges; pairs nearer than twice of it count.
+/// @param margin m; pairs that have to keep it and are less than four resolutions beyond it, too.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT EdgeEnd make_edge_end(CollisionChecker& checker,
                                                              const Configuration& q,
                                                              double resolution,
                                                              double margin = 0.0);
 
-/// Decides whether the straight motion between two configurations is free, for
-/// every configuration on it and not just for samples.
+/// Decides whether the straight motion between two configurations is free: for every configuration
+/// on it and not only for samples.
 ///
 /// A pair is free on a stretch if its distance in the middle exceeds, by the resolution, its
 /// largest loss towards either end (bounded motion). Stretches that this does not settle are
@@ -77,7 +77,7 @@ struct EdgeEnd {
 /// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
 class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
  public:
-  /// @param checker used for all questions; must outlive this object.
+  /// @param checker used for all queries; must outlive this object.
   /// @param resolution (m) > 0.
   ContinuousCollisionChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
                              double resolution);
@@ -140,7 +140,7 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   /// in place, as the next two. Pairs with large requirements may be reported closer than they are.
   [[nodiscard]] bool is_out_of_reach(int pair, double distance);
   [[nodiscard]] Closeness closeness_of_spheres(int pair);
-  /// @param need m, that it can come closer. @param required m, to keep nevertheless.
+  /// @param need possible approach, m. @param required distance to keep nevertheless, m.
   [[nodiscard]] Closeness closeness_within(int pair, double need, double required);
 
   struct Clearance;  // what clearance() has found so far
@@ -162,7 +162,7 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   EdgeMotion motion_;
   double resolution_;
   double margin_ = 0.0;
-  double kept_ = 1.0;          ///< Share of the resolution, of all kinds, and of the margin.
+  double kept_ = 1.0;          ///< Share of all resolutions and the margin.
   std::vector<EdgeEnd> ends_;  ///< Ends that have near pairs.
   std::function<bool()> stop_;
 };

@@ -32,7 +32,7 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   /// Constraints have a motion each, after those of the pairs.
   [[nodiscard]] int motion(int pair) const { return motions_[static_cast<std::size_t>(pair)]; }
 
-  /// Motions of pairs: those from there on are of constraints.
+  /// Number of motions of pairs: those of constraints follow.
   [[nodiscard]] Eigen::Index pair_motions() const { return pair_motions_; }
 
   /// bound() of all motions. @returns shape [motions].
@@ -94,7 +94,7 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
  public:
   explicit EdgeMotion(std::shared_ptr<const MotionBound> motion);
 
-  /// The edge: how much each variable changes from one end to the other.
+  /// The edge: the change of each variable from one end to the other.
   void set_edge(const Configuration& delta);
 
   /// A configuration on the edge. @param X_BL its link poses, in the robot's base.
@@ -103,11 +103,11 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
   /// MotionBound's bound (m) of the change of the pair's distance over the whole edge.
   [[nodiscard]] double over_edge(int pair) const { return travel_[motion_->motion(pair)]; }
 
-  /// The most (m) that any pair has over the edge.
+  /// The largest bound (m) of any pair over the edge.
   [[nodiscard]] double most_over_edge() const { return most_; }
 
-  /// Upper bound (m) of the change of the pair's distance between the middle and
-  /// any configuration of the edge at most `half` of the edge away from it.
+  /// Upper bound (m) of the change of the pair's distance between the middle and any configuration
+  /// of the edge within `half` of the edge.
   [[nodiscard]] double within(int pair, double half) const;
 
  private:

@@ -28,7 +28,7 @@ class HANDWAY_GEOMETRIC_EXPORT ClosestPointFinder {
   ~ClosestPointFinder();
 
   /// @param a, b names of bodies. @param q shape [variable_count].
-  /// @returns nothing if there is no such body or they touch.
+  /// @returns nothing for an unknown body, or if they touch.
   [[nodiscard]] std::optional<ClosestPoints> between(std::string_view a, std::string_view b,
                                                      const Configuration& q);
 
@@ -46,10 +46,10 @@ struct Contact {
 
   std::string a;
   std::string b;
-  /// Middle of where the surfaces cross; if one body is inside of the other, a point of its
+  /// Middle of the surfaces' intersection; if one body contains the other, a point of the inner
   /// surface.
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
-  /// In which `a` gets free: unit vector, world.
+  /// Direction in which `a` separates: unit vector, world.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   /// Distance by which `a` has to be shifted along `direction` to be clear of `b`, m, to 0.1 mm.
   /// The shortest of some thirty directions: an upper bound of the penetration depth; kMostDepth if
@@ -58,7 +58,7 @@ struct Contact {
 };
 
 /// The contacts of those of `pairs` (indices into world.pairs()) that touch in `q`, in order. A few
-/// milliseconds each: for explaining, not for planning. @param q shape [variable_count].
+/// milliseconds each: for explanations, not for planning. @param q shape [variable_count].
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<Contact> find_contacts(
     const CollisionWorld& world, const Configuration& q, std::span<const int> pairs);
 
