@@ -26,16 +26,16 @@ struct Val3ControllerSettings : EmulatedRobotSettings {
 /// point's duration is ignored. With an empty queue the arm is at rest.
 class HANDWAY_DEVICE_EXPORT Val3Controller final : public EmulatedRobot {
  public:
-  /// @throws std::invalid_argument for settings that make no sense.
+  /// @throws std::invalid_argument for invalid settings.
   explicit Val3Controller(const Val3ControllerSettings& settings);
 
-  /// Takes a message from the motion connection. @returns what it answers.
+  /// Takes a message from the motion connection. @returns the answer.
   [[nodiscard]] SimpleMessage receive(const SimpleMessage& message, double now);
 
   /// Messages of the state connection every 20 ms: positions, and every fifth time status.
   [[nodiscard]] std::vector<SimpleMessage> feedback();
 
-  /// Loss of a connection stops the motion.
+  /// Stops the motion after the loss of a connection.
   void connection_lost() { stop(); }
 
  private:
@@ -56,17 +56,17 @@ class HANDWAY_DEVICE_EXPORT Val3Controller final : public EmulatedRobot {
   bool powered_;
   bool automatic_;
   bool estopped_ = false;
-  std::deque<Move> queue_;  ///< The first is under way.
+  std::deque<Move> queue_;  ///< The first is running.
   int fed_back_ = 0;        ///< Times that positions were sent.
 };
 
-/// A Val3Controller with its two ports, "arm://localhost:11000": an emulated arm that programs for
-/// ROS-Industrial's VAL3 server can be tried on.
+/// A Val3Controller with its two ports, "arm://localhost:11000": an emulated arm for testing
+/// programs for ROS-Industrial's VAL3 server.
 class HANDWAY_DEVICE_EXPORT ArmEmulator final : public RobotEmulator {
  public:
-  /// @param port of motions; the state port is the next but one, as 11000 and 11002 are. 0:
-  /// any two that are free.
-  /// @throws DeviceError if a port is taken; std::invalid_argument for settings that make no sense.
+  /// @param port of motions; the state port is two above it, as with 11000 and 11002. 0: any two
+  /// free ones.
+  /// @throws DeviceError if a port is taken; std::invalid_argument for invalid settings.
   ArmEmulator(const Val3ControllerSettings& settings, std::uint16_t port);
 };
 

@@ -32,10 +32,10 @@ enum class SimpleMessageKind : std::int32_t { kTopic = 1, kRequest = 2, kReply =
 
 enum class SimpleMessageReply : std::int32_t { kNone = 0, kSuccess = 1, kFailure = 2 };
 
-/// Sequence number of a trajectory point that means "stop at once and forget the rest".
+/// Sequence number of a trajectory point that means "stop at once and discard the rest".
 inline constexpr std::int32_t kStopSequence = -4;
 
-/// One message; of the fields those of its type count.
+/// One message; its type decides which fields are valid.
 struct SimpleMessage {
   SimpleMessageType type = SimpleMessageType::kJointPosition;
   SimpleMessageKind kind = SimpleMessageKind::kTopic;
@@ -49,7 +49,7 @@ struct SimpleMessage {
   bool operator==(const SimpleMessage&) const = default;
 };
 
-/// Bytes that are no message of this protocol.
+/// Thrown for bytes that are not a message of this protocol.
 class SimpleMessageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -58,8 +58,8 @@ class SimpleMessageError : public std::runtime_error {
 /// The message with its length in front: 44, 60 or 68 bytes.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<std::uint8_t> encode(const SimpleMessage& message);
 
-/// Takes bytes as they come from a connection, in pieces of any size, and gives messages. Between
-/// two calls of add() next() is to be called until it gives nothing: then it keeps less than one
+/// Takes bytes as they come from a connection, in pieces of any size, and returns messages.
+/// Between two calls of add(), call next() until it returns nothing: then it stores less than one
 /// message.
 class HANDWAY_DEVICE_EXPORT SimpleMessageParser {
  public:

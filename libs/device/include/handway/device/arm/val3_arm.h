@@ -14,7 +14,7 @@ namespace handway::device {
 /// Source: Staeubli, TX90 data sheet.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT JointRanges tx90_joints();
 
-/// Port of motions of the VAL3 server; it reports the state on the next but one.
+/// Port of motions of the VAL3 server; it reports the state on the port two above.
 inline constexpr std::uint16_t kVal3MotionPort = 11000;
 
 /// An arm on a Staeubli CS8 or CS9 controller that runs the VAL3 server of ROS-Industrial

@@ -13,7 +13,7 @@
 
 namespace handway::device {
 
-/// A serial port, or a pseudo-terminal that stands for one.
+/// A serial port, or a pseudo-terminal in its place.
 struct SerialAddress {
   std::string path;  ///< "/dev/ttyUSB0".
 };
@@ -46,8 +46,8 @@ class HANDWAY_DEVICE_EXPORT ByteLink {
   /// Name as the user wrote it.
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// Waits for bytes and takes those that are there.
-  /// @returns how many were put at the front of `bytes`; 0 after `timeout` without any.
+  /// Waits for bytes and reads the available ones.
+  /// @returns the number of bytes at the front of `bytes`; 0 after `timeout` without any.
   /// @throws DeviceError if the other end is gone.
   std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout);
 

@@ -11,9 +11,9 @@
 
 namespace handway::device {
 
-/// The inside of an emulated device: takes the bytes that a host sends and gives those that the
-/// device would. Knows neither ports nor clocks, so that a test can run a day of it in a
-/// moment; DeviceEmulator puts it on a port. Times are in s and never fall.
+/// The inside of an emulated device: takes a host's bytes and returns those that the device would
+/// send. It has neither ports nor clocks, so that a test can run a day of it quickly;
+/// DeviceEmulator connects it to a port. Times are in s and never fall.
 class HANDWAY_DEVICE_EXPORT DeviceUnit {
  public:
   using Bytes = std::vector<std::uint8_t>;
@@ -21,17 +21,17 @@ class HANDWAY_DEVICE_EXPORT DeviceUnit {
   virtual ~DeviceUnit() = default;
   DeviceUnit& operator=(const DeviceUnit&) = delete;
 
-  /// Takes what the host sent. @returns the answer.
+  /// Takes bytes of the host. @returns the answer.
   [[nodiscard]] virtual Bytes receive(std::span<const std::uint8_t> bytes, double now) = 0;
 
-  /// @returns the records that were due up to `now`, one an entry; not more than a quarter of a
-  /// second's worth, a unit that was held up doesn't make up for more.
+  /// @returns the records that were due up to `now`, one per entry; at most those of a quarter of a
+  /// second: a delayed unit doesn't send more.
   [[nodiscard]] virtual std::vector<Bytes> advance(double now) = 0;
 
-  /// When advance() has something to give again; nothing if it waits for the host.
+  /// Time at which advance() returns something again; nothing if it waits for the host.
   [[nodiscard]] virtual std::optional<double> next_due() const = 0;
 
-  /// Pulls what measures (glove, sensors) off the unit, or puts it back on.
+  /// Unplugs the sensing part (glove, sensors) from the unit, or plugs it in again.
   virtual void set_plugged(bool plugged) = 0;
 
  protected:
@@ -57,10 +57,10 @@ class HANDWAY_DEVICE_EXPORT LineFaults {
   explicit LineFaults(const LineFaultSettings& settings);
   ~LineFaults();
 
-  /// @returns what of `record` arrives.
+  /// @returns the part of `record` that arrives.
   [[nodiscard]] std::vector<std::uint8_t> apply(std::vector<std::uint8_t> record);
 
-  /// Records so far that were lost or damaged.
+  /// Number of records so far that were lost or damaged.
   [[nodiscard]] std::uint64_t count() const { return count_; }
 
  private:
@@ -80,19 +80,19 @@ struct DeviceEmulatorSettings {
   std::optional<std::uint16_t> tcp_port;
   /// HOST:PORT to send every record to as a UDP datagram; it receives nothing then.
   std::optional<std::string> udp_receiver;
-  /// HOST:PORT to connect to, as a device with WiFi does, and what it says first.
+  /// HOST:PORT to connect to, as a device with WiFi does, and the first bytes to send.
   std::optional<std::string> tcp_server;
   std::vector<std::uint8_t> greeting;
 };
 
-/// An emulated device that programs can't tell from hardware: its unit on a pseudo-terminal (if
-/// the settings name no port), run by a thread of its own. One host at a time; over TCP
-/// a new connection takes the place of the last, as with serial-to-network converters.
+/// An emulated device that programs can't distinguish from hardware: its unit on a pseudo-terminal
+/// (if the settings name no port), run by a thread of its own. One host at a time; over TCP a new
+/// connection replaces the last, as with serial-to-network converters.
 class HANDWAY_DEVICE_EXPORT DeviceEmulator {
  public:
   /// Opens the port and starts. @pre `unit` is not null.
-  /// @throws DeviceError if the port is taken or not allowed; std::invalid_argument for settings
-  /// that make no sense.
+  /// @throws DeviceError if the port is taken or not allowed; std::invalid_argument for invalid
+  /// settings.
   DeviceEmulator(const DeviceEmulatorSettings& settings, std::unique_ptr<DeviceUnit> unit);
   /// Closes the port at once, as if the cable were cut.
   ~DeviceEmulator();
@@ -105,9 +105,9 @@ class HANDWAY_DEVICE_EXPORT DeviceEmulator {
   /// See DeviceUnit::set_plugged().
   void set_plugged(bool plugged);
 
-  /// Records that were sent, lost and damaged ones included.
+  /// Number of records sent, lost and damaged ones included.
   [[nodiscard]] std::uint64_t records() const;
-  /// Records that were lost or damaged.
+  /// Number of records lost or damaged.
   [[nodiscard]] std::uint64_t faults() const;
 
  private:

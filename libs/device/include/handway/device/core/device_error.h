@@ -5,8 +5,8 @@
 
 namespace handway::device {
 
-/// A device that can't be reached, doesn't answer as it should, or went away. `problem().source`
-/// is the device's name as the user gave it.
+/// Error of a device that can't be reached, answers wrongly, or is gone. `problem().source` is the
+/// device's name as the user gave it.
 class HANDWAY_DEVICE_EXPORT DeviceError : public geometric::InputError {
  public:
   using geometric::InputError::InputError;

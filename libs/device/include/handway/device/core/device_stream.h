@@ -53,13 +53,13 @@ struct StreamStatistics {
   std::uint64_t resynchronisations = 0;  ///< Times that bytes had to be dropped.
 };
 
-/// Keeps StreamStatistics of frames as they arrive.
+/// Computes StreamStatistics of frames as they arrive.
 class HANDWAY_DEVICE_EXPORT StreamStatisticsCounter {
  public:
-  /// A connection was made, on which so many frames a second (Hz) should come.
+  /// Records a new connection with the expected rate (frames per second, Hz).
   void connected(double rate, double round_trip);
 
-  /// A frame arrived at `time` (s, never falling) and was handled at `handled`.
+  /// Records a frame that arrived at `time` (s, never falling) and was handled at `handled`.
   void frame(double time, double handled);
 
   void resynchronised(std::uint64_t total) { statistics_.resynchronisations = total; }
@@ -80,7 +80,7 @@ class HANDWAY_DEVICE_EXPORT StreamStatisticsCounter {
   bool begun_ = false;
 };
 
-/// A device that samples are read from, as its StreamThread sees it. Used by that thread.
+/// A device that samples are read from, as used by its StreamThread. Used by that thread alone.
 class StreamSource {
  public:
   /// Pace of a connection: expected samples per second (Hz; 0: unknown), and the round-trip time of
@@ -97,7 +97,7 @@ class StreamSource {
 
   /// Opens the device, and notifies the handler. @throws DeviceError
   virtual Pace connect(const std::stop_token& stop) = 0;
-  /// Waits for a sample and keeps it for hand_over(). @throws DeviceError
+  /// Waits for a sample and stores it for hand_over(). @throws DeviceError
   virtual SampleEvent next(std::chrono::milliseconds timeout, const std::stop_token& stop) = 0;
   /// Passes the sample to the handler. @returns its age afterwards, s.
   virtual double hand_over() = 0;
@@ -106,7 +106,7 @@ class StreamSource {
   [[nodiscard]] virtual std::uint64_t resynchronisations() const = 0;
 };
 
-/// The thread that reads a device: samples as they come, and a new connection when one is lost.
+/// The thread of a device: reads samples as they come, and reconnects after a loss.
 class HANDWAY_DEVICE_EXPORT StreamThread {
  public:
   /// @param on_state is called on the thread; may be empty.
@@ -142,11 +142,11 @@ class HANDWAY_DEVICE_EXPORT StreamThread {
   std::string error_;
   StreamStatisticsCounter counter_;
   Clock::time_point begin_ = Clock::now();
-  std::jthread thread_;  ///< Last: it uses all the others.
+  std::jthread thread_;  ///< Last: it uses all other members.
 };
 
-/// A device with a thread of its own: reads samples as they come, and connects again when the
-/// connection is lost. All functions may be called from any thread but its own.
+/// A device with a thread of its own: reads samples as they come, and reconnects after a loss. All
+/// functions may be called from any thread but its own.
 /// @tparam Device a SampledDevice.
 template <typename Device>
 class DeviceStream {
@@ -162,8 +162,8 @@ class DeviceStream {
     std::function<void(StreamState state)> on_state;
   };
 
-  /// Starts at once. Its end stops it, and waits for the thread to end (at most some 100 ms and a
-  /// handler's time).
+  /// Starts at once. The destructor stops it, and waits for the thread to end (at most some 100 ms
+  /// and a handler's time).
   DeviceStream(std::unique_ptr<Device> device, const StreamSettings& settings,
                const Handlers& handlers)
       : thread_(std::make_unique<Source>(std::move(device), handlers, reports_), settings,

@@ -22,24 +22,24 @@ struct EmulatedRobotSettings {
   InjectedFault fault;
 };
 
-/// An emulated controller of joints, without wires: what it is sent is given, and so is time, which
-/// never goes back from call to call. The joints follow what they are commanded with a first-order
-/// lag (a servo's position loop), and brake with constant deceleration.
+/// An emulated controller of joints, without wires: messages are passed by calls, and so is time,
+/// which never goes back. The joints follow their commands with a first-order lag (a servo's
+/// position loop), and brake with constant deceleration.
 class HANDWAY_DEVICE_EXPORT EmulatedRobot {
  public:
   virtual ~EmulatedRobot() = default;
   EmulatedRobot(const EmulatedRobot&) = delete;
   EmulatedRobot& operator=(const EmulatedRobot&) = delete;
 
-  /// Lets time pass until `now` (s).
+  /// Simulates up to `now` (s).
   void advance(double now);
 
   [[nodiscard]] const Eigen::VectorXd& position() const { return position_; }
-  /// True if a joint goes faster than 1e-3 rad/s.
+  /// Returns whether a joint is faster than 1e-3 rad/s.
   [[nodiscard]] bool moving() const;
   /// Number of stop commands received. Lost connections and timeouts don't count.
   [[nodiscard]] int stops() const { return stops_; }
-  /// The fault, from when it begins on.
+  /// The fault, once it has begun.
   [[nodiscard]] FaultKind active_fault() const {
     return fault_active_ ? fault_.kind : FaultKind::kNone;
   }
@@ -47,7 +47,7 @@ class HANDWAY_DEVICE_EXPORT EmulatedRobot {
  protected:
   static constexpr double kStep = 1e-3;  ///< s
 
-  /// @throws std::invalid_argument for settings that make no sense.
+  /// @throws std::invalid_argument for invalid settings.
   explicit EmulatedRobot(const EmulatedRobotSettings& settings);
 
   [[nodiscard]] double now() const { return now_; }  ///< s
@@ -70,7 +70,7 @@ class HANDWAY_DEVICE_EXPORT EmulatedRobot {
     double time = 0.0;      ///< s since it began
   };
 
-  /// Commands the joints for kStep, until now(). @returns whether a motion is under way.
+  /// Commands the joints for kStep, until now(). @returns whether a motion is running.
   virtual bool do_step() = 0;
   /// Applies active_fault() when it begins.
   virtual void do_fail() = 0;
@@ -93,8 +93,8 @@ class HANDWAY_DEVICE_EXPORT EmulatedRobot {
   int stops_ = 0;
 };
 
-/// An EmulatedRobot with its ports, run by a thread of its own: what programs for such a robot can
-/// be tried on. Only this computer can connect.
+/// An EmulatedRobot with its ports, run by a thread of its own, for testing clients of such a
+/// robot. Only this computer can connect.
 class HANDWAY_DEVICE_EXPORT RobotEmulator {
  public:
   virtual ~RobotEmulator();

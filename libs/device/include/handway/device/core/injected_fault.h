@@ -5,11 +5,11 @@ namespace handway::device {
 /// Fault that an emulated controller injects once.
 enum class FaultKind {
   kNone,
-  kLate,        ///< All that it sends comes 0.6 s late.
+  kLate,        ///< All messages come 0.6 s late.
   kLost,        ///< The connection breaks.
   kRefused,     ///< It refuses commands.
   kEstop,       ///< The emergency stop is pressed.
-  kJointLimit,  ///< A joint's range ends where the joint is.
+  kJointLimit,  ///< A joint's range ends at its position.
   kSlow,        ///< It moves at half the pace: the monitor speed is at 50 %.
 };
 

@@ -9,7 +9,7 @@
 
 namespace handway::device {
 
-/// Joints as a device knows them, in its order; vectors of shape [joints].
+/// Joints of a device, in its order; vectors of shape [joints].
 struct JointRanges {
   std::vector<std::string> names;
   Eigen::VectorXd lower;     ///< rad
@@ -19,7 +19,7 @@ struct JointRanges {
   [[nodiscard]] Eigen::Index count() const { return lower.size(); }
 };
 
-/// When the joints of a device are where; between two points they move linearly.
+/// Positions of a device's joints over time; between two points they move linearly.
 struct JointTrajectory {
   std::vector<double> times;  ///< s, increasing from 0.
   Eigen::MatrixXd positions;  ///< rad, shape [points, joints].

@@ -22,7 +22,7 @@ class LineProtocolError : public std::runtime_error {
 
 /// The words of a line.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<std::string_view> words_of(std::string_view line);
-/// @throws LineProtocolError if a word is no finite number.
+/// @throws LineProtocolError if a word is not a finite number.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT double number_of(std::string_view word);
 
 /// Quotes received text for a message: one line, at most 160 characters, non-printable and
@@ -34,7 +34,7 @@ class LineProtocolError : public std::runtime_error {
 class HANDWAY_DEVICE_EXPORT LineBuffer {
  public:
   void add(std::span<const std::uint8_t> bytes);
-  /// The next whole line without its end. @throws LineProtocolError if one is longer than 4096.
+  /// The next complete line without its end. @throws LineProtocolError above 4096 bytes.
   [[nodiscard]] std::optional<std::string> next();
 
  private:

@@ -13,7 +13,7 @@ class SampleClock {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Sets the zero; the second time, and later, without effect.
+  /// Sets the zero at the first call; later calls have no effect.
   void start() {
     if (!started_) {
       begin_ = Clock::now();
@@ -25,7 +25,7 @@ class SampleClock {
     return std::chrono::duration<double>(time - begin_).count();
   }
 
-  /// `time`, or that of the sample before if it is later.
+  /// `time`, or that of the previous sample if it is later.
   double not_before_last(double time) {
     last_ = std::max(last_, time);
     return last_;
@@ -52,10 +52,10 @@ struct ReceptionFaults {
   std::uint64_t doubtful = 0;  ///< Records dropped because the device itself found them bad.
 };
 
-/// A device that gives samples, one after the other: a glove or a tracker. To be used by one
+/// A device that returns samples, one after the other: a glove or a tracker. To be used by one
 /// thread at a time; DeviceStream gives it a thread of its own.
 ///
-/// @tparam InfoType what a connected device reports of itself.
+/// @tparam InfoType properties that a connected device reports.
 /// @tparam SampleType has a `time`, s.
 template <typename InfoType, typename SampleType>
 class SampledDevice {
@@ -71,7 +71,7 @@ class SampledDevice {
   SampledDevice(const SampledDevice&) = delete;
   SampledDevice& operator=(const SampledDevice&) = delete;
 
-  /// Opens the device and starts it; after a lost connection, again.
+  /// Opens the device and starts it; also again after a lost connection.
   /// @throws DeviceError with the state found, the expected one, and advice.
   Info connect(const std::stop_token& stop = {}) {
     disconnect();
@@ -85,7 +85,7 @@ class SampledDevice {
   /// Waits for the next sample, at most `timeout` (a little longer if the device has to be polled
   /// for a sign of life). Returns early, with kNothing, when a stop is requested. Time never goes
   /// back, not even from one connection to the next.
-  /// @throws DeviceError if the connection is lost; connect() may bring it back.
+  /// @throws DeviceError if the connection is lost; connect() may restore it.
   /// @throws std::logic_error if it isn't connected.
   Reading next(std::chrono::milliseconds timeout, const std::stop_token& stop = {}) {
     if (!connected_) {

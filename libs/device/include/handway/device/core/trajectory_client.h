@@ -15,7 +15,7 @@ namespace handway::device {
 
 /// State of a device's motion.
 enum class MotionPhase {
-  kIdle,     ///< It has none.
+  kIdle,     ///< No motion.
   kReady,    ///< Uploaded, not begun.
   kRunning,  ///< Running.
   kPaused,   ///< Paused; resume() continues.
@@ -28,10 +28,10 @@ enum class MotionPhase {
 struct MeasuredJoints {
   Eigen::VectorXd position;                        ///< rad, [joints]; of size 0: nothing yet.
   std::uint64_t samples = 0;                       ///< Number received.
-  std::chrono::steady_clock::time_point received;  ///< When the last one did.
+  std::chrono::steady_clock::time_point received;  ///< Time of the last one.
 };
 
-/// When a motion may begin, and when it has gone wrong.
+/// Tolerances for starting a motion, and for its faults.
 struct MotionTolerances {
   double start = 0.01;     ///< Largest distance of a joint from the first point at the start, rad.
   double following = 0.2;  ///< Largest following error of a joint during the motion, rad.
@@ -63,25 +63,25 @@ class HANDWAY_DEVICE_EXPORT TrajectoryClient {
   /// @throws DeviceError if it can't be reached or reports none within 3 s.
   void connect(const std::stop_token& stop = {});
 
-  /// Gives the device a motion.
+  /// Sends the device a motion.
   /// @throws geometric::InputError as check_trajectory(); DeviceError if it is not connected, the
   /// device doesn't accept it, or it is moving.
   void upload(const JointTrajectory& trajectory, const std::stop_token& stop = {});
 
-  /// Begins the motion that was uploaded.
-  /// @throws DeviceError saying why the device can't move now, or which joint stands too far
-  /// from the first point; nothing moves then.
+  /// Starts the uploaded motion.
+  /// @throws DeviceError with the reason why the device can't move now, or the joint that is too
+  /// far from the first point; nothing moves then.
   void start(const MotionTolerances& tolerances = {});
 
   /// Pauses the motion as soon as the device can, but not before `time` (s of the motion). Nothing
   /// happens if it isn't running. Any error ends the motion with kFailed.
-  /// @returns the motion's time at which it holds: for other devices that shall hold there.
+  /// @returns the motion's time of the pause: for other devices that have to pause there.
   double pause(double time = 0.0);
   /// Continues a paused motion, otherwise nothing happens. Any error ends the motion with
   /// kFailed.
   void resume();
 
-  /// Stops the joints as fast as the device can, and forgets the motion. Never throws: if the
+  /// Stops the joints as fast as the device can, and discards the motion. Never throws: if the
   /// device can't be reached any more its own watchdog stops it.
   void stop();
 
@@ -94,14 +94,14 @@ class HANDWAY_DEVICE_EXPORT TrajectoryClient {
   [[nodiscard]] MotionPhase phase() const { return phase_; }
   [[nodiscard]] const std::string& fault() const { return fault_; }  ///< Empty: none.
   [[nodiscard]] const MeasuredJoints& measured() const { return measured_; }
-  /// Time of the motion, pauses left out, s.
+  /// Time of the motion without pauses, s.
   [[nodiscard]] double motion_time(Clock::time_point now) const;
   [[nodiscard]] const JointTrajectory& trajectory() const { return trajectory_; }
 
  protected:
   TrajectoryClient(std::string name, JointRanges joints);
 
-  /// For derived classes: positions came. @pre shape [joints].
+  /// For derived classes: stores new positions. @pre shape [joints].
   void add_sample(const Eigen::VectorXd& position);
   /// For derived classes. @throws DeviceError with this link's name.
   [[noreturn]] void refuse(std::string found, std::string expected, std::string advice) const;
@@ -111,12 +111,12 @@ class HANDWAY_DEVICE_EXPORT TrajectoryClient {
   virtual void do_upload(const JointTrajectory& trajectory, const std::stop_token& stop) = 0;
   /// @throws DeviceError if the device can't move now.
   virtual void do_start() = 0;
-  /// @param time not before it, s. @returns when the device holds, s.
+  /// @param time earliest pause, s. @returns the time of the pause, s.
   [[nodiscard]] virtual double do_pause(double time) = 0;
   virtual void do_resume() = 0;
   virtual void do_stop() = 0;
-  /// Reads within a ReadBudget. @param time of the motion, s. @returns whether all that had come
-  /// was read. @throws DeviceError for anything that has to end the motion.
+  /// Reads within a ReadBudget. @param time of the motion, s. @returns whether all pending bytes
+  /// were read. @throws DeviceError for anything that has to end the motion.
   [[nodiscard]] virtual bool do_update(double time) = 0;
 
   void take_turn(double time);
@@ -136,7 +136,7 @@ class HANDWAY_DEVICE_EXPORT TrajectoryClient {
   std::uint64_t samples_seen_ = 0;
   JointTrajectory trajectory_;
   MotionTolerances tolerances_;
-  Clock::time_point begin_;  ///< When motion time was 0, had there been no pauses.
+  Clock::time_point begin_;  ///< Start of motion time, shifted by the pauses.
   double hold_ = 0.0;        ///< Motion time of the pause, s.
 };
 

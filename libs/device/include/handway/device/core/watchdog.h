@@ -11,7 +11,7 @@ class Backlog {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// A turn of reading is over. @param all whether it took everything that had come.
+  /// Records the end of a turn of reading. @param all whether everything pending was read.
   void turn(bool all, Clock::time_point now) {
     if (all) {
       since_.reset();
@@ -30,13 +30,13 @@ class Backlog {
   std::optional<Clock::time_point> since_;
 };
 
-/// For how long a device has reported nothing to a program that listened. Time in which the program
-/// itself was held up, by a busy or sleeping computer, is not the device's silence.
+/// Time for which a device has reported nothing while the program was listening. Time in which the
+/// program itself was delayed, by a busy or sleeping computer, does not count.
 class Watchdog {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// The device spoke, or is about to.
+  /// Records a message, or that one is expected now.
   void heard(Clock::time_point now) {
     listened_ = now;
     lasted_ = Clock::duration::zero();
@@ -50,7 +50,7 @@ class Watchdog {
   }
 
  private:
-  /// From one time of listening to the next; a longer one is a hold-up.
+  /// Longest time between two reads; a longer one is a delay of the program.
   static constexpr std::chrono::milliseconds kLongestPause{20};
 
   Clock::time_point listened_ = Clock::now();

@@ -22,7 +22,7 @@
 ///         instruction: "Open the hand and make a fist, some times."
 ///         degrees: {IndexMPJ: 75}   # for the picture
 
-/// Ways to find a glove's calibration for a hand.
+/// Methods of calibrating a glove for a hand.
 
 namespace handway::device {
 
@@ -66,10 +66,10 @@ using AngleRanges = std::array<std::pair<double, double>, kGloveSensors>;
 /// Rounded ranges of adult hands: the input of min-max calibration if nothing is measured.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT const AngleRanges& typical_angle_ranges();
 
-/// Lays each sensor's 1st and 99th percentile of a free motion on the ends of its joint's range.
-/// The gain's sign is that of `signs` (a sensor's calibration before): from the counts alone
-/// it is unknown which end is which. A sensor that went through less than 10 counts keeps
-/// that calibration.
+/// Maps each sensor's 1st and 99th percentile of a free motion to the ends of its joint's
+/// range. The gain's sign is that of `signs` (a sensor's calibration before): the counts alone
+/// don't determine which end is which. A sensor with a range below 10 counts keeps that
+/// calibration.
 /// @throws geometric::InputError if the recording holds no counts.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT CalibrationFit calibrate_from_range(
     const Recording& counts, const AngleRanges& ranges, const GloveCalibration& signs,

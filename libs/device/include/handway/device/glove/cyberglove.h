@@ -12,11 +12,11 @@
 namespace handway::device {
 
 struct CyberGloveSettings {
-  double rate = 100.0;  ///< Frames a second to ask for, Hz, 0.5 to 480.
+  double rate = 100.0;  ///< Requested frames per second, Hz, 0.5 to 480.
   int baud = 115200;    ///< Rate of a serial port, bit/s.
-  bool polled = false;  ///< Ask for every frame instead of letting the glove stream.
+  bool polled = false;  ///< Request every frame instead of streaming.
   bool filter = true;   ///< The interface unit's own low-pass filter.
-  /// The device is taken for lost after this long without an answer, or without a frame.
+  /// The device counts as lost after this long without an answer, or without a frame.
   std::chrono::milliseconds timeout{1000};
 };
 

@@ -12,11 +12,11 @@ namespace handway::device {
 
 /// Cuts the native stream of a CyberGlove III into records of 61 bytes: a time stamp in 14
 /// characters (HH:MM:SS:ff:nS), 22 sensors in two bytes each, most significant first, of which 12
-/// bits count, then 0D 0A 00. Counts are brought to the scale of 8 bits that the other gloves have
-/// (value / 16), as the maker's calibration takes them.
+/// bits count, then 0D 0A 00. Counts are scaled to the 8 bits of the other gloves (value / 16), as
+/// the maker's calibration does.
 ///
-/// No byte of a sensor can be taken for the time stamp's colons and digits, so that a record is
-/// found again after any loss; what isn't exactly one is dropped. Takes no more memory than one
+/// No byte of a sensor can be confused with the time stamp's colons and digits, so that a
+/// record is found again after any loss; other bytes are dropped. Takes no more memory than one
 /// record.
 ///
 /// Source: two programs for the glove, the ROS driver of Shadow Robot and the Python driver

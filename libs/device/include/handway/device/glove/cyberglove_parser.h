@@ -18,7 +18,7 @@ struct CyberGloveFormat {
   bool time_stamp = false;      ///< Flag D of the unit.
   bool status = false;          ///< Flag U of the unit.
 
-  /// Bytes of a whole record, letter and closing 00 included: 24 for 22 sensors.
+  /// Bytes of a complete record, letter and closing 00 included: 24 for 22 sensors.
   [[nodiscard]] std::size_t record_length() const {
     return static_cast<std::size_t>(sensors) + 2 + (time_stamp ? 5 : 0) + (status ? 1 : 0);
   }
@@ -53,7 +53,7 @@ class HANDWAY_DEVICE_EXPORT CyberGloveParser {
   /// Takes the next byte. @returns the record that it completes, if any.
   std::optional<CyberGloveRecord> push(std::uint8_t byte);
 
-  /// Forgets the beginning of an incomplete record.
+  /// Discards the beginning of an incomplete record.
   void reset();
 
   /// Number of resynchronisations, and the bytes dropped by them.

@@ -23,8 +23,8 @@ struct GloveInfo {
   std::vector<int> angle_sensors;
 };
 
-/// A sensorized glove (paper, section 3), or what stands for one: frames of raw counts. Every count
-/// of a sensor that the glove has is from 1 to 255.
+/// A sensorized glove (paper, section 3), or a replacement: frames of raw counts. Every count of a
+/// sensor that the glove has is from 1 to 255.
 class HANDWAY_DEVICE_EXPORT Glove : public SampledDevice<GloveInfo, GloveFrame> {
  private:
   void check_info(const GloveInfo& info) override;

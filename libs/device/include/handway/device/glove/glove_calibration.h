@@ -36,7 +36,7 @@ struct SensorCalibration {
   std::optional<double> residual;  ///< Root mean square error of the fit, rad.
 };
 
-/// Angles that a person's joints go through, rad: (least, most); none where it is unknown.
+/// Ranges of a person's joint angles, rad: (least, most); none if unknown.
 using PersonRanges = std::array<std::optional<std::pair<double, double>>, kGloveSensors>;
 
 /// The calibration of one glove on one person's hand.
@@ -50,13 +50,13 @@ struct GloveCalibration {
   std::optional<HandBones> bones;
 };
 
-/// Reads a calibration; which kind of file it is, is recognised by its content:
+/// Reads a calibration; the content decides the kind of file:
 ///   - YAML as above;
-///   - text with 22 lines `angle:counts angle:counts`, from the wrist to the little finger,
-///     a straight line through two points each (rad, signs of VirtualHand: turned here);
-///   - text with a title, then six groups (thumb … little finger, wrist) of a name and four
-///     lines `index zero gain x` (VirtualHand; angle = gain · (counts - zero), with its signs:
-///     turned here). A gain of 0 leaves the sensor uncalibrated.
+/// - text with 22 lines `angle:counts angle:counts`, from the wrist to the little finger, a
+///   straight line through two points each (rad, signs of VirtualHand, which are converted);
+/// - text with a title, then six groups (thumb … little finger, wrist) of a name and four lines
+///   `index zero gain x` (VirtualHand; angle = gain · (counts - zero), its signs are converted). A
+///   gain of 0 leaves the sensor uncalibrated.
 ///
 /// @throws geometric::InputError with file and line for a file of another kind, an unknown sensor
 /// or finger, a missing line, a gain of 0, two points less than 10 counts apart, a range that does
@@ -78,13 +78,13 @@ HANDWAY_DEVICE_EXPORT void write_calibration(const GloveCalibration& calibration
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles to_angles(const GloveFrame& frame,
                                                           const GloveCalibration& calibration);
 
-/// The frame that a glove with this calibration reads at these angles: rounded and limited
-/// to 1 … 255; 0 for angles that are NaN and sensors that are not calibrated.
+/// The frame that a glove with this calibration measures at these angles: rounded and limited to 1
+/// 255; 0 for angles that are NaN and sensors that are not calibrated.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveFrame to_counts(const GloveAngles& angles,
                                                          const GloveCalibration& calibration);
 
-/// A recording of counts as angles, without the sensors that are not calibrated (a warning
-/// names them). A recording of angles is returned as it is.
+/// A recording of counts as angles, without the sensors that are not calibrated (a warning names
+/// them). A recording of angles is returned unchanged.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording to_angles(const Recording& recording,
                                                         const GloveCalibration& calibration);
 

@@ -23,19 +23,19 @@ struct CyberGloveUnitSettings {
   int sensors = kGloveSensors;  ///< 18 or 22.
   bool right_hand = true;
   double rate = 100.0;      ///< Until the host sets another, Hz.
-  double top_rate = 480.0;  ///< Faster is refused with "es"; as fast as 115200 bit/s carry.
+  double top_rate = 480.0;  ///< Faster is refused with "es"; the limit of 115200 bit/s.
 };
 
 /// The interface unit of an emulated CyberGlove, in binary and in ASCII commands.
 class HANDWAY_DEVICE_EXPORT CyberGloveUnit final : public DeviceUnit {
  public:
-  /// @throws std::invalid_argument if there are neither 18 nor 22 sensors, or no rate above 0.
+  /// @throws std::invalid_argument unless it has 18 or 22 sensors, and a rate above 0.
   CyberGloveUnit(const CyberGloveUnitSettings& settings, GloveSignal signal);
 
   [[nodiscard]] Bytes receive(std::span<const std::uint8_t> bytes, double now) override;
   [[nodiscard]] std::vector<Bytes> advance(double now) override;
   [[nodiscard]] std::optional<double> next_due() const override;
-  /// Pulls the glove off the unit, or puts it back on.
+  /// Unplugs the glove from the unit, or plugs it in again.
   void set_plugged(bool plugged) override { plugged_ = plugged; }
 
   [[nodiscard]] bool streaming() const { return streaming_.has_value(); }
@@ -61,12 +61,12 @@ class HANDWAY_DEVICE_EXPORT CyberGloveUnit final : public DeviceUnit {
   double command_time_ = 0.0;
   std::optional<Form> streaming_;
   double next_record_ = 0.0;
-  std::optional<double> restarted_at_;  ///< Deaf until then.
+  std::optional<double> restarted_at_;  ///< Ignores input until then.
   bool plugged_ = true;
 };
 
 /// An emulated CyberGlove III on USB, in its native stream (see CyberGlove3Parser): 90 records a
-/// second after "1eu" and "1S", until 03 or "!!!". Gives no answers, as none are known.
+/// second after "1eu" and "1S", until 03 or "!!!". It sends no answers, as none are documented.
 class HANDWAY_DEVICE_EXPORT CyberGlove3Unit final : public DeviceUnit {
  public:
   explicit CyberGlove3Unit(GloveSignal signal) : signal_(std::move(signal)) {}
@@ -99,19 +99,19 @@ struct GloveEmulatorSettings : DeviceEmulatorSettings {
 class HANDWAY_DEVICE_EXPORT GloveEmulator {
  public:
   /// Opens the port and starts.
-  /// @throws DeviceError if the port is taken or not allowed; std::invalid_argument for settings
-  /// that make no sense.
+  /// @throws DeviceError if the port is taken or not allowed; std::invalid_argument for invalid
+  /// settings.
   GloveEmulator(const GloveEmulatorSettings& settings, GloveSignal signal);
 
   /// Address for a driver: "/dev/pts/4" or "localhost:5555".
   [[nodiscard]] const std::string& address() const { return emulator_.address(); }
 
-  /// Pulls the glove off its unit, or puts it back on.
+  /// Unplugs the glove from its unit, or plugs it in again.
   void set_plugged(bool plugged) { emulator_.set_plugged(plugged); }
 
-  /// Records that were sent, lost and damaged ones included.
+  /// Number of records sent, lost and damaged ones included.
   [[nodiscard]] std::uint64_t records() const { return emulator_.records(); }
-  /// Records that were lost or damaged.
+  /// Number of records lost or damaged.
   [[nodiscard]] std::uint64_t faults() const { return emulator_.faults(); }
 
  private:

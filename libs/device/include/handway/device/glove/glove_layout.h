@@ -15,8 +15,8 @@ inline constexpr int kGloveSensors = 22;
 
 inline constexpr int kFingers = 5;
 
-/// Lengths of a person's bones by finger, thumb to little finger, m: from the wrist to where the
-/// finger begins (the thumb's CMC joint, the others' knuckles), then from joint to joint to the
+/// Lengths of a person's bones by finger, thumb to little finger, m: from the wrist to the
+/// finger's base (the thumb's CMC joint, the others' knuckles), then from joint to joint to the
 /// tip.
 using HandBones = std::array<std::array<double, 4>, kFingers>;
 
@@ -25,8 +25,8 @@ using HandBones = std::array<std::array<double, 4>, kFingers>;
 struct GloveFrame {
   double time = 0.0;  ///< s since the stream began, on a steady clock.
   std::array<std::uint16_t, kGloveSensors> counts{};  ///< Raw, 1 … 255.
-  /// rad, flexion positive, NaN where nothing measures, of a source that measures angles itself:
-  /// no calibration applies, and the counts are what a typical glove would read.
+  /// Angles of a source that measures angles itself, rad, flexion positive, NaN without a
+  /// measurement: no calibration applies, and the counts are those of a typical glove.
   std::optional<std::array<double, kGloveSensors>> angles = std::nullopt;
   /// Bones, from a source that measures them.
   std::optional<HandBones> bones = std::nullopt;
@@ -36,7 +36,7 @@ struct GloveFrame {
 struct GloveAngles {
   double time = 0.0;  ///< s, as in the frame.
   std::array<double, kGloveSensors>
-      angles{};  ///< rad, flexion positive; NaN where there is no sensor.
+      angles{};  ///< rad, flexion positive; NaN where a sensor is missing.
 };
 
 /// One bend sensor of a glove.
@@ -53,8 +53,8 @@ struct GloveSensor {
 /// the 18-sensor glove leaves out the four sensors of the distal finger joints).
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::span<const GloveSensor> cyberglove_sensors();
 
-/// Index in cyberglove_sensors() of every sensor that a glove with so many sensors has,
-/// in the order of its records.
+/// Index in cyberglove_sensors() of every sensor of a glove with that number of sensors, in the
+/// order of its records.
 /// @param sensors 18 or 22.
 /// @throws std::invalid_argument for another number.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::span<const int> cyberglove_wired(int sensors);

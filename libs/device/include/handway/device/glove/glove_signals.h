@@ -17,15 +17,15 @@ struct SensorFaults {
 };
 
 /// The counts of a hand that moves as HandExploration: those of `calibration`, with noise,
-/// rounded, clipped to 1 … 255. The calibration is the true one of the emulated glove, which
-/// calibrating it should find; by default typical_calibration(). The same seed and times
-/// give the same counts.
+/// rounded, clipped to 1 … 255. The calibration is the true one of the emulated glove, to be found
+/// by calibrating it; by default typical_calibration(). The same seed and times give the same
+/// counts.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveSignal
 exploring_hand_signal(std::uint64_t seed, const SensorFaults& faults = {},
                       const GloveCalibration& calibration = typical_calibration());
 
-/// The counts of a recording, again and again; angles become counts by `calibration`.
-/// Sensors that the recording doesn't have read 128. Between two rows the former holds.
+/// The counts of a recording, repeated forever; angles become counts by `calibration`. Sensors
+/// missing in the recording read 128. Between two rows the former holds.
 /// @param faults noise is added to the recorded counts: give 0 to play counts unchanged.
 /// @throws geometric::InputError if the recording has no rows.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveSignal

@@ -37,12 +37,12 @@ struct CurvePoint {
 struct JointWire {
   std::string joint;
   int sensor = -1;      ///< Index into cyberglove_sensors(); -1: the joint is fixed.
-  double gain = 1.0;    ///< joint = gain · angle + offset, unless there is a curve.
+  double gain = 1.0;    ///< joint = gain · angle + offset, without a curve.
   double offset = 0.0;  ///< rad
-  /// Instead of gain and offset: straight between points of rising angle, held at both ends.
+  /// Replaces gain and offset: linear between points of rising angle, constant beyond both ends.
   std::vector<CurvePoint> curve;
   std::optional<double> fixed;  ///< rad, of a joint without sensor; none: middle of its range.
-  /// It belongs to the arm, such as a wrist's joint: the hand does not move it.
+  /// True for a joint of the arm, such as a wrist's: the hand does not move it.
   bool left_to_arm = false;
 };
 
@@ -66,16 +66,16 @@ struct HandMapping {
 /// angles don't rise.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandMapping read_mapping(const std::filesystem::path& file);
 
-/// Replaces the file whole; the same mapping makes the same bytes.
+/// Replaces the file whole; the same mapping gives the same bytes.
 /// @throws geometric::InputError if the file can't be written.
 HANDWAY_DEVICE_EXPORT void write_mapping(const HandMapping& mapping,
                                          const std::filesystem::path& file);
 
-/// A mapping made ready for a robot.
+/// A mapping prepared for a robot.
 class HANDWAY_DEVICE_EXPORT HandMapper : public PostureSource {
  public:
-  /// @param hand a robot with all joints that the mapping names, such as the hand alone or
-  /// an arm with it; the joints named, but for those left to the arm, are the hand.
+  /// @param hand a robot with all joints that the mapping names, such as the hand alone or an arm
+  /// with it; the joints named, but for those left to the arm, form the hand.
   /// @param is_hand the robot is the mapping's hand, whatever its name; else only if the names are
   /// equal.
   /// @param ranges of the person: angles go to the joints as those of a typical hand (see

@@ -18,7 +18,7 @@ namespace handway::device {
 /// next two and the tip. A column each, m.
 using HandLandmarks = Eigen::Matrix<double, 3, 21>;
 
-/// A finger's place in HandLandmarks and in lists of fingers.
+/// Index of a finger in HandLandmarks and in lists of fingers.
 enum class Finger { kThumb, kIndex, kMiddle, kRing, kLittle };
 /// "thumb", "index", "middle", "ring", "little".
 [[nodiscard]] HANDWAY_DEVICE_EXPORT const std::string& name_of(Finger finger);
@@ -54,15 +54,15 @@ hand_landmarks(const GloveAngles& angles, const HandBones& bones = typical_bones
 /// them (the arch of the palm and the wrist): the inverse of hand_landmarks(), for any lengths. The
 /// spread of a finger is 0 while its first phalanx is bent by some 80° and more.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles glove_angles(const HandLandmarks& landmarks);
-/// The sensors that glove_angles() has numbers for (indices into cyberglove_sensors()).
+/// The sensors for which glove_angles() has numbers (indices into cyberglove_sensors()).
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<int> landmark_sensors();
 
-/// The palm's frame of landmarks that were measured anywhere, from wrist and knuckles: as that of
+/// The palm's frame of landmarks in any frame, from wrist and knuckles: as that of
 /// hand_landmarks(). @param left the landmarks are a left hand's: then z points into its palm.
 /// @throws std::invalid_argument if wrist and knuckles lie in a line or are not finite.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT geometric::Pose palm_frame(const HandLandmarks& landmarks);
 
-/// Landmarks as a right hand's in its palm's frame. A left hand is mirrored.
+/// Landmarks as those of a right hand in its palm's frame. A left hand is mirrored.
 /// @throws std::invalid_argument as palm_frame().
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandLandmarks in_palm_frame(const HandLandmarks& landmarks,
                                                                 bool left);

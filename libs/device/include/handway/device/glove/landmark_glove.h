@@ -15,8 +15,8 @@
 namespace handway::device {
 
 struct LandmarkGloveSettings {
-  std::optional<bool> left;  ///< The hand to follow; none: the one that is seen first.
-  /// The sender is taken for gone after this long without a good line.
+  std::optional<bool> left;  ///< The hand to follow; none: the first one seen.
+  /// The sender counts as gone after this long without a good line.
   std::chrono::milliseconds timeout{1000};
 };
 
@@ -55,7 +55,7 @@ class HANDWAY_DEVICE_EXPORT LandmarkGlove final : public Glove {
   ReceptionFaults faults_;
 };
 
-/// Angles of a hand at a time (s, never falling).
+/// Angles of a hand over time (s, never falling).
 using HandSignal = std::function<GloveAngles(double time)>;
 
 /// Repeats a recording forever. @throws geometric::InputError if it holds counts.

@@ -22,7 +22,7 @@ namespace handway::device {
 struct LandmarkLine {
   std::optional<double> time;              ///< s, on the sender's clock.
   bool left = false;                       ///< A left hand's.
-  std::optional<HandLandmarks> landmarks;  ///< m; none: no hand is seen.
+  std::optional<HandLandmarks> landmarks;  ///< m; none: no hand was seen.
 };
 
 /// @param text without its end, bounded by the caller.
@@ -30,7 +30,7 @@ struct LandmarkLine {
 /// points of no hand: points in a line, or a reach from the wrist that is not from 4 cm to 50 cm.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT LandmarkLine read_landmark_line(std::string_view text);
 
-/// Without an end of line. @pre numbers are finite.
+/// Text without an end of line. @pre numbers are finite.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string write_landmark_line(const LandmarkLine& line);
 
 }  // namespace handway::device

@@ -11,7 +11,7 @@
 
 namespace handway::device {
 
-/// The postures that a recording makes a robot's hand take.
+/// Postures of a robot's hand mapped from a recording.
 struct MappedPostures {
   std::vector<std::string> joints;  ///< Independent joints of the hand, in the robot's order.
   Eigen::MatrixXd postures;         ///< rad, within limits, shape [samples, joints].
@@ -34,7 +34,7 @@ class HANDWAY_DEVICE_EXPORT PostureSource {
 
   /// True for each joint that follows the human hand, and is not fixed, shape [joints].
   [[nodiscard]] virtual std::vector<bool> driven() const = 0;
-  /// The postures for all rows.
+  /// Maps all rows to postures.
   /// @param stop cancels the mapping: then rows may be missing at the end.
   /// @throws geometric::InputError if the recording holds counts, or lacks a sensor that is needed.
   [[nodiscard]] virtual MappedPostures map_recording(const Recording& recording,
@@ -50,7 +50,7 @@ class HANDWAY_DEVICE_EXPORT PostureSource {
   PostureSource& operator=(const PostureSource&) = default;
   PostureSource& operator=(PostureSource&&) = default;
 
-  /// Clamped to the limits, and counted where they were not within.
+  /// Clamps postures to the limits, and counts those outside.
   /// @param unclamped shape [samples, joints].
   [[nodiscard]] MappedPostures within_limits(Eigen::MatrixXd unclamped) const;
 

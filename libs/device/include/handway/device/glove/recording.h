@@ -36,7 +36,7 @@ namespace handway::device {
 
 /// Kind of the values of a recording.
 enum class RecordingKind {
-  kCounts,  ///< Raw, as the glove sent them: 1 … 255; 0 where a sensor is missing.
+  kCounts,  ///< Raw counts of the glove: 1 … 255; 0 for missing sensors.
   kAngles,  ///< rad after calibration, flexion and spreading positive.
 };
 
@@ -47,7 +47,7 @@ enum class RecordingKind {
 struct RecordingHeader {
   RecordingKind kind = RecordingKind::kCounts;
   std::string device;        ///< "CyberGlove II, serial 1234"; may be empty.
-  std::string date;          ///< When it began, ISO 8601; may be empty.
+  std::string date;          ///< Start, ISO 8601; may be empty.
   std::string origin;        ///< Origin: person, generator and seed, file.
   std::vector<int> sensors;  ///< Column i is cyberglove_sensors()[sensors[i]].
 };
@@ -72,17 +72,17 @@ struct Recording {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles angles_of_row(const Recording& recording,
                                                               Eigen::Index row);
 
-/// Reads a recording. The kind of file is recognised by its content, not by its name:
-///   - a recording of Handway as above. A last line without its end, as a program leaves
-///     that is killed while it writes, is left out with a warning;
+/// Reads a recording. The content, not the name, decides the kind of file:
+/// - a recording of Handway as above. A last line without its end, as a killed program leaves it,
+///   is left out with a warning;
 ///   - other CSV (separated by commas, semicolons or tabs) with a header of `time` (s) and
 ///     names or letters of sensors; whole numbers from 0 to 255 are counts, else angles in rad;
-///   - JSON lines of 21 landmarks of a hand in m, in MediaPipe's order: {"time": s, "hand": "right"
-///     or "left", "landmarks": [[x, y, z], …]}, points as {"x", "y", "z"} too. The recording holds
-///     the angles between them (see glove_angles()); a left hand is mirrored, and where both are
-///     seen it is that of the first row;
-///   - text rows of a VirtualHand log: year month day hour minute second switch, then
-///     23 angles in rad in the order of its slots, with its signs (flexion negative; turned here);
+/// - JSON lines of 21 landmarks of a hand in m, in MediaPipe's order: {"time": s, "hand": "right"
+///   or "left", "landmarks": [[x, y, z], …]}, points as {"x", "y", "z"} too. The recording holds
+///   the angles between them (see glove_angles()); a left hand is mirrored, and if both are there,
+///   the hand of the first row is taken;
+/// - text rows of a VirtualHand log: year month day hour minute second switch, then 23 angles in
+///   rad in the order of its slots, with its signs (flexion negative; they are converted);
 ///   - tables of such angles without times: rows of 23, or of 22 (all but the wrist's abduction)
 ///   and a
 ///     label, with or without a header;
@@ -107,23 +107,23 @@ struct Recording {
 /// of range.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording read_recording(const std::filesystem::path& file);
 
-/// Replaces the file whole; the same recording makes the same bytes.
+/// Replaces the file whole; the same recording gives the same bytes.
 /// @throws geometric::InputError if the file can't be written.
 /// @throws std::invalid_argument if the shapes don't agree or a value isn't finite.
 HANDWAY_DEVICE_EXPORT void write_recording(const Recording& recording,
                                            const std::filesystem::path& file);
 
-/// Writes a recording while it is made. Every row is handed to the system whole before
-/// append() returns: a program that is killed loses no row that it has appended.
-/// For one thread at a time.
+/// Writes a recording during the measurement. Every row is passed to the system whole
+/// before append() returns: a killed program loses no appended row. For one thread at a
+/// time.
 class HANDWAY_DEVICE_EXPORT RecordingWriter {
  public:
-  /// Starts the file again.
+  /// Replaces the file.
   /// @throws geometric::InputError if it can't be written.
-  /// @throws std::invalid_argument for a sensor that isn't there, or one twice.
+  /// @throws std::invalid_argument for an unknown sensor, or one twice.
   RecordingWriter(const std::filesystem::path& file, RecordingHeader header);
 
-  /// @param time s since the recording began, not below that of the row before.
+  /// @param time s since the recording began, not below that of the previous row.
   /// @param values counts or rad, finite, shape [sensors].
   /// @throws geometric::InputError if the row can't be written (a full disk).
   /// @throws std::invalid_argument if the shape differs, a value isn't finite or time

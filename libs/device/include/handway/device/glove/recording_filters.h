@@ -7,21 +7,21 @@
 
 namespace handway::device {
 
-/// Rows at even times from the first, values straight between those that were recorded.
+/// Resamples at even times from the first, by linear interpolation.
 /// @param rate Hz, > 0.
 /// @throws geometric::InputError if there are fewer than two times.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording resampled(const Recording& recording, double rate);
 
-/// Without what changes faster than `cutoff`: a Butterworth filter of second order, forwards
-/// and backwards, so that nothing is delayed. Both runs together take 3 dB at the cutoff
-/// (each is designed for 1.25 times it; Winter, Biomechanics and Motor Control of Human
-/// Movement, section 2.2.4.4) and are of fourth order. Both ends are continued by point
-/// reflection. A recording whose times are not even is resampled at its median rate first.
+/// Low-pass filter at `cutoff`: a Butterworth filter of second order, forwards and backwards, so
+/// that it adds no delay. Both runs together have -3 dB at the cutoff (each is designed for 1.25
+/// times it; Winter, Biomechanics and Motor Control of Human Movement, section 2.2.4.4) and are of
+/// fourth order. Both ends are continued by point reflection. A recording with uneven times is
+/// resampled at its median rate first.
 /// @param cutoff Hz, > 0.
 /// @throws geometric::InputError if it is not below 0.4 times the rate.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording low_passed(const Recording& recording, double cutoff);
 
-/// Without rows whose values all equal those of the row kept before: a glove that is read faster
+/// Removes rows whose values all equal those of the last remaining row: a glove that is read faster
 /// than it samples repeats itself.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Recording without_duplicates(const Recording& recording);
 

@@ -20,7 +20,7 @@ struct SensorQuality {
   /// Standard deviation of random changes from one row to the next: from the median of the second
   /// differences (1.48 · median / √6).
   double noise = 0.0;
-  double at_ends = 0.0;    ///< Share of rows at 1 or 255 counts or less or more; 0 for angles.
+  double at_ends = 0.0;    ///< Share of rows at 1 or 255 counts, or beyond; 0 for angles.
   bool dead = false;       ///< Percentiles less than 3 counts or 0.02 rad apart.
   bool noisy = false;      ///< Noise above 3 counts or 0.05 rad.
   bool saturated = false;  ///< More than 1 % of rows at an end.
@@ -40,7 +40,7 @@ struct RecordingQuality {
 
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RecordingQuality assess(const Recording& recording);
 
-/// The value below which that share of the values lies, interpolated between neighbours.
+/// The quantile of that share of the values, interpolated between neighbours.
 /// @param share in [0, 1]. @pre values is not empty.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT double percentile(Eigen::VectorXd values, double share);
 

@@ -10,14 +10,14 @@
 namespace handway::device {
 
 struct ReplaySettings {
-  double speed = 1.0;  ///< Times as fast as recorded, > 0; infinity: as fast as it is read.
-  bool loop = false;   ///< Begin again at the end.
+  double speed = 1.0;  ///< Relative speed, > 0; infinity: as fast as it is read.
+  bool loop = false;   ///< Restart at the end.
 };
 
-/// A glove that plays a recording. Frames come when they are due, stamped with the time that
-/// they are due at: a reader that was held up gets those that it missed at once. Angles become
-/// counts by typical_calibration(); it has 18 sensors if the four that such gloves lack are
-/// missing, else 22 (other missing ones read 128).
+/// A glove that plays a recording. Frames come when they are due, stamped with their due time: a
+/// delayed reader gets those that it missed at once. Angles become counts by typical_calibration();
+/// it has 18 sensors if the four that such gloves lack are missing, else 22 (other missing ones
+/// read 128).
 class HANDWAY_DEVICE_EXPORT ReplayGlove final : public Glove {
  public:
   /// @param name of the recording, for GloveInfo.
@@ -38,7 +38,7 @@ class HANDWAY_DEVICE_EXPORT ReplayGlove final : public Glove {
   ReplaySettings settings_;
   int sensors_;
   std::vector<int> angle_sensors_;  ///< Sensors of a recording of angles.
-  double begin_ = 0.0;              ///< When this round of the recording began, s.
+  double begin_ = 0.0;              ///< Start of this round of the recording, s.
   std::size_t next_ = 0;
 };
 

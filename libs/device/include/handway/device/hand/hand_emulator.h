@@ -26,16 +26,16 @@ struct HandControllerSettings : EmulatedRobotSettings {
 /// trajectories and follows their time.
 class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
  public:
-  /// @throws std::invalid_argument for settings that make no sense.
+  /// @throws std::invalid_argument for invalid settings.
   explicit HandController(const HandControllerSettings& settings);
 
-  /// Takes a line of the host's, without its end. @returns what it answers: lines, or nothing.
+  /// Takes a line of the host, without its end. @returns the answer: lines, or nothing.
   [[nodiscard]] std::string receive(const std::string& line, double now);
 
   /// Message sent every 10 ms; empty before a host has sent hello.
   [[nodiscard]] std::string feedback() const;
 
-  /// The host is gone: it stops, and waits for another hello.
+  /// Handles the loss of the host: it stops, and waits for another hello.
   void connection_lost();
 
  private:
@@ -58,7 +58,7 @@ class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
   std::string fault_text_;
   JointTrajectory trajectory_;
   std::size_t expected_ = 0;  ///< Points of the trajectory that is coming in.
-  double heard_ = 0.0;        ///< When the host spoke last.
+  double heard_ = 0.0;        ///< Time of the host's last message.
   double time_ = 0.0;         ///< Time of the motion.
   std::optional<double> hold_;
 };
@@ -67,8 +67,8 @@ class HANDWAY_DEVICE_EXPORT HandController final : public EmulatedRobot {
 class HANDWAY_DEVICE_EXPORT HandEmulator final : public RobotEmulator {
  public:
   /// @param port 0: any that is free.
-  /// @throws DeviceError if the port is taken; std::invalid_argument for settings that make no
-  /// sense.
+  /// @throws DeviceError if the port is taken; std::invalid_argument for invalid
+  /// settings.
   HandEmulator(const HandControllerSettings& settings, std::uint16_t port);
 };
 

@@ -52,7 +52,7 @@ struct HandState {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandState parse_hand_state(std::string_view line,
                                                                Eigen::Index joints);
 
-/// "trajectory N" and its points, as the lines that a host sends.
+/// "trajectory N" and its points, as the lines of a host.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string to_lines(const JointTrajectory& trajectory);
 
 }  // namespace handway::device

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <vector>
 
-/// Recordings of a robot hand's own joints, as its driver, a simulation or a data set has them:
-/// postures that need no glove and no mapping.
+/// Recordings of a robot hand's own joints by its driver, a simulation or a data set: postures that
+/// need no glove and no mapping.
 
 namespace handway::device {
 
@@ -33,7 +33,7 @@ read_joint_recording(const std::filesystem::path& file, const geometric::RobotMo
 [[nodiscard]] HANDWAY_DEVICE_EXPORT bool is_joint_recording(const std::filesystem::path& file,
                                                             const geometric::RobotModel& hand);
 
-/// The postures of such a recording: its rows, within the limits.
+/// The postures of such a recording: its rows, clamped to the limits.
 class HANDWAY_DEVICE_EXPORT OwnJoints final : public PostureSource {
  public:
   explicit OwnJoints(const geometric::RobotModel& hand);

@@ -11,7 +11,7 @@
 
 namespace handway::device {
 
-/// The curve that a tool follows, a polyline in space; measured by arc length (m) from its
+/// The curve of a tool, a polyline in space; parameterized by arc length (m) from its
 /// beginning.
 class HANDWAY_DEVICE_EXPORT ToolCurve {
  public:
@@ -43,12 +43,12 @@ class HANDWAY_DEVICE_EXPORT ToolCurve {
 /// Settings of the guidance. Forces and distances are those of the hand on the handle.
 struct ForceGuideSettings {
   double scale = 3.0;        ///< Motion of the tool per motion of the hand.
-  double tube = 0.003;       ///< So far from the curve nothing pulls, m.
+  double tube = 0.003;       ///< Distance from the curve without a pull, m.
   double stiffness = 150.0;  ///< Stiffness of the spring towards the tube, N/m.
   double damping = 2.0;      ///< N s/m, in all directions.
   double assistance = 0.8;   ///< Force along the curve, at rest, on the curve, N.
   double top_speed = 0.1;    ///< Speed of the hand along the curve without assistance, m/s.
-  double lead = 0.01;        ///< So far the hand may be ahead of the robot, m; farther, it is held.
+  double lead = 0.01;        ///< Largest lead over the robot, m; the hand is held beyond.
   double strongest = 3.0;    ///< N
   /// Rotation of the device's frame in the base: its x to the right, y up and z towards the user
   /// are the base's y, z and x.
@@ -75,10 +75,10 @@ struct GuideStep {
 class HANDWAY_DEVICE_EXPORT ForceGuide {
  public:
   /// @param curve of the tool, in the base's frame, m.
-  /// @throws std::invalid_argument for settings that make no sense.
+  /// @throws std::invalid_argument for invalid settings.
   ForceGuide(std::shared_ptr<const ToolCurve> curve, const ForceGuideSettings& settings);
 
-  /// Takes a sample. @param followed where on the curve the robot is, m.
+  /// Takes a sample. @param followed arc length of the robot on the curve, m.
   GuideStep update(const HapticSample& sample, double followed);
 
   [[nodiscard]] double progress() const { return progress_; }

@@ -15,7 +15,7 @@
 
 namespace handway::device {
 
-/// A handle that reports where a hand moves it and pushes back.
+/// A handle that reports its position in a user's hand and exerts forces.
 ///
 /// To be used by one thread, which calls read() and then apply() in turn. Any failure ends the
 /// force: of the connection, after silence, or of the program.
@@ -33,7 +33,7 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   /// @throws DeviceError if it can't be reached, or is another device.
   void connect(const std::stop_token& stop = {});
 
-  /// The newest sample since the last call; nothing if none came within `timeout`. Takes at most
+  /// The newest sample since the last call; nothing if none came within `timeout`. Reads at most
   /// 256 KiB, and 5 ms from the first bytes on, however much the device sends.
   /// @throws DeviceError, after a force of 0, if the device has a fault, the connection broke, or
   /// for 0.1 s it has reported nothing or more than can be read.
@@ -51,7 +51,7 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   /// Result of one read.
   struct Reading {
     std::optional<HapticSample> newest;
-    bool all = true;  ///< Everything that had come was read.
+    bool all = true;  ///< Everything pending was read.
   };
 
   explicit HapticDevice(std::string name) : name_(std::move(name)) {}
@@ -86,7 +86,7 @@ class HANDWAY_DEVICE_EXPORT NetworkHaptic final : public HapticDevice {
   std::unique_ptr<Wire> wire_;
 };
 
-/// Reads "haptic://HOST[:PORT]"; nothing is connected.
+/// Parses "haptic://HOST[:PORT]" without connecting.
 /// @throws geometric::InputError for anything else.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<HapticDevice> make_haptic_device(
     const std::string& address);

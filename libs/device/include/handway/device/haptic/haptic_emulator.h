@@ -28,24 +28,24 @@ struct EmulatedHapticSettings {
 /// and presses again. Time never goes back from call to call.
 class HANDWAY_DEVICE_EXPORT EmulatedHaptic {
  public:
-  /// @throws std::invalid_argument for settings that make no sense.
+  /// @throws std::invalid_argument for invalid settings.
   explicit EmulatedHaptic(const EmulatedHapticSettings& settings);
 
-  /// Takes a line of the host's, without its end. @returns what it answers: a line, or nothing.
+  /// Takes a line of the host, without its end. @returns the answer: a line, or nothing.
   [[nodiscard]] std::string receive(const std::string& line, double now);
 
-  /// Lets time pass until `now` (s).
+  /// Simulates up to `now` (s).
   void advance(double now);
   /// Message sent every 2 ms; empty before a host has sent hello.
   [[nodiscard]] std::string feedback() const;
 
-  /// The host is gone: no force any more, and another hello is waited for.
+  /// Handles the loss of the host: the force ends, and it waits for another hello.
   void connection_lost();
 
   /// Present force of the motors, N.
   [[nodiscard]] const Eigen::Vector3d& force() const { return force_; }
   [[nodiscard]] const HapticSample& sample() const { return sample_; }
-  /// The fault, from when it begins on.
+  /// The fault, once it has begun.
   [[nodiscard]] FaultKind active_fault() const {
     return fault_active_ ? settings_.fault.kind : FaultKind::kNone;
   }
@@ -61,7 +61,7 @@ class HANDWAY_DEVICE_EXPORT EmulatedHaptic {
   HapticSample sample_;
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
   double now_ = 0.0;
-  double forced_ = 0.0;   ///< When the last force came.
+  double forced_ = 0.0;   ///< Time of the last force.
   double resting_ = 0.0;  ///< s
   double guided_ = 0.0;   ///< s since the first force.
   bool greeted_ = false;
@@ -73,8 +73,8 @@ class HANDWAY_DEVICE_EXPORT EmulatedHaptic {
 class HANDWAY_DEVICE_EXPORT HapticEmulator {
  public:
   /// @param port 0: any that is free.
-  /// @throws DeviceError if the port is taken; std::invalid_argument for settings that make no
-  /// sense.
+  /// @throws DeviceError if the port is taken; std::invalid_argument for invalid
+  /// settings.
   HapticEmulator(const EmulatedHapticSettings& settings, std::uint16_t port);
   ~HapticEmulator();
   HapticEmulator(const HapticEmulator&) = delete;

@@ -50,8 +50,8 @@ struct HapticSample {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string state_line(const HapticSample& sample);
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string force_line(const Eigen::Vector3d& force);
 
-/// @param line without its line feed. @throws LineProtocolError for another line, or numbers that
-/// make no sense.
+/// @param line without its line feed. @throws LineProtocolError for another line, or invalid
+/// numbers.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HapticAbilities parse_haptic_hello(std::string_view line);
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HapticSample parse_haptic_state(std::string_view line);
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Eigen::Vector3d parse_haptic_force(std::string_view line);

@@ -19,12 +19,12 @@ namespace handway::device {
 struct FingertipErrors {
   double mean = 0.0;
   double median = 0.0;
-  double most = 0.0;  ///< 95 % are nearer.
+  double most = 0.0;  ///< Bound of 95 % of them.
 };
 
 /// Compares postures of a robot's hand, from any source, with measurements of a person's hand.
 /// @param rows the measurements; at least one.
-/// @param joints names of the postures' joints; those that the hand lacks don't count, and the
+/// @param joints names of the postures' joints; those that the hand lacks are ignored, and the
 /// hand's others are in the middle of their ranges.
 /// @param postures rad, shape [rows, joints].
 [[nodiscard]] HANDWAY_DEVICE_EXPORT FingertipErrors

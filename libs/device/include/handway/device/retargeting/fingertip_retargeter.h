@@ -29,7 +29,7 @@
 namespace handway::device {
 
 struct RetargetingSettings {
-  std::string hand;    ///< Robot: a name in the library, or a file as seen from the settings'.
+  std::string hand;    ///< Robot: a name in the library, or a file relative to the settings'.
   double scale = 1.0;  ///< Multiplies the ratio of robot's and person's finger length; > 0.
   /// Weight of the gap between thumb and finger where they come together, against a fingertip's
   /// place; ≥ 0.
@@ -80,14 +80,14 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   /// Actual fingertips at `posture`, in the format of wanted().
   [[nodiscard]] Eigen::Matrix3Xd fingertips(const Eigen::VectorXd& posture) const;
 
-  /// @param last the posture before, shape [joints]; the first one's is middle().
+  /// @param last the previous posture, shape [joints]; middle() at first.
   [[nodiscard]] Eigen::VectorXd posture(const HandLandmarks& landmarks,
                                         const Eigen::VectorXd& last) const;
   [[nodiscard]] Eigen::VectorXd middle() const;
 
   [[nodiscard]] std::vector<bool> driven() const override;
   using PostureSource::map_recording;
-  /// One posture after the other.
+  /// Solves one posture after the other.
   /// @throws geometric::InputError if the recording holds counts.
   [[nodiscard]] MappedPostures map_recording(const Recording& recording,
                                              const std::stop_token& stop) const override;
@@ -110,7 +110,7 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   RobotFingers fingers_;
   std::vector<double> scales_;  ///< From a person's finger to the robot's, as fingers_.
   std::vector<int> variables_;  ///< Variables of the fingers; the others stay.
-  std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: self-collision is not avoided.
+  std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: self-collision is allowed.
   mutable std::mutex checking_;                           ///< Guards checker_ (one thread).
 };
 

@@ -17,7 +17,7 @@ struct RobotFinger {
   Finger finger = Finger::kThumb;  ///< The corresponding human finger.
   int tip_link = -1;
   Eigen::Vector3d p_LT = Eigen::Vector3d::Zero();  ///< The fingertip in its link's frame, m.
-  std::vector<int> variables;  ///< The joints from the palm to the tip that move, as variables.
+  std::vector<int> variables;  ///< Moving joints from the palm to the tip, as variables.
   /// Values of the variables that align the phalanges with each other and the palm, rad: shape
   /// [variables].
   std::vector<double> straight;
@@ -51,8 +51,8 @@ struct RobotFingers {
 /// directions of straight fingers and the sides to which they close: the side of the larger joint
 /// ranges, and the side nearer to the thumb's workspace. Joints whose limits leave no room count as
 /// fixed.
-/// @param tips links of fingertips by finger, in place of those that would be found.
-/// @throws InputError if there are fewer than two fingers, or `tips` names no link of one.
+/// @param tips links of fingertips by finger, in place of the search's result.
+/// @throws InputError for fewer than two fingers, or if `tips` has a link of no finger.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RobotFingers
 find_fingers(const geometric::RobotModel& model, const std::map<Finger, std::string>& tips = {});
 

@@ -26,10 +26,10 @@ class HANDWAY_DEVICE_EXPORT RosController final : public EmulatedRobot {
  public:
   using Messages = std::vector<std::string>;
 
-  /// @throws std::invalid_argument for settings that make no sense.
+  /// @throws std::invalid_argument for invalid settings.
   explicit RosController(const RosControllerSettings& settings) : EmulatedRobot(settings) {}
 
-  /// Takes a message of `host`. @returns what it answers.
+  /// Takes a message of `host`. @returns the answer.
   [[nodiscard]] Messages receive(std::uint64_t host, const std::string& text, double now);
 
   /// Messages to `host` every 10 ms, of the topics that it subscribed to.
@@ -58,13 +58,13 @@ class HANDWAY_DEVICE_EXPORT RosController final : public EmulatedRobot {
   int error_code_ = 0;
 };
 
-/// A RosController with its WebSocket port, "ros://localhost:9090": what programs for rosbridge can
-/// be tried on. Several hosts may connect at a time.
+/// A RosController with its WebSocket port, "ros://localhost:9090", for testing programs for
+/// rosbridge. Several hosts may connect at a time.
 class HANDWAY_DEVICE_EXPORT RosEmulator final : public RobotEmulator {
  public:
   /// @param port 0: any that is free.
-  /// @throws DeviceError if the port is taken; std::invalid_argument for settings that make no
-  /// sense.
+  /// @throws DeviceError if the port is taken; std::invalid_argument for invalid
+  /// settings.
   RosEmulator(const RosControllerSettings& settings, std::uint16_t port);
 };
 

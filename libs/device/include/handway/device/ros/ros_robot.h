@@ -22,11 +22,11 @@ struct RosAddress {
   std::string trajectory_topic = "/joint_trajectory_controller/command";
 };
 
-/// Topics on which a robot reports where its joints are, and how it is.
+/// Topics on which a robot reports its joints' positions and its state.
 inline constexpr const char* kJointStatesTopic = "/joint_states";
 inline constexpr const char* kRobotStatusTopic = "/robot_status";
 
-/// The topic that the joint_trajectory_controller of that name takes motions on.
+/// The topic on which the joint_trajectory_controller of that name receives motions.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string trajectory_topic(const std::string& controller,
                                                                  RosVersion version);
 
@@ -47,9 +47,9 @@ class HANDWAY_DEVICE_EXPORT RosRobot final : public TrajectoryClient {
   /// Sends the joints to `position` (rad) within `time` (s), from their present motion: for motions
   /// that are not known in advance. Call it, and update(), every few ten milliseconds; the robot
   /// rests at the last position when no more come.
-  /// @throws InputError for positions out of range; DeviceError if there is a fault(), a motion was
-  /// uploaded, or the robot can't move; InputError, too, if a joint is so far behind that it would
-  /// have to go faster than it may.
+  /// @throws InputError for positions out of range, or if a joint is so far behind that it would
+  /// exceed its velocity limit; DeviceError after a fault(), an uploaded motion, or if the robot
+  /// can't move.
   void lead(const Eigen::VectorXd& position, double time);
 
  private:

@@ -12,14 +12,14 @@
 #include <string_view>
 #include <vector>
 
-/// The rosbridge protocol, version 2.1 (RobotWebTools/rosbridge_suite, ROSBRIDGE_PROTOCOL.md):
-/// JSON objects with a key `op`, one a WebSocket message. Only what moving joints needs.
+/// The rosbridge protocol, version 2.1 (RobotWebTools/rosbridge_suite, ROSBRIDGE_PROTOCOL.md): JSON
+/// objects with a key `op`, one per WebSocket message. Only the part for moving joints.
 namespace handway::device {
 
 /// ROS 1 and ROS 2 name types and the parts of a duration differently.
 enum class RosVersion { kRos1, kRos2 };
 
-/// A message that is no JSON object, or not of the form that its `op` and type ask for.
+/// Thrown for a message that is no JSON object, or not of the form of its `op` and type.
 class RosbridgeError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -37,7 +37,7 @@ struct RosJointState {
   Eigen::VectorXd position;  ///< rad; NaN where the message had null.
 };
 
-/// One rosbridge message; of the fields those of its `op` count.
+/// One rosbridge message; its `op` decides which fields are valid.
 struct RosbridgeMessage {
   std::string op;     ///< "advertise", "unadvertise", "subscribe", "publish", "status" …
   std::string id;     ///< Empty: none.
@@ -60,7 +60,7 @@ struct RosbridgeMessage {
 
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string advertise(const std::string& topic,
                                                           const std::string& type);
-/// @param id comes back in the status that a subscription which fails is answered by.
+/// @param id is returned in the status that answers a failed subscription.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string subscribe(const std::string& id,
                                                           const std::string& topic,
                                                           const std::string& type);

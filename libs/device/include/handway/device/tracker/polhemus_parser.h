@@ -32,7 +32,7 @@ struct PolhemusRecord {
 /// Verdict on the bytes at a place of a stream.
 template <typename Record>
 struct ScanVerdict {
-  /// Bytes of a whole record; 0: the beginning of one so far; nothing: no record.
+  /// Bytes of a complete record; 0: an incomplete one so far; nothing: no record.
   std::optional<std::size_t> length;
   Record record;  ///< Valid for a whole record.
 };
@@ -42,8 +42,8 @@ struct ScanVerdict {
 template <typename Record>
 class RecordScanner {
  public:
-  /// @param classify gives the ScanVerdict of a span of bytes; a verdict other than "the
-  /// beginning so far" must not change when more bytes follow.
+  /// @param classify returns the ScanVerdict of a span of bytes; a verdict other than "incomplete
+  /// so far" must not change when more bytes follow.
   template <typename Classify>
   std::vector<Record> scan(std::span<const std::uint8_t> bytes, const Classify& classify) {
     pending_.insert(pending_.end(), bytes.begin(), bytes.end());
@@ -68,7 +68,7 @@ class RecordScanner {
     return records;
   }
 
-  /// Forgets the beginning of an incomplete record.
+  /// Discards the beginning of an incomplete record.
   void reset() { pending_.clear(); }
 
   /// Number of resynchronisations, and the bytes dropped by them.
@@ -91,7 +91,7 @@ struct HANDWAY_DEVICE_EXPORT FastrakFormat {
   bool binary = true;        ///< 32-bit little-endian floats instead of fixed-width text.
   bool centimetres = false;  ///< Instead of inches.
 
-  /// Bytes of a whole record: 32 for the binary list 2,11,0; 47 for the ASCII list 2,4,1.
+  /// Bytes of a complete record: 32 for the binary list 2,11,0; 47 for the ASCII list 2,4,1.
   [[nodiscard]] std::size_t record_length() const;
 };
 
@@ -114,14 +114,14 @@ struct HANDWAY_DEVICE_EXPORT LibertyFormat {
 template <typename Format>
 class HANDWAY_DEVICE_EXPORT PolhemusParser {
  public:
-  /// @throws std::invalid_argument if the list has an item that the format doesn't name, no
-  /// position or no orientation.
+  /// @throws std::invalid_argument if the list has an item unknown to the format, no position or no
+  /// orientation.
   explicit PolhemusParser(Format format);
 
   /// Takes the next bytes. @returns the records that they complete.
   std::vector<PolhemusRecord> push(std::span<const std::uint8_t> bytes);
 
-  /// Forgets the beginning of an incomplete record.
+  /// Discards the beginning of an incomplete record.
   void reset() { scanner_.reset(); }
 
   /// Number of resynchronisations, and the bytes dropped by them.

@@ -19,8 +19,8 @@ struct PolhemusSettings {
   PolhemusModel model = PolhemusModel::kFastrak;
   int baud = 115200;    ///< Rate of a serial port, bit/s.
   bool ascii = false;   ///< Text records instead of binary ones; Fastrak only.
-  bool button = false;  ///< Ask for the switch of a stylus, too.
-  /// The device is taken for lost after this long without an answer, or without a record.
+  bool button = false;  ///< Request the switch of a stylus, too.
+  /// The device counts as lost after this long without an answer, or without a record.
   std::chrono::milliseconds timeout{1000};
 };
 

@@ -26,7 +26,7 @@ struct WorkspaceLimits {
 /// number, or box and ball have no point in common.
 HANDWAY_DEVICE_EXPORT void check_workspace(const WorkspaceLimits& limits);
 
-/// `point` if it is inside, else a point of the limits' surface near to it; within 1e-6 m.
+/// Returns `point` if it is inside, else a point of the limits' surface near to it; within 1e-6 m.
 /// @param point m, finite. @pre check_workspace(limits) passes.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Eigen::Vector3d nearest_inside(const WorkspaceLimits& limits,
                                                                    const Eigen::Vector3d& point);
@@ -39,25 +39,25 @@ struct ToolFollowerSettings {
   WorkspaceLimits workspace;       ///< Limits of the tool's origin.
   double smoothing = 0.05;         ///< Time constant of the first-order low-pass, s; 0: none.
   double top_speed = 1.0;  ///< Speed limit of every joint, rad/s or m/s, besides the model's.
-  /// A posture that differs by more than this from the last one in some joint, rad or m, is one
-  /// of another branch: it is not followed.
+  /// A posture that differs by more than this from the last one in some joint, rad or m, is on
+  /// another branch: it is not followed.
   double largest_branch_step = 0.8;
   double longest_gap = 0.5;  ///< Between two samples, s; after a longer one the clutch opens.
 };
 
 enum class FollowState {
-  kReleased,    ///< The clutch is open: the robot stands.
-  kFollowing,   ///< The tool is where the hand wants it.
+  kReleased,    ///< The clutch is open: the robot is at rest.
+  kFollowing,   ///< The tool follows the hand.
   kSlowed,      ///< Moving there, as fast as allowed.
-  kOutOfReach,  ///< No posture within limits is there: the robot stands.
-  kBranchEnd,   ///< Only a posture far from the present one is there: the robot stands.
+  kOutOfReach,  ///< No posture within limits reaches it: the robot rests.
+  kBranchEnd,   ///< Only a posture far from the present one reaches it: the robot rests.
 };
 
 struct FollowStep {
   FollowState state = FollowState::kReleased;
   geometric::Configuration q;  ///< Command for the robot, shape [model().variable_count()].
   geometric::Pose X_BF = geometric::Pose::Identity();  ///< Target pose of the tool F.
-  bool at_workspace_edge = false;                      ///< The hand wants it farther out.
+  bool at_workspace_edge = false;                      ///< The target was beyond the edge.
   std::string reason;                                  ///< Reason for standing; else empty.
 };
 
@@ -70,18 +70,18 @@ struct FollowStep {
 class HANDWAY_DEVICE_EXPORT ToolFollower {
  public:
   /// @param ik for the tool's link; @pre not null.
-  /// @param q where the robot is, shape [ik->model().variable_count()].
-  /// @throws std::invalid_argument if q's size, a setting or a number makes no sense.
+  /// @param q the present configuration, shape [ik->model().variable_count()].
+  /// @throws std::invalid_argument if q's size, a setting or a number is invalid.
   ToolFollower(std::shared_ptr<const geometric::InverseKinematics> ik, geometric::Configuration q,
                const ToolFollowerSettings& settings = {});
 
   /// Closes the clutch: from the next sample on the tool moves with the sensor.
   void engage() { engaged_ = true; }
-  /// Opens the clutch: the robot stands.
+  /// Opens the clutch: the robot rests.
   void disengage();
   [[nodiscard]] bool engaged() const { return engaged_; }
 
-  /// Takes a sample of one sensor. @returns where the robot is to be now.
+  /// Takes a sample of one sensor. @returns the command for the robot.
   /// @pre the pose is finite and rigid, as those of Tracker::next().
   FollowStep update(const TrackerSample& sample);
 

@@ -11,7 +11,7 @@ namespace handway::device {
 
 /// Pose of a sensor of a tracker.
 struct TrackerSample {
-  double time = 0.0;  ///< When it arrived, s since the tracker was first connected.
+  double time = 0.0;  ///< Arrival, s since the tracker was first connected.
   int sensor = 1;     ///< Number of the sensor; Polhemus stations count from 1.
   /// Pose of the sensor's frame T in the frame S of the source (or transmitter), m.
   geometric::Pose X_ST = geometric::Pose::Identity();

@@ -10,8 +10,8 @@
 
 namespace handway::device {
 
-/// Pose X_ST of an emulated tracker's sensor (from 1) at a time: s, never falling from one call
-/// to the next.
+/// Pose X_ST of an emulated tracker's sensor (from 1) over time: s, never falling from one call to
+/// the next.
 using TrackerSignal = std::function<geometric::Pose(double time, int sensor)>;
 
 /// Noise of the poses of emulated sensors; by default that of a magnetic tracker within 75 cm of
@@ -35,18 +35,18 @@ struct TrackerUnitSettings {
 
 /// An emulated Polhemus Fastrak: continuous and polled, ASCII and binary, inches and
 /// centimetres, output lists of each station, status.
-/// @throws std::invalid_argument if there are not 1 to 4 sensors, or no rate above 0.
+/// @throws std::invalid_argument unless it has 1 to 4 sensors, and a rate above 0.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<DeviceUnit> make_fastrak_unit(
     const TrackerUnitSettings& settings, TrackerSignal signal);
 
 /// An emulated Polhemus Liberty in binary: continuous and polled, inches and centimetres, one
 /// output list, map of its stations.
-/// @throws std::invalid_argument if there are not 1 to 16 sensors, or no rate above 0.
+/// @throws std::invalid_argument unless it has 1 to 16 sensors, and a rate above 0.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<DeviceUnit> make_liberty_unit(
     const TrackerUnitSettings& settings, TrackerSignal signal);
 
 /// Sends write_pose_datagram(), all sensors (from 0) at `rate`; receives nothing.
-/// @throws std::invalid_argument if there are not 1 to 256 sensors, or no rate above 0.
+/// @throws std::invalid_argument unless it has 1 to 256 sensors, and a rate above 0.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<DeviceUnit> make_datagram_unit(
     const TrackerUnitSettings& settings, TrackerSignal signal);
 

@@ -12,7 +12,7 @@
 
 namespace handway::device {
 
-/// The longest datagram that is read, bytes.
+/// Length of the longest datagram accepted, bytes.
 inline constexpr std::size_t kLongestPoseDatagram = 1024;
 
 /// Reads a pose from a UDP datagram: one JSON object in UTF-8 with
@@ -31,7 +31,7 @@ inline constexpr std::size_t kLongestPoseDatagram = 1024;
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string write_pose_datagram(const TrackerSample& sample);
 
 struct UdpTrackerSettings {
-  /// The source is taken for lost after this long without a good datagram.
+  /// The source counts as lost after this long without a good datagram.
   std::chrono::milliseconds timeout{1000};
 };
 

@@ -35,12 +35,12 @@ struct BasisStudySettings {
   int directions = 4;            ///< Number in the basis, for stability and persons; ≥ 1.
   int folds = 5;                 ///< Parts of each recording that are left out in turn, ≥ 2.
   int resamples = 1000;          ///< Number in the bootstrap, ≥ 1.
-  double block = 1.0;  ///< Rows of so many s stay together in it, for they depend on each other.
+  double block = 1.0;  ///< Length of row blocks that stay together (rows depend on each other), s.
   double confidence = 0.95;  ///< Confidence of the intervals, 0 to 1.
   std::uint64_t seed = 1;
 };
 
-/// A mean, and where it lies with the settings' confidence (percentiles of the bootstrap).
+/// A mean, with its interval of the settings' confidence (percentiles of the bootstrap).
 struct Interval {
   double mean = 0.0;
   double low = 0.0;
@@ -49,10 +49,10 @@ struct Interval {
 
 /// Error on postures that were not used to make the basis.
 struct ReconstructionError {
-  int directions = 0;     ///< Beside the free joints.
+  int directions = 0;     ///< Number beside the free joints.
   Interval fingertip;     ///< Distance of fingertips, mean over fingertips and postures, m.
-  double most = 0.0;      ///< 95 % of the fingertips are nearer, m.
-  double variance = 0.0;  ///< Share of the variance of all postures that the directions hold.
+  double most = 0.0;      ///< Bound of 95 % of the fingertips' distances, m.
+  double variance = 0.0;  ///< Share of the variance of all postures in the directions.
 };
 
 /// Difference of bases from recordings of one length from the basis of the whole recording.
@@ -66,8 +66,8 @@ struct BasisStability {
 /// Error of a person's postures reconstructed with the settings' directions.
 struct PersonFit {
   std::string name;
-  Interval own;     ///< By a basis of the rest of the same recording, m.
-  Interval others;  ///< By one of all other recordings, m.
+  Interval own;     ///< Error by a basis of the rest of the same recording, m.
+  Interval others;  ///< Error by a basis of all other recordings, m.
   /// Largest principal angles between these persons' first 1, 2, … directions, rad.
   std::vector<double> angles;
 };
@@ -80,14 +80,14 @@ struct BasisStudy {
                       ///< recorded, m; 0 for one recording.
 
   /// The fewest directions with which the mean error is below `error` (m) with the settings'
-  /// confidence; -1: not even with all.
+  /// confidence; -1: all are not enough.
   [[nodiscard]] HANDWAY_SAMPLING_EXPORT int enough_for(double error) const;
 };
 
 /// Studies the basis; the same recordings and settings give bitwise the same result.
 ///
-/// Postures are reconstructed from what others were made into: each recording's folds are left out
-/// in turn. Confidence intervals come from a bootstrap over blocks of rows (Künsch 1989), that of
+/// Postures are reconstructed by a basis of other postures: each recording's folds are left out in
+/// turn. Confidence intervals come from a bootstrap over blocks of rows (Künsch 1989), that of
 /// `newcomer` from one over persons.
 /// @throws geometric::InputError if there are fewer than two blocks in a recording.
 /// @throws std::invalid_argument for settings out of range.
@@ -95,8 +95,8 @@ struct BasisStudy {
 study_basis(const std::vector<RecordedHand>& recordings, const FingertipsOf& fingertips,
             const BasisStudySettings& settings = {});
 
-/// Angles between what two bases of the same hand span, free joints included, in rad, rising: see
-/// principal_angles(). Joints may be in another order.
+/// Angles between the spaces of two bases of the same hand, free joints included, in rad,
+/// ascending: see principal_angles(). Joints may be in another order.
 /// @throws geometric::InputError if one basis has a joint that the other lacks, or no axis.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd angles_between(const PmdBasis& a,
                                                                      const PmdBasis& b);

@@ -37,7 +37,7 @@ struct PmdBasis {
   Eigen::VectorXd mean;                        ///< b, shape [joints].
   std::vector<FreeJoint> free_joints;          ///< First axes of SC^h.
   std::vector<PrincipalDirection> directions;  ///< Following axes, by falling variance.
-  /// The recorded postures that it was found in (see read_postures()); empty: not kept.
+  /// The recorded postures of the basis (see read_postures()); empty: not stored.
   std::filesystem::path postures = {};
 
   /// Axes of the whole SC^h.
@@ -69,8 +69,8 @@ struct PmdBasis {
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd project(const PmdBasis& basis,
                                                               const Eigen::VectorXd& posture);
 
-/// Distance of `posture` from SC^h, in normalised joints: how far a posture is
-/// from those that the human hand was seen to take.
+/// Distance of `posture` from SC^h, in normalised joints: its deviation from the recorded postures
+/// of the human hand.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT double distance_to_subspace(const PmdBasis& basis,
                                                                   const Eigen::VectorXd& posture);
 
@@ -79,13 +79,13 @@ struct PmdBasis {
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PmdBasis full_joint_basis(std::string hand,
                                                                 std::vector<std::string> joints);
 
-/// The affine space that SC^h spans, ready to ask for many postures: what
-/// distance_to_subspace() answers for one. Postures are normalised joints, shape [joints].
+/// The affine space of SC^h, prepared for many postures; distance_to_subspace() is for one.
+/// Postures are normalised joints, shape [joints].
 class HANDWAY_SAMPLING_EXPORT PostureSubspace {
  public:
   explicit PostureSubspace(const PmdBasis& basis);
 
-  /// From the closest posture of SC^h, limits apart, to `posture`; shape [joints].
+  /// Vector from the closest posture of SC^h, regardless of limits, to `posture`; shape [joints].
   [[nodiscard]] Eigen::VectorXd outside(const Eigen::VectorXd& posture) const;
 
   /// Distance of `posture` from the recorded postures of the human hand.
@@ -96,14 +96,14 @@ class HANDWAY_SAMPLING_EXPORT PostureSubspace {
 
  private:
   Eigen::VectorXd centre_;
-  Eigen::MatrixXd across_;  ///< Takes a difference of postures to its part outside of SC^h.
+  Eigen::MatrixXd across_;  ///< Projects a difference of postures onto its part outside of SC^h.
 };
 
-/// Angles between the spaces that the columns of two matrices span, in rad, rising, each in
-/// [0, π/2]: 0 for a direction that both share (Björck and Golub 1973; small angles from sines,
-/// large ones from cosines).
+/// Principal angles between the column spaces of two matrices, in rad, ascending, each in [0, π/2]:
+/// 0 for a direction that both share (Björck and Golub 1973; small angles from sines, large ones
+/// from cosines).
 /// @param a, b orthonormal columns, shape [joints, …].
-/// @returns as many as the narrower one has columns.
+/// @returns as many angles as the narrower one has columns.
 /// @throws std::invalid_argument if the numbers of rows differ or one has no columns.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd principal_angles(const Eigen::MatrixXd& a,
                                                                        const Eigen::MatrixXd& b);
@@ -127,9 +127,9 @@ class HANDWAY_SAMPLING_EXPORT PostureSubspace {
 /// distinct.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PmdBasis read_pmd_basis(const std::filesystem::path& file);
 
-/// Replaces the file whole. Postures are named from the file's folder. Numbers are written with as
-/// few digits as give the same bits when read again; a direction whose vector is not of unit length
-/// is written as one that is and spans the same. A variance of 0 (not known) is left out.
+/// Replaces the file whole. Postures are named from the file's folder. Numbers have as few digits
+/// as give the same bits when read again; a direction whose vector is not of unit length is
+/// normalised, with the same span. A variance of 0 (unknown) is left out.
 /// @throws geometric::InputError if the file can't be written.
 HANDWAY_SAMPLING_EXPORT void write_pmd_basis(const PmdBasis& basis,
                                              const std::filesystem::path& file);

@@ -12,7 +12,7 @@
 
 namespace handway::sampling {
 
-/// Postures that a hand was seen to take.
+/// Recorded postures of a hand.
 struct PostureTable {
   std::string hand;                 ///< Robot that the joints belong to.
   std::string source;               ///< Source of the postures.
@@ -41,7 +41,7 @@ struct PostureTable {
 HANDWAY_SAMPLING_EXPORT void write_postures(const PostureTable& table,
                                             const std::filesystem::path& file);
 
-/// The posture that was seen which is most like another.
+/// The recorded posture most similar to another.
 struct NearestPosture {
   double distance = 0.0;   ///< In normalised joints.
   Eigen::VectorXd joints;  ///< Normalised, shape [joints of the basis].
@@ -78,7 +78,7 @@ class HANDWAY_SAMPLING_EXPORT RecordedPostures {
   double usual_distance_ = 0.0;
 };
 
-/// The postures that a basis names; null if it names none.
+/// The postures named by a basis; null if it names none.
 /// @throws geometric::InputError as read_postures() and the constructor.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT std::shared_ptr<const RecordedPostures>
 load_recorded_postures(const PmdBasis& basis);

@@ -22,12 +22,12 @@ struct PrincipalComponents {
 /// mean-centred samples. Variances are Σ x² / (samples - 1). A direction's
 /// largest entry is positive, so that the same data give the same signs.
 /// @param samples one posture a row, joints normalised to [0, 1], shape [samples, joints].
-/// @param left_out indices of joints that take no part: their entries are 0 in
-/// all directions and their variance counts in no share.
-/// @returns min(samples, joints that take part) components.
+/// @param left_out indices of joints to ignore: their entries are 0 in all directions and their
+/// variance counts in no share.
+/// @returns min(samples, joints used) components.
 /// @throws geometric::InputError if there are fewer than two samples or one is not finite.
-/// @throws std::invalid_argument if left_out names a joint that isn't there, one
-/// twice, or all of them.
+/// @throws std::invalid_argument if left_out names an unknown joint, one twice, or all of
+/// them.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PrincipalComponents
 principal_components(const Eigen::MatrixXd& samples, const std::vector<int>& left_out = {});
 
@@ -38,8 +38,8 @@ struct PmdBasisOptions {
   double sigmas_per_half_side = 1.5;  ///< λ_i = this · σ_i. > 0.
 };
 
-/// The PMD basis of the first components: the free joints, then directions PMD1,
-/// PMD2, … Directions along which nothing varies (σ < 1e-9) are left out.
+/// The PMD basis of the first components: the free joints, then directions PMD1, PMD2, … Directions
+/// without variation (σ < 1e-9) are left out.
 /// @param joints names, shape [joints].
 /// @pre `components` were computed with options.free_joints left out.
 /// @throws std::invalid_argument if the number of joints differs or an option is out of range.
@@ -48,10 +48,10 @@ struct PmdBasisOptions {
                                                               const PrincipalComponents& components,
                                                               const PmdBasisOptions& options = {});
 
-/// Principal components of postures that come one by one, such as from a glove in use. Mean and
-/// scatter are updated with each posture (Welford 1962), so
-/// that after n postures the components are those of all n, up to rounding, in memory
-/// and time per posture that don't grow. For one thread at a time.
+/// Principal components of postures that arrive one by one, such as from a glove in use. Mean and
+/// scatter are updated with each posture (Welford 1962), so that after n postures the components
+/// are those of all n, up to rounding. Memory and time per posture don't grow. For one thread at a
+/// time.
 class HANDWAY_SAMPLING_EXPORT IncrementalComponents {
  public:
   /// @param joints length of every posture, ≥ 1.
@@ -61,7 +61,7 @@ class HANDWAY_SAMPLING_EXPORT IncrementalComponents {
   /// @param posture joints normalised to [0, 1], shape [joints].
   /// @throws std::invalid_argument for another length or a value that isn't finite.
   void add(const Eigen::VectorXd& posture);
-  /// All that `other` has seen (Chan, Golub and LeVeque 1979).
+  /// Adds all postures of `other` (Chan, Golub and LeVeque 1979).
   /// @throws std::invalid_argument if it has another number of joints.
   void add(const IncrementalComponents& other);
 
@@ -77,7 +77,7 @@ class HANDWAY_SAMPLING_EXPORT IncrementalComponents {
   Eigen::MatrixXd scatter_;  ///< Σ (x - mean)(x - mean)'.
 };
 
-/// Components of the samples that belong together.
+/// Components of the samples without outliers.
 struct RobustComponents {
   PrincipalComponents components;  ///< Components of the samples that were used.
   std::vector<bool> kept;          ///< False: an outlier, shape [samples].

@@ -47,7 +47,7 @@ enum class SamplerKind {
   kBridgeTest,  ///< In narrow passages.
 };
 
-/// The words for them, in the order of SamplerKind: "random", "halton", …
+/// Names, in the order of SamplerKind: "random", "halton", …
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT const std::vector<std::string>& sampler_names();
 
 /// Options of the Gaussian sampler and the bridge test.

@@ -20,9 +20,9 @@ namespace handway::sampling {
 /// radix point (Halton, "On the efficiency of certain quasi-random sequences of points
 /// in evaluating multi-dimensional integrals", Numer. Math. 2, 1960).
 ///
-/// With large bases neighbouring coordinates would run along common lines for as many points as the
-/// product of their bases: every base's digits other than 0 are permuted at random (after Braaten
-/// and Weller, J. Comput. Phys. 32, 1979). Every elementary interval still gets as many points.
+/// With large bases neighbouring coordinates would be on common lines for as many points as the
+/// product of their bases. So every base's digits but 0 are permuted at random (after Braaten and
+/// Weller, J. Comput. Phys. 32, 1979). Every elementary interval still gets equally many points.
 class HANDWAY_SAMPLING_EXPORT HaltonSequence {
  public:
   /// @param seed of the permutations.

@@ -10,10 +10,10 @@
 
 namespace handway::sampling {
 
-/// A source of pseudo-random numbers that gives the same bits on every platform
-/// and in every run: xoshiro256++ 1.0 (Blackman and Vigna, "Scrambled linear
-/// pseudorandom number generators", ACM Trans. Math. Softw. 47, 2021,
-/// doi:10.1145/3460772), its state filled by SplitMix64 from the seed.
+/// A source of pseudo-random numbers, bitwise the same on every platform and in every run:
+/// xoshiro256++ 1.0 (Blackman and Vigna, "Scrambled linear pseudorandom number generators", ACM
+/// Trans. Math. Softw. 47, 2021, doi:10.1145/3460772), its state filled by SplitMix64 from the
+/// seed.
 ///
 /// Work that is shared among threads takes one fork per unit of work, so that the numbers do not
 /// depend on the thread or the time.
@@ -51,8 +51,8 @@ class HANDWAY_SAMPLING_EXPORT RandomStream {
   /// Uniform in {0, …, n-1}, without bias. @throws std::invalid_argument if n is 0.
   std::uint64_t below(std::uint64_t n);
 
-  /// Normal with mean 0 and variance 1, by Marsaglia's polar method with a
-  /// logarithm of its own: only IEEE basic operations, so no platform differs.
+  /// Normal with mean 0 and variance 1, by Marsaglia's polar method with its own logarithm: only
+  /// IEEE basic operations, so that all platforms agree.
   double normal();
 
   /// Independent normal values, drawn in order of the index. @param size ≥ 0. @returns shape
