@@ -19,7 +19,7 @@ class RecentFiles : public QMenu {
  public:
   explicit RecentFiles(QWidget* parent = nullptr);
 
-  /// Those that are still there, the last first.
+  /// Returns the recent files that still exist, the most recent first.
   [[nodiscard]] static QStringList files();
   void add(const QString& file);
 

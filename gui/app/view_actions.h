@@ -63,8 +63,8 @@ class PreferenceEffects : public QObject {
   PreferenceValues applied_;
 };
 
-/// What Enter does in the window: on a button it is the Space key; in a field it gives the focus
-/// back to the view once that has taken what was entered, so that the keys of the view's commands
+/// Handles the Enter key in the window: on a button it acts as the Space key; in a field it enters
+/// the value and then gives the focus back to the view, so that the keys of the view's commands
 /// work again.
 class EnterKey : public QObject {
   Q_OBJECT

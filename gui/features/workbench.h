@@ -47,8 +47,8 @@ enum class MainMenu { kFile, kEdit, kAdd, kPlan, kView, kHelp, kContext };
 enum class MainBar { kTools, kEditing };
 enum class DockArea { kLeft, kHistory, kControl, kBelow };
 
-/// Where something is in a menu or tool bar, whoever adds it and when: between sections there are
-/// separators.
+/// Position in a menu or tool bar, independent of the order in which entries are added: sections
+/// are divided by separators.
 struct Position {
   int section = 0;
   int order = 0;  ///< In the section.
@@ -56,9 +56,9 @@ struct Position {
   auto operator<=>(const Position&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// What features of the window work with: the model, the 3-D view, and places for their menus,
-/// tool bar buttons and docks. A feature is a folder with a function `add_NAME(Workbench&)`; what
-/// features have in common is here, so that none knows another.
+/// Interface between the window and its features: the model, the 3-D view, and places for their
+/// menus, tool bar buttons and docks. A feature is a folder with a function `add_NAME(Workbench&)`;
+/// common parts of features are here, so that no feature knows another.
 class Workbench : public QObject {
   Q_OBJECT
 
@@ -69,19 +69,19 @@ class Workbench : public QObject {
   ~Workbench() override;
 
   std::shared_ptr<planning::PluginManager> plugins;
-  Options options;  ///< Of the scene that is open; empty once another is opened.
+  Options options;  ///< For the open scene; empty once another is opened.
   Preferences preferences;
   Document document;
   SceneEditor editor;
   PathPlayer player;
   Posing posing;
   PlanSettings plan_settings;
-  CollisionMonitor collisions;  ///< Of the posture that is shown.
+  CollisionMonitor collisions;  ///< Collisions of the shown posture.
   PlanningSession session;
-  PathValidity validity;  ///< Of the path that is played, in the scene as it is.
+  PathValidity validity;  ///< Validity of the played path in the present scene.
   MotionAnalysis analysis;
   PathHistory history;
-  ContactGuard guard;  ///< What moves the robot from outside proposes its postures here.
+  ContactGuard guard;  ///< Checks the postures that external sources propose for the robot.
   MotionDriver driver;
 
   QMainWindow& window;
@@ -106,7 +106,8 @@ class Workbench : public QObject {
                                      const QKeySequence& keys, const QString& tip);
   /// The icon of `action`, by its object name, follows the theme.
   void keep_icon(QAction& action);
-  /// Of no effect after build(), as are the next three. Submenus are added by their menuAction().
+  /// Adds an action. Has no effect after build(), like the next three functions. Submenus are added
+  /// by their menuAction().
   void add_to_menu(MainMenu menu, Position position, QAction* action);
   /// @param with_text beside the icon.
   void add_to_bar(MainBar bar, Position position, QAction* action, bool with_text = false);
@@ -117,7 +118,7 @@ class Workbench : public QObject {
   void add_page(const char* panel, const QString& title, QWidget* page);
   /// Pops up what of MainMenu::kContext can be done now. @param place on the screen.
   void show_context_menu(const QPoint& place);
-  /// None of kContext.
+  /// Returns a menu. @pre menu is not kContext.
   [[nodiscard]] QMenu& menu(MainMenu menu) const { return *menus_.at(menu); }
   /// Puts everything that was added where it belongs. To be called once.
   void build();
@@ -127,7 +128,7 @@ class Workbench : public QObject {
   /// Does what the command with that object name does, if there is one.
   void trigger(const char* action) const;
 
-  /// What people call the scene that is open.
+  /// Returns the displayed name of the open scene.
   [[nodiscard]] QString scene_name() const;
   /// Opens a file unless something keeps the scene from being left.
   void open(const std::filesystem::path& file, const Options& with = {});
@@ -164,7 +165,7 @@ class Workbench : public QObject {
   void mesh_dropped(const QString& file);
   /// A file of a path was.
   void path_dropped(const QString& file);
-  /// Whether there is room in the view for handles of what is selected.
+  /// Emitted when there is room in the view for the handles of the selection, or no more.
   void handles_welcome(bool welcome);
   void theme_changed();
 
@@ -181,7 +182,7 @@ class Workbench : public QObject {
   };
 
   void follow_document();
-  /// What was played goes into the history, with its figures.
+  /// Adds the played path to the history, with its figures.
   void remember_path();
   [[nodiscard]] std::vector<DockContent> docks_of(DockArea area) const;
   void build_pages();

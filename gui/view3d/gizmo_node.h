@@ -22,23 +22,23 @@ struct Ray {
   Eigen::Vector3d direction;
 };
 
-/// What can be dragged: arrows along three axes, plates between two, rings about one.
+/// Handles that can be dragged: arrows along three axes, plates between two, rings about one.
 struct GizmoHandle {
   enum class Kind { kArrow, kPlate, kRing };
   Kind kind = Kind::kArrow;
-  int axis = 0;  ///< Of the arrow or ring; the plate's normal.
+  int axis = 0;  ///< Axis of the arrow or ring; the plate's normal.
 
   friend bool operator==(const GizmoHandle&, const GizmoHandle&) = default;
 };
 
-/// Where a gizmo stands, with its proportions.
+/// Pose and proportions of a gizmo.
 struct GizmoFrame {
   static constexpr double kArrowFrom = 0.18;
   static constexpr double kArrowTo = 1.0;
   static constexpr double kRingRadius = 0.78;
   static constexpr double kPlateFrom = 0.24;
   static constexpr double kPlateTo = 0.40;
-  static constexpr double kReach = 0.075;  ///< How near a handle still counts as hit.
+  static constexpr double kReach = 0.075;  ///< Largest distance that hits a handle.
 
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();    ///< World, m.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< Columns; world.
@@ -61,16 +61,17 @@ class GizmoDrag {
   [[nodiscard]] const GizmoHandle& handle() const { return handle_; }
   [[nodiscard]] const geometric::Pose& start() const { return X_WO_; }
 
-  /// Where it is now. @param snap in steps of kSnapLength or kSnapAngle: along the axes of the
-  /// world onto their round values, otherwise from where it was.
+  /// Returns the pose after dragging to `ray`. @param snap in steps of kSnapLength or kSnapAngle:
+  /// along the axes of the world onto their round values, otherwise from the initial pose.
   [[nodiscard]] geometric::Pose moved_to(const Ray& ray, bool snap);
-  /// The same for an amount that is given, see amount(); along axes that the handle leaves free.
+  /// Returns the pose after a move by a given amount, see amount(), along axes that the handle
+  /// leaves free.
   [[nodiscard]] geometric::Pose moved_by(const Eigen::Vector3d& amount);
-  /// Whether it moves along an axis, or turns about it.
+  /// Returns whether the handle moves along an axis, or turns about it.
   [[nodiscard]] bool is_free(int axis) const {
     return (axis == handle_.axis) == (handle_.kind != GizmoHandle::Kind::kPlate);
   }
-  /// How far along the axes, m; of a ring about its axis, rad. Of the last moved_to().
+  /// Returns the amount of the last moved_to(): along the axes, m; for a ring about its axis, rad.
   [[nodiscard]] const Eigen::Vector3d& amount() const { return amount_; }
 
  private:
@@ -83,7 +84,7 @@ class GizmoDrag {
   GizmoFrame frame_;
   geometric::Pose X_WO_;
   Eigen::Vector3d amount_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d tangent_ = Eigen::Vector3d::Zero();  ///< Of a ring where it was taken.
+  Eigen::Vector3d tangent_ = Eigen::Vector3d::Zero();  ///< Tangent of a ring at the grabbed point.
   Eigen::Vector3d held_ = Eigen::Vector3d::Zero();     ///< The point that was taken.
   double held_along_ = 0.0;
   double held_angle_ = 0.0;

@@ -15,8 +15,8 @@
 
 namespace handway::gui {
 
-/// What is written over a 3-D view: the names of its axes cross, which stands in
-/// the lower left corner, and a note beside the pointer. Mouse events go through it.
+/// Text over a 3-D view: the names of its axes cross, which stands in the lower left corner, and a
+/// note beside the pointer. Mouse events go through it.
 class ViewOverlay : public QWidget {
   Q_OBJECT
 
@@ -69,7 +69,7 @@ inline constexpr std::array kCubeFields{-1.0, -0.62, 0.62, 1.0};
 [[nodiscard]] std::optional<CubePart> cube_part_at(const Eigen::Matrix3d& R_WC, double right,
                                                    double up);
 
-/// Where a camera on a turntable stands that looks at a part, rad.
+/// Direction of a turntable camera that looks at a part, rad.
 struct CubeDirection {
   double azimuth;
   double elevation;
@@ -92,7 +92,7 @@ class OrientationCube : public QWidget {
 
   /// @param R_WC columns: right, up and backwards of the camera, in the world.
   void set_orientation(const Eigen::Matrix3d& R_WC);
-  /// Where a part is seen, if it is; for tests and guides.
+  /// Returns the position of a part if it is visible; for tests and guides.
   [[nodiscard]] std::optional<QPointF> place_of(const CubePart& part) const;
   /// The part under the pointer.
   [[nodiscard]] const std::optional<CubePart>& hot() const { return hot_; }

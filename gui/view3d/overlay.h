@@ -23,7 +23,7 @@ class SoNode;
 
 namespace handway::gui {
 
-/// How far a search that found no path came, in the robot's configurations.
+/// Farthest configurations of a search that found no path.
 struct Frontier {
   geometric::Configuration from_start;
   geometric::Configuration from_goal;
@@ -34,7 +34,7 @@ struct Frontier {
 /// Something to draw, for those who need not know Coin.
 class Drawing {
  public:
-  // Nothing, or a node of a known kind, is a drawing as it is.
+  // A drawing can be made of nothing, or of a node of a known kind.
   // NOLINTBEGIN(google-explicit-constructor)
   Drawing(std::nullptr_t = nullptr) {}
   template <typename Node>
@@ -56,7 +56,7 @@ class Drawing {
   SoNode* node_ = nullptr;
 };
 
-/// What is drawn into the scene without being part of it.
+/// Drawings that are added to the scene without being part of it.
 enum class Overlay {
   kPath,
   kRoadmap,
@@ -74,7 +74,7 @@ enum class Overlay {
   kReach,
 };
 
-/// Whether a robot gets to a pose.
+/// Result of a check whether a robot reaches a pose.
 enum class PoseReached { kUnknown, kYes, kNo };
 
 /// The frames of the scene's goal poses, red, green and blue for x, y and z, with a box around
@@ -83,8 +83,8 @@ enum class PoseReached { kUnknown, kYes, kNo };
 [[nodiscard]] Drawing make_goal_poses_node(const geometric::Scene& scene,
                                            std::span<const PoseReached> reached);
 
-/// Where a tool is to be: a green dot, or a red one with a line to where it is, as near as it gets.
-/// Points in the world, m.
+/// Makes the marker of a tool's target: a green dot or, if it is out of reach, a red one with a
+/// line to the nearest position of the tool. Points in the world, m.
 [[nodiscard]] Drawing make_reach_node(const Eigen::Vector3d& target, const Eigen::Vector3d& tool,
                                       bool reached);
 
@@ -108,7 +108,7 @@ enum class PoseReached { kUnknown, kYes, kNo };
 /// A line of one colour through `points` (world, m): what the robot did. Nothing hides it.
 [[nodiscard]] Drawing make_executed_node(std::span<const Eigen::Vector3d> points);
 
-/// The same of a path that is being optimised, with a bead at each of `waypoints`.
+/// Makes a drawing of a path that is being optimised, with a bead at each of `waypoints`.
 [[nodiscard]] Drawing make_optimized_node(std::span<const Eigen::Vector3d> points,
                                           std::span<const Eigen::Vector3d> waypoints);
 
@@ -150,8 +150,8 @@ inline constexpr geometric::Color kGivenUpColor{0.45F, 0.49F, 0.56F, 1.0F};
 [[nodiscard]] Drawing make_boxes_node(const std::vector<planning::PalmBox>& boxes,
                                       std::pair<double, double> range);
 
-/// What a sample is drawn in that used `count` of at most `most` principal motion
-/// directions, from blue for few to magenta for many; grey for none.
+/// Returns the colour of a sample that used `count` of at most `most` principal motion directions,
+/// from blue for few to magenta for many; grey for none.
 [[nodiscard]] geometric::Color pmd_color(int count, int most);
 
 /// A dot where the palm is in each node, coloured by the number of principal motion

@@ -49,15 +49,15 @@ class BodyShape {
   CoinRef<SoSwitch> drawings_;  ///< Looks, then the mesh, if there is one.
 };
 
-/// How a body is shown.
+/// Style of a body.
 enum class Look { kPlain, kColliding };
 
 /// The override material of a look; null for kPlain.
 /// @param plain what the body is painted with otherwise.
 [[nodiscard]] CoinRef<SoMaterial> make_look_material(Look look, const geometric::Color& plain = {});
 
-/// What the links of a robot look like in their own frames; shared by the robot
-/// and its ghosts. Shape [link_count].
+/// Shapes of the links of a robot in their own frames; shared by the robot and its ghosts. Shape
+/// [link_count].
 using LinkShapes = std::vector<BodyShape>;
 
 [[nodiscard]] LinkShapes make_link_shapes(const geometric::RobotModel& model);
@@ -132,7 +132,7 @@ class Ghost {
   /// Shows something else that way, in colours of opacity().
   void show(SoNode* drawing, const Prepare& prepare);
   void render(SoGLRenderAction& action) const;
-  /// As if it could not be seen through.
+  /// Renders the body as opaque.
   void render_opaque(SoGLRenderAction& action) const;
   /// The drawing with camera and lights. @pre is_visible().
   [[nodiscard]] SoSeparator* root() const { return root_.get(); }

@@ -29,15 +29,16 @@ class SoSwitch;
 
 namespace handway::gui {
 
-/// As what bodies are drawn.
+/// Geometry that bodies are drawn with.
 enum class BodyDisplay {
-  kVisual,     ///< As they look.
+  kVisual,     ///< Visual geometry.
   kCollision,  ///< The triangles that collisions are checked with.
   kHulls,      ///< The convex hulls that part two bodies,
   kSpheres,    ///< and the spheres that cover one, before triangles are asked.
 };
 
-/// What stands in for the looks of a scene's bodies, each in its own frame; null: its looks.
+/// Meshes that replace the visual geometry of a scene's bodies, each in its own frame; null: visual
+/// geometry.
 struct BodyMeshes {
   std::vector<std::vector<std::shared_ptr<const geometric::TriangleMesh>>> links;  ///< By robot.
   std::map<std::string, std::shared_ptr<const geometric::TriangleMesh>> objects;   ///< By name.
@@ -50,14 +51,14 @@ struct BodyMeshes {
 
 class RobotNode;
 
-/// Which links of a robot have moved since a picture was made of all, and the drawings of what
-/// stands still and of what moves, apart.
+/// Splits the links of a robot into those that have moved since a picture was made of all and the
+/// others, with a drawing of each part.
 class StillSplit {
  public:
   /// Roots whose first children are camera and lights.
   StillSplit(CoinRef<SoSeparator> still, CoinRef<SoSeparator> moving);
 
-  /// Nothing has moved so far.
+  /// Begins with no moved links.
   void begin(const RobotNode& robot);
   /// Looks which links have moved. @returns whether one has that had not before.
   bool note_motion(const RobotNode& robot);
@@ -143,13 +144,13 @@ class SceneBodies {
   /// The one that moves. @pre has_robot().
   [[nodiscard]] RobotNode& first_robot() const { return *robots_.front(); }
   [[nodiscard]] const LinkShapes& first_robot_shapes() const { return shapes_.front(); }
-  /// Of the first robot, shape [variable_count].
+  /// Configuration of the first robot, shape [variable_count].
   [[nodiscard]] const geometric::Configuration& configuration() const { return q_; }
 
   /// All that is not hidden.
   [[nodiscard]] std::vector<SoNode*> shown() const;
-  /// The same but for the first robot, apart: what stands still, and what is carried or can be
-  /// seen through.
+  /// Bodies other than the first robot, in two parts: fixed ones, and carried or transparent
+  /// ones.
   struct Others {
     std::vector<SoNode*> still;
     std::vector<SoNode*> moving;
@@ -157,7 +158,7 @@ class SceneBodies {
   [[nodiscard]] Others others() const;
   /// The drawings of what is selected.
   [[nodiscard]] std::vector<SoSeparator*> parts_of(const Selection& selection) const;
-  /// What a picked drawing stands for; kNone if it is none of these.
+  /// Returns the item of a picked drawing; kNone if it is none of these.
   [[nodiscard]] SceneItem item_of(const SoPath& path) const;
 
  private:

@@ -43,7 +43,7 @@ struct ScenePasses;
 /// Puts a Coin camera where `camera` is. @param aspect width by height.
 void aim_camera(SoPerspectiveCamera& eye, const OrbitCamera& camera, double aspect);
 
-/// The same for one that sees in parallel; it stands far back, so that everything is before it.
+/// Aims an orthographic camera; it stands far back, so that everything is before it.
 void aim_camera(SoOrthographicCamera& eye, const OrbitCamera& camera, double aspect);
 
 /// A scene as Coin nodes. Knows no window: what to show comes in, drawing and
@@ -93,7 +93,7 @@ class SceneGraph {
   /// start and at goal, and the objects near them.
   [[nodiscard]] std::vector<Eigen::Vector3d> points_of_interest() const;
   [[nodiscard]] std::vector<Eigen::Vector3d> all_points() const;
-  /// None if nothing is selected.
+  /// Returns the corners of the selection; none if nothing is selected.
   [[nodiscard]] std::vector<Eigen::Vector3d> selected_points() const;
   /// `camera` of an empty scene.
   [[nodiscard]] OpeningView open_view(const OrbitCamera& camera, double aspect) const;
@@ -104,8 +104,8 @@ class SceneGraph {
   void set_fine(bool fine);
   /// Draws everything but the backdrop into the current viewport.
   void render(SoGLRenderAction& action);
-  /// The same in parts, for pictures that follow each other fast: what stood still since
-  /// begin_motion(); what has moved since; and the ghosts, start and goal.
+  /// Begins drawing in parts, for fast frames: bodies that have not moved since begin_motion(),
+  /// those that have, and the ghosts, start and goal.
   void begin_motion();
   void render_still(SoGLRenderAction& action);
   void render_moving(SoGLRenderAction& action);
@@ -121,7 +121,7 @@ class SceneGraph {
   /// Draws the axes cross, turned like the camera.
   void render_axes(SoGLRenderAction& action, const OrbitCamera& camera);
 
-  /// What is seen at a pixel (from the lower left).
+  /// Returns the visible item at a pixel (from the lower left).
   [[nodiscard]] std::optional<SceneHit> pick(const SbVec2s& viewport, const SbVec2s& pixel);
 
  private:
@@ -137,7 +137,7 @@ class SceneGraph {
 
   SceneBodies bodies_;
   ViewColors colors_;
-  Eigen::Vector3d backwards_ = Eigen::Vector3d::UnitZ();  ///< Of the camera, in the world.
+  Eigen::Vector3d backwards_ = Eigen::Vector3d::UnitZ();  ///< Camera's backward axis, in the world.
   std::unique_ptr<ScenePasses> passes_;
   GizmoNode gizmo_;
   SelectionOutline outline_;

@@ -62,7 +62,7 @@ void draw_backdrop(const geometric::Color& top, const geometric::Color& bottom);
 /// @param root draws in the world's frame, m.
 [[nodiscard]] QRect region_of(SoNode& root, const OrbitCamera& camera, const QSize& pixels);
 
-/// What a picture of a scene shows besides the scene.
+/// Settings of a picture of a scene.
 struct PictureFrame {
   QSize pixels;
   double pixel_ratio = 1.0;  ///< Pixels for one unit of lengths on the screen.
@@ -107,8 +107,8 @@ class ScenePainter {
   SceneGraph& graph_;
   std::unique_ptr<SoGLRenderAction> action_;
   std::unique_ptr<QOpenGLShaderProgram> program_;  ///< Null: layers can't be had.
-  /// What fine pictures are painted on, several times as large as they are. It is kept, as drivers
-  /// give such memory back late: two and more were there at times.
+  /// Framebuffer for fine pictures, several times as large as they are. It is kept, because drivers
+  /// free such memory late, which would accumulate.
   struct Smooth {
     QSize pixels;
     int samples = 0;
@@ -120,10 +120,10 @@ class ScenePainter {
     PictureLayer picture;
     QRect region;  ///< px from the lower left, as `last_region_`.
   };
-  std::array<Veil, SceneGraph::kGhosts> veils_;  ///< Of the ghosts.
+  std::array<Veil, SceneGraph::kGhosts> veils_;  ///< Veils of the ghosts.
   std::optional<Sight> kept_;  ///< From where the layers are seen; nothing: to be made.
-  std::optional<Sight> last_;  ///< Of the last picture.
-  QRect last_region_;          ///< What moving links covered in it, px from the lower left.
+  std::optional<Sight> last_;  ///< Camera of the last picture.
+  QRect last_region_;          ///< Region of moving links, px from the lower left.
 };
 
 }  // namespace handway::gui

@@ -37,7 +37,7 @@ struct ScenePasses {
   CoinRef<SoSwitch> camera = make_coin<SoSwitch>();  ///< One of the two.
   CoinRef<SoGroup> camera_lights = make_camera_lights();
   CoinRef<SoGroup> sky_light = make_sky_light();
-  CoinRef<SoComplexity> detail = make_coin<SoComplexity>();  ///< Of meshes.
+  CoinRef<SoComplexity> detail = make_coin<SoComplexity>();  ///< Level of detail of meshes.
   CoinRef<SoSeparator> solids = make_coin<SoSeparator>();
   CoinRef<SoSeparator> solid_content = make_coin<SoSeparator>();
   CoinRef<SoSeparator> floor = make_coin<SoSeparator>();
@@ -46,8 +46,8 @@ struct ScenePasses {
   CoinRef<SoSeparator> gizmo = make_coin<SoSeparator>();
   CoinRef<SoOrthographicCamera> axes_camera = make_coin<SoOrthographicCamera>();
   CoinRef<SoSeparator> axes = make_coin<SoSeparator>();
-  static constexpr int kGizmo = 4;  ///< Of `gizmo`, after what prepare() adds.
-  std::optional<StillSplit> split;  ///< Of solids, for fast pictures.
+  static constexpr int kGizmo = 4;  ///< Index in `gizmo`, after what prepare() adds.
+  std::optional<StillSplit> split;  ///< For fast pictures of solids.
 
   ScenePasses() {
     camera->addChild(perspective.get());

@@ -43,7 +43,7 @@ class ScenePictures {
   void begin(const geometric::Configuration& q, const OrbitCamera& camera, const QSize& size);
   /// Is what was begun drawn?
   [[nodiscard]] bool is_drawn();
-  /// What was begun, and waits for it if it isn't drawn yet.
+  /// Returns the picture that was begun, and waits for it if it isn't drawn yet.
   [[nodiscard]] QImage take();
 
  private:
@@ -60,7 +60,7 @@ class ScenePictures {
   std::unique_ptr<SoGLRenderAction> action_;
   std::unique_ptr<QOpenGLFramebufferObject> drawn_;     ///< With several samples a pixel.
   std::unique_ptr<QOpenGLFramebufferObject> resolved_;  ///< With one.
-  QSize size_;                                          ///< Of the picture that was begun.
+  QSize size_;                                          ///< Size of the begun picture.
   bool is_resolved_ = false;
   GLsync fence_ = nullptr;
 };

@@ -108,7 +108,7 @@ class SceneView : public QOpenGLWidget {
   /// @param drawing in the world's frame, m; null: nothing.
   void set_overlay(Overlay overlay, const Drawing& drawing);
   void set_overlay_visible(Overlay overlay, bool visible);
-  /// Where bodies go into each other (world, m).
+  /// Sets the places of penetration between bodies (world, m).
   void set_contacts(std::span<const Eigen::Vector3d> points);
   /// Draws something as the ghosts are, until the scene changes; null: nothing.
   void set_traces(const Drawing& drawing);
@@ -132,17 +132,17 @@ class SceneView : public QOpenGLWidget {
 
   /// Moves the camera so that the whole scene is seen.
   void show_all();
-  /// The same of what is selected; of the whole scene if nothing is.
+  /// Moves the camera to show the selection, or the whole scene if nothing is selected.
   void show_selection();
   /// Moves it back until the whole scene is seen, if something of what is selected is not.
   void keep_selection_in_view();
   void look_from(StandardView view);
   void set_camera(const OrbitCamera::Placement& placement);
-  /// The same, in a moment.
 
-  /// Where something new goes: what is seen in the middle, or the floor there (world, m).
+  /// Returns the place for a new object: the visible point in the middle, or the floor there
+  /// (world, m).
   [[nodiscard]] Eigen::Vector3d place_for_new();
-  /// What is seen at a place in the widget.
+  /// Returns the visible item at a position in the widget.
   [[nodiscard]] std::optional<SceneHit> pick_at(const QPoint& position);
   /// @param snap what a drag with Shift goes on by, for where its target is: world, m; looked for
   /// so far away (m).
@@ -154,9 +154,9 @@ class SceneView : public QOpenGLWidget {
 
   /// The next picture is a fine one, whatever has moved just now.
   void settle();
-  /// As it is on screen, with its cards, but without the cube, which is for turning it.
+  /// Returns the view as on screen, with its cards, but without the orientation cube.
   [[nodiscard]] QPixmap picture();
-  /// How long the last frame took to draw, ms.
+  /// Returns the time to draw the last frame, ms.
   [[nodiscard]] double frame_time_ms() const { return frame_time_ms_; }
 
  signals:
@@ -225,7 +225,7 @@ class SceneView : public QOpenGLWidget {
   bool drag_has_ended_ = false;  ///< With the button still down.
   bool has_scene_ = false;
   std::optional<Eigen::Vector3d> opening_section_;
-  bool untouched_ = true;  ///< Nobody has turned the view: keep it fitted.
+  bool untouched_ = true;  ///< The user has not turned the view: keep it fitted.
 };
 
 }  // namespace handway::gui

@@ -16,8 +16,8 @@ class SoVertexProperty;
 
 namespace handway::gui {
 
-/// What follows in `group` is drawn in its plain colours, whatever the lights:
-/// lines `line_width` and points `point_size` pixels wide.
+/// Adds a style such that all later nodes in `group` are drawn in their plain colours, without
+/// lighting, with lines `line_width` and points `point_size` pixels wide.
 void add_unlit_style(SoGroup& group, float line_width, float point_size = 1.0F);
 
 /// Points [m, W] for a Coin line or point set.

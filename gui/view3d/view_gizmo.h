@@ -16,7 +16,8 @@ namespace handway::gui {
 /// The ray from the camera through a place in the view. @param place, size logical pixels.
 [[nodiscard]] Ray ray_through(const OrbitCamera& camera, const QSize& size, const QPointF& place);
 
-/// Where a point of the world is in the view, logical pixels. @pre it is before the camera.
+/// Returns the position of a point of the world in the view, logical pixels. @pre it is before the
+/// camera.
 [[nodiscard]] QPointF place_of(const OrbitCamera& camera, const QSize& size,
                                const Eigen::Vector3d& p_W);
 
@@ -47,14 +48,14 @@ class ViewGizmo {
   /// Takes a key of a number that is typed in place of a drag: digits, sign, point, Backspace, and
   /// Tab for the plates' other axis. In mm or degrees. @returns whether it is one.
   bool type(int key, const QString& text);
-  /// Whether a number has been typed, to which the pointer gives way.
+  /// Returns whether a number has been typed, which replaces the pointer's amount.
   [[nodiscard]] bool has_typed() const;
   /// Lets go. @returns where the target was when it was taken hold of.
   geometric::Pose release();
   /// Lets go. The target is back where it was, which is returned.
   geometric::Pose cancel();
   [[nodiscard]] const std::optional<geometric::Pose>& pose() const { return X_WO_; }
-  /// How far the target has been dragged: "X +35 mm", "Z −15°".
+  /// Returns how far the target has been dragged: "X +35 mm", "Z −15°".
   [[nodiscard]] QString amount() const;
 
  private:

@@ -26,7 +26,7 @@ namespace handway::gui {
 /// Corners of the boxes around everything in the scene (world, m).
 [[nodiscard]] std::vector<Eigen::Vector3d> all_points(const geometric::Scene& scene);
 
-/// How a scene is shown at first.
+/// Initial view of a scene.
 struct OpeningView {
   OrbitCamera camera;
   /// In front of which point (world, m), towards the camera, objects have to be cut away to see the

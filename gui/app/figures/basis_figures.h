@@ -14,9 +14,9 @@
 
 namespace handway::gui {
 
-/// What the figures of a hand basis show: `postures.csv` (a column for each joint of the basis,
+/// Input of the figures of a hand basis: `postures.csv` (a column for each joint of the basis,
 /// rad), `basis.yaml` and `variance.csv` (column `share`) of one folder, as `handway pca --plots`
-/// leaves them, and the hand that the basis names.
+/// writes them, and the hand that the basis names.
 struct FigureData {
   std::shared_ptr<const geometric::RobotModel> hand;
   sampling::PmdBasis basis;

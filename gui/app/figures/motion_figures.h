@@ -14,7 +14,7 @@
 
 namespace handway::gui {
 
-/// Where the camera of a film strip stands.
+/// Direction of the camera of a film strip.
 enum class FilmView {
   kTask,  ///< Still, so that it sees all that the robot does.
   kHand,  ///< Close, and going along with the palm.
@@ -25,11 +25,11 @@ struct FilmRow {
   std::string label;
   std::shared_ptr<const geometric::Scene> scene;
   planning::Path path;
-  double azimuth = geometric::radians(-62.0);   ///< Of the camera, from the way to the task.
+  double azimuth = geometric::radians(-62.0);   ///< Camera's, from the path to the task.
   double elevation = geometric::radians(22.0);  ///< Above the horizon.
 };
 
-/// What a figure of film strips shows.
+/// Content of a figure of film strips.
 struct FilmData {
   std::string title;
   int frames = 6;  ///< Pictures of each path, evenly spread over it; the ends included.

@@ -12,9 +12,9 @@ class QListWidget;
 
 namespace handway::gui {
 
-/// How well `text` answers to what was typed: all letters of `typed` must be in it, in
-/// order, whatever their case. Letters that begin words or follow each other count
-/// more. Nothing: it does not.
+/// Returns how well `text` matches `typed`: all letters of `typed` must be in it, in order,
+/// whatever their case. Letters that begin words or follow each other count more. Returns nothing
+/// if it does not match.
 [[nodiscard]] std::optional<int> fuzzy_score(const QString& typed, const QString& text);
 
 /// All commands of a window in one list, found by a few letters of their names.

@@ -31,7 +31,7 @@ class PictureCard : public QAbstractButton {
  private:
   [[nodiscard]] int picture_height() const;
 
-  QString file_;  ///< Of the picture.
+  QString file_;  ///< File of the picture.
   QPixmap picture_;
   int width_;
 };

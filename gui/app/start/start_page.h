@@ -17,15 +17,15 @@ struct ShippedScene {
   std::filesystem::path file;
   QString title;  ///< "Can on a table"
   QString description;
-  QString picture;  ///< Of the resources; may not be there.
+  QString picture;  ///< In the resource folder; may not exist.
 };
 
 /// In alphabetical order; empty if the program's scenes are not where they belong.
 [[nodiscard]] std::vector<ShippedScene> shipped_scenes();
-/// Whether it is in the folder of these.
+/// Returns whether the scene is in the folder of the scenes that ship.
 [[nodiscard]] bool is_shipped(const std::filesystem::path& scene);
 
-/// What an empty window shows: scenes to open, robots to begin with, recent files.
+/// Page of an empty window: scenes to open, robots to begin with, recent files.
 class StartPage : public ScrollingPage {
   Q_OBJECT
 
@@ -52,7 +52,7 @@ class StartPage : public ScrollingPage {
   void add_robots(QVBoxLayout& layout);
   void add_recent(QVBoxLayout& layout);
 
-  int columns_ = 1;  ///< Of pictures.
+  int columns_ = 1;  ///< Number of columns of pictures.
 };
 
 }  // namespace handway::gui

@@ -96,7 +96,7 @@ class CampaignsPanel : public QWidget {
   void show_run(const QModelIndex& index);
 
   CampaignRunner runner_;
-  std::vector<planning::ArchivedRun> runs_;  ///< As in the table.
+  std::vector<planning::ArchivedRun> runs_;  ///< In the order of the table.
   RunTable* table_;
   QSortFilterProxyModel* shown_;
   RunView* view_;

@@ -30,7 +30,7 @@ class FigureTable : public QTableWidget {
  public:
   explicit FigureTable(QWidget* parent = nullptr);
 
-  /// Nothing: dashes.
+  /// Shows dashes for figures that are missing.
   void show_figures(const std::optional<PathFigures>& left,
                     const std::optional<PathFigures>& right);
 
@@ -51,7 +51,7 @@ class LockedViews : public QWidget {
   [[nodiscard]] SceneView& view(std::size_t index) const { return *views_.at(index); }
 
  private:
-  /// The other view has to look as this one does.
+  /// Copies the camera of this view to the other one.
   void follow(std::size_t index);
 
   std::array<SceneView*, 2> views_;
@@ -63,7 +63,7 @@ class ComparisonWindow : public QDialog {
   Q_OBJECT
 
  public:
-  /// What paths of files are of.
+  /// Problem that paths of files are checked in.
   struct Query {
     std::shared_ptr<const PreparedProblem> problem;  ///< Null: there can be none.
     std::shared_ptr<const geometric::Scene> scene;
@@ -94,7 +94,7 @@ class ComparisonWindow : public QDialog {
 
   PathHistory& history_;
   Query query_;
-  PathPlayer player_;  ///< Of the longer one.
+  PathPlayer player_;  ///< Plays the longer path.
   LatestJob job_;
   LockedViews* views_;
   PlaybackBar* bar_;

@@ -77,10 +77,10 @@ class DeviceSession : public QObject {
   /// it, stops it, and waits until it is at rest. @returns false to stay.
   [[nodiscard]] bool may_leave(QWidget& window);
 
-  /// What has to remain of the clearance beyond the robot's following error, m.
+  /// Sets the clearance that has to remain beyond the robot's following error, m.
   void set_margin(double margin);
 
-  /// Where logs of motions are kept.
+  /// Returns the folder of the logs of motions.
   [[nodiscard]] static std::filesystem::path log_folder();
 
  signals:
@@ -114,9 +114,9 @@ class DeviceSession : public QObject {
   TimingRunner timing_;
   MotionDriver& driver_;
   std::optional<StopKeyListener> stop_keys_;  ///< While there is something to stop.
-  DerivedMotion motion_;                      ///< Of the path on screen; or null.
+  DerivedMotion motion_;                      ///< Motion of the path on screen, or null.
   bool backwards_ = false;                    ///< motion_ goes from goal to start.
-  geometric::Configuration measured_;         ///< Of size 0: nothing is connected.
+  geometric::Configuration measured_;         ///< Has size 0 while nothing is connected.
   geometric::Configuration timed_from_;       ///< `measured_` when motion_ was timed.
   planning::SafetyMargin safety_;             ///< With what these devices were seen to miss.
 };

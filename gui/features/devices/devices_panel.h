@@ -39,7 +39,7 @@ class FollowingPlot : public QWidget {
   TimePlot* difference_;
 };
 
-/// Where an arm or a hand is: none, the built-in emulator, or an address.
+/// Field to choose the device of an arm or a hand: none, the built-in emulator, or an address.
 class MotionDeviceField : public QComboBox {
   Q_OBJECT
 
@@ -79,7 +79,7 @@ class DevicesPanel : public QWidget {
   /// @param robot false if there is none to connect to.
   void show_state(MotionDriver::State state, bool robot);
   void show_problem(const QString& message);  ///< Empty: none.
-  /// What stands against a motion, or that none does.
+  /// Shows the reason why no motion can run, or hides the reason.
   void show_no_motion(const QString& why);
   /// The robot doesn't stand where the path begins; offers to plan from where it does.
   void show_elsewhere(const QString& where);
@@ -121,7 +121,7 @@ class DevicesPanel : public QWidget {
   QLabel* motion_;
   QPushButton* start_here_;
   QPushButton* with_margin_;
-  double margin_mm_ = 0.0;  ///< That `with_margin_` plans with.
+  double margin_mm_ = 0.0;  ///< Margin that `with_margin_` plans with.
   QCheckBox* armed_;
   QPushButton* run_;
   QPushButton* hold_;

@@ -31,7 +31,7 @@ class ArrayCard : public FloatingCard {
 
   /// Shows it, with distances that suit what is copied.
   void begin(const QString& objects, const geometric::Aabb& box);
-  /// Where the copies go. @param p_W the middle of what is copied.
+  /// Returns the motions that make the copies. @param p_W the middle of what is copied.
   [[nodiscard]] std::vector<geometric::Pose> motions(const Eigen::Vector3d& p_W) const;
   /// Are original and copies to be a group?
   [[nodiscard]] bool groups() const;
@@ -91,7 +91,7 @@ class ArrayTool : public QObject {
   SceneEditor& editor_;
   SceneView& view_;
   ArrayCard* card_;
-  ObjectNames names_;  ///< What is copied.
+  ObjectNames names_;  ///< Names of the objects to copy.
   Copies copies_;
 };
 

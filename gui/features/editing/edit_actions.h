@@ -26,7 +26,7 @@ class EditActions : public QObject {
   /// @param workbench outlives the actions.
   explicit EditActions(Workbench& workbench);
 
-  /// What can be done with the selection as it is now.
+  /// Enables the commands that apply to the present selection.
   void update_enabled();
 
   QAction* undo;
@@ -69,7 +69,7 @@ class EditActions : public QObject {
   SceneEditor& editor_;
   QToolButton* add_button_;
   QList<QAction*> adding_;
-  bool can_be_pasted_ = false;  ///< What the clipboard holds.
+  bool can_be_pasted_ = false;  ///< Whether the clipboard holds objects.
 };
 
 /// The commands for several objects at once, in the Edit menu and behind a button
@@ -81,7 +81,7 @@ class ArrangeActions : public QObject {
   /// @param workbench outlives the actions.
   explicit ArrangeActions(Workbench& workbench);
 
-  /// What can be done with the selection as it is now.
+  /// Enables the commands that apply to the present selection.
   void update_enabled();
 
   void align(int axis, AlignTo to);

@@ -16,7 +16,7 @@ namespace handway::gui {
 class PoseForm;
 class QuantityField;
 
-/// Which link a goal pose is for, where the tool is in it, and how far the pose may be missed.
+/// Form of a goal pose: its link, the tool frame in the link, and its tolerances.
 class GoalPoseForm : public QWidget {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class GoalPoseForm : public QWidget {
   void connect_fields();
   /// Shows the tool in the link.
   void unfold(bool on);
-  /// Of the axes that are not free.
+  /// Sets the tolerance of the axes that are not free.
   void set_rotation(double tolerance);
   void list_links(const geometric::RobotModel& model);
 

@@ -25,7 +25,7 @@ class GoalPoseTool : public QObject {
  private:
   void add_command();
   void show();
-  /// Which poses are reached, and the configuration that planning goes to, once that is known.
+  /// Shows which poses are reached, and the configuration that planning goes to, once it is known.
   void show_solution();
   void drag(const SceneItem& item, const geometric::Pose& X_WG);
   /// The ghost follows the pose. @returns whether it gets there.
@@ -33,7 +33,7 @@ class GoalPoseTool : public QObject {
 
   Workbench& workbench_;
   std::unique_ptr<const geometric::NumericInverseKinematics> ik_;  ///< While one is dragged.
-  geometric::Configuration q_;                                     ///< Where the ghost is then.
+  geometric::Configuration q_;                                     ///< Configuration of the ghost.
   LatestJob job_;
 };
 

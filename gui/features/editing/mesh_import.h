@@ -27,9 +27,9 @@ class MeshImportDialog : public QDialog {
 
   /// m for each unit of the file.
   [[nodiscard]] double scale() const;
-  /// Of the file's axes in the world.
+  /// Rotation of the file's axes in the world.
   [[nodiscard]] Eigen::Matrix3d orientation() const;
-  /// Whether its walls alone count.
+  /// Returns whether only the walls of the mesh collide.
   [[nodiscard]] bool is_hollow() const;
 
  private:

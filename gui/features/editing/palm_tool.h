@@ -47,10 +47,11 @@ class PalmTool : public QObject {
               const planning::PalmMove& nearest);
   /// Goes on from `q`, and shows it.
   void take(const SceneItem& item, const geometric::Configuration& q);
-  /// Whether the palm gets to where it is dragged, and how freely the arm holds it there.
+  /// Shows whether the palm reaches the pose that it is dragged to, and the arm's manipulability
+  /// there.
   void show_reach(const geometric::Pose& X_WP, bool reached);
   void show(const SceneItem& item, const geometric::Configuration& q);
-  /// Nothing if the robot has no palm to move.
+  /// Returns the moved palm; nothing if the robot has no palm to move.
   [[nodiscard]] std::optional<planning::PalmMove> moved(const SceneItem& item,
                                                         const geometric::Pose& X_WP) const;
 
@@ -60,10 +61,10 @@ class PalmTool : public QObject {
   PlanningSession& session_;
   SceneView& view_;
   std::unique_ptr<const planning::PalmIk> ik_;  ///< Null: the robot has no arm.
-  /// Of what is being dragged: as it was, and as it is now.
+  /// State of the dragged item before the drag and now.
   std::optional<geometric::Configuration> before_;
   geometric::Configuration now_;
-  Eigen::VectorXd direction_;  ///< Of the elbow's swing; empty: it does not swing.
+  Eigen::VectorXd direction_;  ///< Elbow's null-space direction, empty: none.
 };
 
 }  // namespace handway::gui

@@ -16,7 +16,7 @@ class GoalPoseForm;
 class PoseForm;
 class ShapeForm;
 
-/// What is selected, in numbers that can be typed over.
+/// Panel with the properties of the selection as numbers that can be edited.
 class PropertiesPanel : public PanelArea {
   Q_OBJECT
 
@@ -67,7 +67,7 @@ class PropertiesPanel : public PanelArea {
   QWidget* pose_box_;
   QLabel* pose_title_;
   PoseForm* pose_;
-  geometric::Pose X_WF_ = geometric::Pose::Identity();  ///< Of the frame that it is shown in.
+  geometric::Pose X_WF_ = geometric::Pose::Identity();  ///< Pose of the shown frame.
   GoalPoseForm* goal_form_;
   QWidget* mount_box_;
   QComboBox* mount_;

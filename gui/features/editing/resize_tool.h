@@ -27,7 +27,7 @@ class ResizeTool : public QObject {
   /// Puts the knobs where the object is now. @returns whether there are any.
   bool update();
   [[nodiscard]] bool is_dragging() const { return drag_.has_value(); }
-  /// Where the knobs are, in the view.
+  /// Returns the positions of the knobs in the view.
   [[nodiscard]] std::vector<QPoint> places() const;
 
  signals:

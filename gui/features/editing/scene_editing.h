@@ -29,7 +29,7 @@ class Recovery : public QObject {
   void failed(const QString& message);
 
  private:
-  /// Whether unsaved changes are kept; those that are kept go at once when they shall not be.
+  /// Sets whether unsaved changes are kept. Switching this off removes those that are kept.
   void set_enabled(bool enabled);
   /// Offers in the banner what was lost last, if anything was.
   void offer();
@@ -70,7 +70,7 @@ class SceneEditing : public QObject {
   void add_mesh(const QString& file);
   /// Takes objects that are dragged from the tree into the view.
   bool eventFilter(QObject* watched, QEvent* event) override;
-  /// Whether what is selected has handles to be moved by, where it can be moved.
+  /// Shows or hides the handles of the selection, if it can be moved.
   void show_handles(bool shown);
 
  private:

@@ -12,16 +12,16 @@
 
 namespace handway::gui {
 
-/// What a scene holds: robots with their links, objects, start and goal. Objects
-/// have boxes that show and hide them, start and goal for their ghosts; an
-/// object's name can be edited in place.
+/// Tree of the contents of a scene: robots with their links, objects, start and goal. Objects have
+/// boxes that show and hide them, start and goal for their ghosts; an object's name can be edited
+/// in place.
 class SceneTree : public QTreeWidget {
   Q_OBJECT
 
  public:
   explicit SceneTree(QWidget* parent = nullptr);
 
-  /// What is dragged out of the tree holds the names of objects, one a line.
+  /// MIME type of data dragged out of the tree: names of objects, one a line.
   static constexpr const char* kDraggedObjects = "application/x-handway-objects";
   [[nodiscard]] static std::vector<std::string> dragged_objects(const QMimeData& data);
 
@@ -39,7 +39,8 @@ class SceneTree : public QTreeWidget {
  signals:
   /// Something that is no object.
   void item_selected(const handway::gui::SceneItem& item);
-  /// Those whose rows, or whose group's rows, are selected; the last one clicked is the last.
+  /// Emitted with the objects whose rows, or whose group's rows, are selected; the last one clicked
+  /// is the last.
   void objects_selected(const std::vector<std::string>& names);
   /// A double click on start or goal.
   void posture_activated(const handway::gui::SceneItem& item);
@@ -76,7 +77,7 @@ class SceneTree : public QTreeWidget {
   [[nodiscard]] SceneItem item_at(const QTreeWidgetItem* row) const;
   /// The objects of these rows, the current one's last.
   [[nodiscard]] std::vector<std::string> objects_of(const QList<QTreeWidgetItem*>& rows) const;
-  /// Where objects that are held at a place can be dropped; nothing: they can't.
+  /// Returns the item onto which dragged objects can be dropped at this position, or nothing.
   [[nodiscard]] std::optional<SceneItem> drop_place(const QPoint& position) const;
 
   SceneState state_;

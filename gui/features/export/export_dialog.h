@@ -62,7 +62,7 @@ class ExportRunner : public QObject {
   LatestJob job_;
 };
 
-/// What an export would be: its pre-flight report, how fast the joints go, and the files.
+/// Preview of an export: its pre-flight report, the velocities of the joints, and the files.
 class MotionPreview : public QWidget {
   Q_OBJECT
 
@@ -99,7 +99,7 @@ class ExportDialog : public QDialog {
   /// Leaves the choice as it is if there is no such exporter.
   void choose_format(const std::string& name);
   void set_folder(const QString& folder);
-  /// What has to remain of the clearance beyond the robot's following error, m.
+  /// Sets the clearance that has to remain beyond the robot's following error, m.
   void set_margin(double margin);
 
  signals:

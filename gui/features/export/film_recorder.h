@@ -21,8 +21,8 @@ namespace handway::gui {
 
 class ScenePictures;
 
-/// Where parts of a file or folder are made: beside it, on the same disk, under a hidden name that
-/// says which program makes them.
+/// Returns the folder for parts of a file or folder: beside it, on the same disk, under a hidden
+/// name that contains the name of the program.
 [[nodiscard]] QString parts_beside(const QString& file);
 
 /// @throws geometric::InputError unless the parts' folder could be made.
@@ -32,7 +32,7 @@ void need_writable(const QTemporaryDir& parts, const QString& file);
 /// background.
 void remove_leftovers_beside(const QString& file);
 
-/// Where the pictures of a film go. Until it is complete nothing stands under its name.
+/// Receives the pictures of a film. No file has its final name before the film is complete.
 class FilmSink : public QObject {
   Q_OBJECT
 
@@ -55,7 +55,7 @@ class FfmpegFilm : public FilmSink {
   Q_OBJECT
 
  public:
-  /// Where ffmpeg is; empty: it is not installed.
+  /// Returns the path of ffmpeg, or an empty text if it is not installed.
   [[nodiscard]] static QString program();
 
   /// @param file ends in .mp4 or .gif. @param size of all pictures; both even.
@@ -108,14 +108,14 @@ class FrameFolder : public FilmSink {
   bool failed_ = false;
 };
 
-/// What a path's pictures are taken of, and how.
+/// Content and settings of the pictures of a path.
 struct FilmShot {
   std::shared_ptr<const geometric::Scene> scene;
   PathTimeline timeline;
   OrbitCamera camera;
   QSize size;            ///< Pixels.
   int pictures = 0;      ///< Evenly spread over the path, the ends included; ≥ 2.
-  int oversampling = 1;  ///< As ScenePictures'.
+  int oversampling = 1;  ///< See ScenePictures.
 };
 
 /// Takes pictures of a path one by one while the window stays alive: between two events no more

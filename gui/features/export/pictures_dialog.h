@@ -69,7 +69,7 @@ class PicturesDialog : public QDialog {
   [[nodiscard]] QFormLayout* make_settings();
   [[nodiscard]] QWidget* make_destination();
   [[nodiscard]] Kind kind() const;
-  /// Of the file that is chosen; empty for a folder.
+  /// Returns the suffix of the chosen file; empty for a folder.
   [[nodiscard]] QString suffix() const;
   [[nodiscard]] QSize size() const;
   [[nodiscard]] FilmShot shot() const;

@@ -35,7 +35,7 @@ class CorrelationMap : public QWidget {
   Eigen::MatrixXd correlations_;
 };
 
-/// How much of the variance the first principal directions hold together: bars for each, a
+/// Chart of the variance that the first principal directions explain together: bars for each, a
 /// line for their sum (paper, Fig. 10).
 class VarianceChart : public QWidget {
   Q_OBJECT

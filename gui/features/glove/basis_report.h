@@ -13,15 +13,15 @@ class QLabel;
 
 namespace handway::gui {
 
-/// What a report of a basis is made from.
+/// Input of the report of a basis.
 struct BasisStudyInput {
   std::vector<sampling::RecordedHand> recordings;
   sampling::FingertipsOf fingertips;
   sampling::BasisStudySettings settings;
 };
 
-/// How far fingertips are off with so many principal motion directions: the mean as a line, its
-/// confidence interval as a band.
+/// Chart of the fingertip error over the number of principal motion directions: the mean as a line,
+/// its confidence interval as a band.
 class ReconstructionChart : public QWidget {
   Q_OBJECT
 
@@ -41,8 +41,9 @@ class ReconstructionChart : public QWidget {
   std::vector<sampling::ReconstructionError> errors_;
 };
 
-/// How many directions of a basis are enough, how stable they are, and how well one basis serves
-/// several persons: what `handway pca --report` says. Made in the background, once it is seen.
+/// View of the report of `handway pca --report`: sufficient number of directions of a basis, their
+/// stability, and how well one basis serves several persons. It is computed in the background, once
+/// it is visible.
 class BasisReportView : public QWidget {
   Q_OBJECT
 
@@ -51,7 +52,7 @@ class BasisReportView : public QWidget {
 
   /// @param input nothing: there is nothing to report of. @param reason why, for people.
   void set_input(std::optional<BasisStudyInput> input, const QString& reason);
-  /// What is shown, as rich text.
+  /// Returns the report that is shown, as rich text.
   [[nodiscard]] QString text() const;
   /// A report is being made.
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }

@@ -38,7 +38,8 @@ class HandPicture : public QWidget {
   bool left_ = false;
 };
 
-/// How long a person's bones are, mm: typed, in proportion to the hand's length, or as measured.
+/// Form of the lengths of a person's bones, mm: typed, in proportion to the hand's length, or as
+/// measured.
 class BonesForm : public QWidget {
   Q_OBJECT
 
@@ -84,7 +85,7 @@ class CalibrationGuide : public QWidget {
   void end_pose();
   void end_motion();
   [[nodiscard]] bool is_motion() const;
-  /// What is read, as it comes.
+  /// Returns the quality of the present reading.
   [[nodiscard]] QString live_quality() const;
   void go_to(int pose);
   void fit();
@@ -93,10 +94,9 @@ class CalibrationGuide : public QWidget {
 
   GloveSession& session_;
   std::vector<device::PoseInstruction> poses_;
-  std::vector<device::GuidedPose>
-      held_;  ///< Those that were read, by pose; empty counts: left out.
-  std::vector<device::GloveFrame> frames_;  ///< Of the posture that is read.
-  std::vector<device::GloveFrame> moved_;   ///< Of the motion.
+  std::vector<device::GuidedPose> held_;    ///< Readings by pose; empty counts: left out.
+  std::vector<device::GloveFrame> frames_;  ///< Frames of the posture being read.
+  std::vector<device::GloveFrame> moved_;   ///< Frames of the free motion.
   device::CalibrationFit fit_;
   int pose_ = 0;
   Step step_ = Step::kWaiting;

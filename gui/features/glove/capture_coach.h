@@ -20,7 +20,7 @@ class QPushButton;
 
 namespace handway::gui {
 
-/// Where one joint has been, in its range normalised to [0, 1].
+/// Coverage of the range of one joint, normalised to [0, 1].
 struct JointVisits {
   static constexpr int kBins = 25;
 
@@ -37,7 +37,7 @@ struct JointVisits {
   [[nodiscard]] double range() const { return most > least ? most - least : 0.0; }
 };
 
-/// How much of their joints' ranges the captured postures have been through.
+/// Coverage of the joints' ranges by the captured postures.
 class JointCoverage {
  public:
   /// @param driven whether a sensor drives the joint, shape [joints].
@@ -54,7 +54,8 @@ class JointCoverage {
   std::vector<JointVisits> joints_;
 };
 
-/// Which fingers have been straight, half bent and bent together, two by two.
+/// Combinations of straight, half bent and bent fingers that have been covered, for each pair of
+/// fingers.
 class FingerCombinations {
  public:
   static constexpr int kStates = 3;  ///< Straight, half bent, bent.
@@ -66,7 +67,8 @@ class FingerCombinations {
   /// @param a a finger before `b`.
   [[nodiscard]] bool visited(device::Finger a, int state_of_a, device::Finger b,
                              int state_of_b) const;
-  /// Of all combinations of fingers that were measured, in [0, 1]; 0 before the first posture.
+  /// Returns the covered share of all combinations of measured fingers, in [0, 1]; 0 before the
+  /// first posture.
   [[nodiscard]] double share() const;
   /// "Index bent, ring straight": one of two fingers bent and the other straight that is missing;
   /// empty if none is, or nothing was measured.
@@ -122,9 +124,9 @@ class CoverageBars : public QWidget {
   std::vector<JointVisits> joints_;
 };
 
-/// What the person should do with the hand to cover more of its workspace, the most useful
+/// Returns instructions for the person that cover more of the hand's workspace, the most useful
 /// first; none if all joints have been through most of their ranges.
-/// @param mapping that the coverage was seen through.
+/// @param mapping that the coverage was computed with.
 /// @param most hints to give.
 [[nodiscard]] QStringList capture_hints(const JointCoverage& coverage,
                                         const device::HandMapping& mapping, int most = 3);
@@ -150,7 +152,7 @@ class CaptureCoach : public QWidget {
   [[nodiscard]] const JointCoverage& coverage() const { return coverage_; }
   [[nodiscard]] const FingerCombinations& combinations() const { return combinations_; }
   [[nodiscard]] QStringList hints() const { return hints_; }
-  /// What the coach says about going on or stopping.
+  /// Returns the coach's advice on continuing or stopping.
   [[nodiscard]] QString advice() const;
 
  signals:

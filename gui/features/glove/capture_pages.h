@@ -49,9 +49,10 @@ class CapturedPostures {
   /// The samples as rows, shape [samples, joints].
   [[nodiscard]] Eigen::MatrixXd table() const;
 
-  /// Of all postures. @throws geometric::InputError if there are fewer than two.
+  /// Returns the components of all postures. @throws geometric::InputError if there are fewer than
+  /// two.
   [[nodiscard]] sampling::PrincipalComponents components() const { return components(left_out_); }
-  /// The same with other joints left out.
+  /// Returns the components with other joints left out.
   [[nodiscard]] sampling::PrincipalComponents components(const std::vector<int>& left_out) const;
   /// Correlation of every pair of joints; 0 where one does not vary. Shape [joints, joints].
   /// @throws as components().
@@ -89,10 +90,10 @@ struct HandBasis;
 
 /// Recordings, of one person or of several, as postures of a hand.
 struct PostureRecordings {
-  CapturedPostures postures;                       ///< Of all, one after the other.
-  std::vector<sampling::RecordedHand> each;        ///< The same one by one.
+  CapturedPostures postures;                       ///< Postures of all recordings, joined.
+  std::vector<sampling::RecordedHand> each;        ///< Postures of each recording.
   std::vector<device::GloveAngles> measured = {};  ///< Evenly chosen rows of all, in their order.
-  std::vector<std::string> warnings = {};          ///< Of reading: what was taken for what.
+  std::vector<std::string> warnings = {};          ///< Warnings about interpretations in reading.
 };
 
 /// Collects the postures that a glove makes the hand take, and keeps coach and explorer, which
@@ -128,7 +129,7 @@ class CapturePages : public QObject {
   /// Other postures are to be shown: of the same recordings by another source, or live ones.
   void show_again();
   void take_recordings(const std::shared_ptr<PostureRecordings>& recordings);
-  /// Of the robot's hand, recorded without a person.
+  /// Returns whether recordings of the robot hand's own joints, without a person, are shown.
   [[nodiscard]] bool shows_own_joints() const;
   [[nodiscard]] QString reading_notes() const;
   void compare_methods(std::vector<device::GloveAngles> measured);
@@ -139,8 +140,8 @@ class CapturePages : public QObject {
   PmdExplorer* explorer_;
   std::shared_ptr<const sampling::PmdBasis> basis_;
   CapturedPostures live_;
-  std::deque<device::GloveAngles> recent_;  ///< What was measured last.
-  QStringList files_;                       ///< Of the recordings shown; empty: the live ones are.
+  std::deque<device::GloveAngles> recent_;  ///< Latest measurements.
+  QStringList files_;                       ///< Recordings shown; empty: live postures are shown.
   std::shared_ptr<const PostureRecordings> recordings_;  ///< Null until they have been read.
   bool is_new_ = false;                                  ///< Postures came since they were shown.
   int ticks_ = 0;

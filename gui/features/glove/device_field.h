@@ -21,24 +21,24 @@ struct GlovePort {
 /// @param devices folder of the devices.
 [[nodiscard]] QList<GlovePort> find_glove_ports(const QString& devices = QStringLiteral("/dev"));
 
-/// What a file dialog offers where a recording is opened: all that read_recording() reads, by kind.
+/// Returns the filter of file dialogs for recordings: all kinds that read_recording() reads.
 [[nodiscard]] QString recording_filter();
-/// What these kinds are, for tooltips.
+/// Returns a description of these kinds, for tooltips.
 [[nodiscard]] QString recording_kinds();
 
 /// Devices and recordings that were connected to, latest first.
 [[nodiscard]] QStringList recent_gloves();
 void add_recent_glove(const QString& device);
 
-/// Where the glove is: one field that takes a serial port, an address, the emulator or
-/// a recording, with those that are known to choose from.
+/// Field to choose the source of a glove: a serial port, an address, the emulator or a recording,
+/// with a list of known ones.
 class DeviceField : public QComboBox {
   Q_OBJECT
 
  public:
   explicit DeviceField(QWidget* parent = nullptr);
 
-  /// As GloveSession::connect_to() takes it.
+  /// Returns the device in the form of GloveSession::connect_to().
   [[nodiscard]] QString device() const;
   void set_device(const QString& device);
 
@@ -54,7 +54,8 @@ class DeviceField : public QComboBox {
   void choose_recording();
 };
 
-/// Which calibration turns counts into angles: the typical one, or one from a file.
+/// Field to choose the calibration that converts counts to angles: the typical one, or one from a
+/// file.
 class CalibrationChoice : public QComboBox {
   Q_OBJECT
 
@@ -65,7 +66,7 @@ class CalibrationChoice : public QComboBox {
   void load(const QString& file);
 
  signals:
-  /// Nothing: the typical one.
+  /// Emitted with the chosen calibration; nothing: the typical one.
   void chosen(const std::optional<handway::device::GloveCalibration>& calibration);
   void failed(const QString& message);
 

@@ -44,10 +44,10 @@ class GlovePanel : public QWidget {
   /// @param problem to check for contacts; may be null.
   void set_hand(const std::shared_ptr<const geometric::RobotModel>& model, const HandBasis& basis,
                 std::shared_ptr<const PreparedProblem> problem);
-  /// The same robot with another basis; what has been captured stays.
+  /// Changes the basis of the same robot; captured postures are kept.
   void set_basis(const std::shared_ptr<const geometric::RobotModel>& model, const HandBasis& basis,
                  std::shared_ptr<const PreparedProblem> problem);
-  /// Where the robot is. @param q shape [variable_count].
+  /// Sets the configuration of the robot. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
   /// The view has drawn the posture that was shown last.
   void note_drawn();
@@ -59,7 +59,7 @@ class GlovePanel : public QWidget {
   void connect_to(const QString& device);
   /// Makes this the current tab, with a page by its name if there is one of it.
   void come_to_front(const QString& page = {});
-  /// How long the hand has been listened to, s.
+  /// Returns the time since the glove was connected, s.
   [[nodiscard]] double listening_time() const;
 
   [[nodiscard]] GloveSession& session() { return session_; }
@@ -102,9 +102,9 @@ class GlovePanel : public QWidget {
   QLabel* contact_;
   RecordBar* record_;
   QTimer ticker_;
-  std::optional<std::chrono::steady_clock::time_point> shown_since_;  ///< Not drawn yet.
+  std::optional<std::chrono::steady_clock::time_point> shown_since_;  ///< Undrawn frame's arrival.
   double to_screen_ = 0.0;
-  double first_time_ = -1.0;  ///< Of the frames since connecting, s.
+  double first_time_ = -1.0;  ///< Time of the first frame since connecting, s.
   double last_time_ = -1.0;
 };
 

@@ -23,15 +23,15 @@ namespace handway::gui {
 /// A basis of the hand that can be chosen.
 struct HandBasis {
   QString name;                ///< For people.
-  std::filesystem::path file;  ///< As a scene names it; empty: in no file yet.
+  std::filesystem::path file;  ///< As named in a scene; empty: not in a file yet.
   std::shared_ptr<const sampling::PmdBasis> basis;
-  sampling::PostureTable postures = {};  ///< Of one in no file yet: what it was made from.
+  sampling::PostureTable postures = {};  ///< Source of a basis without file.
 };
 
-/// Whether the robot has all joints of the basis.
+/// Returns whether the robot has all joints of the basis.
 [[nodiscard]] bool fits(const geometric::RobotModel& model, const sampling::PmdBasis& basis);
 
-/// Those of the library that fit the robot.
+/// Returns the bases of the library that fit the robot.
 [[nodiscard]] std::vector<HandBasis> shipped_bases(const geometric::RobotModel& model);
 
 /// @throws geometric::InputError if it is no basis, or doesn't fit the robot.

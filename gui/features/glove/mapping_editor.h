@@ -41,7 +41,7 @@ class MappingWires : public QWidget {
   /// @param mapper of the sample's posture.
   void show_sample(const GloveSample& sample, const device::HandMapper& mapper);
 
-  /// Where to press and release, for one who drags.
+  /// Returns the place to press or release the mouse on for this sensor's connection.
   [[nodiscard]] QPointF sensor_handle(int sensor) const;
   [[nodiscard]] QPointF joint_handle(int joint) const;
 
@@ -68,7 +68,7 @@ class MappingWires : public QWidget {
   void paint_joints(QPainter& painter) const;
 
   device::HandMapping mapping_;
-  std::vector<double> outputs_;  ///< Of the joints in their ranges, [0, 1]; -1: not known.
+  std::vector<double> outputs_;  ///< Joints in their ranges, [0, 1]; -1: not known.
   std::optional<device::GloveFrame> input_;
   int selected_ = 0;
   std::optional<int> dragged_;  ///< Sensor.
@@ -78,9 +78,9 @@ class MappingWires : public QWidget {
 class CurveView;
 class WireForm;
 
-/// What two mappings make of the same motion of a glove.
+/// Comparison of two mappings of the same motion of a glove.
 struct MappingComparison {
-  Eigen::VectorXd shares_a;  ///< Of the variance, each principal direction, falling.
+  Eigen::VectorXd shares_a;  ///< Shares of variance, falling.
   Eigen::VectorXd shares_b;
   /// Between the spaces of the first k directions, rad; entry k-1. Only for joints in both.
   Eigen::VectorXd angles;

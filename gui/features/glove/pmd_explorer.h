@@ -29,8 +29,8 @@ namespace handway::gui {
 class CorrelationMap;
 class VarianceChart;
 
-/// How many principal motion directions a basis of the postures gets, and which joints have an axis
-/// of their own.
+/// Settings of a basis of the postures: the number of principal motion directions, and the joints
+/// that have an axis of their own.
 class BasisOptions : public QWidget {
   Q_OBJECT
 
@@ -67,20 +67,21 @@ class PmdExplorer : public QWidget {
   void set_hand(std::shared_ptr<const geometric::RobotModel> model, const HandBasis& basis);
   /// The scene names another basis.
   void set_scene_basis(const HandBasis& basis);
-  /// Where the hand is. @param q shape [variable_count].
+  /// Sets the configuration of the robot. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
-  /// What has been captured or recorded. @param source for people; empty: live.
-  /// @param hand what a basis of them is of.
+  /// Shows captured or recorded postures. @param source text to show; empty: live.
+  /// @param hand name of the hand in a basis of them.
   void show_postures(const CapturedPostures& postures, const QString& source,
                      const std::string& hand);
-  /// What made the postures of the person's.
+  /// Shows the method that converts the person's postures.
   void show_method(PostureMethod method);
   /// @param enabled false where the postures are the robot hand's own, so that none is needed.
   void enable_method(bool enabled);
-  /// How far each method's fingertips are from the person's; for people.
+  /// Shows the text about the fingertip errors of each method.
   void show_errors(const QString& text);
   [[nodiscard]] BasisReportView& report() { return *report_; }
-  /// How many directions a basis of the postures gets, and which joints have their own axis.
+  /// Returns the number of directions of a basis of the postures, and the joints with their own
+  /// axis.
   [[nodiscard]] sampling::PmdBasisOptions options() const { return options_->options(); }
   /// Takes a basis from a file, and shows it.
   /// @throws geometric::InputError as open_basis().
@@ -128,9 +129,9 @@ class PmdExplorer : public QWidget {
   [[nodiscard]] bool shows_own_basis() const;
 
   std::shared_ptr<const geometric::RobotModel> model_;
-  HandBasis scene_basis_;         ///< Of the scene; without basis: it names none.
-  HandBasis made_;                ///< Of the postures; without basis: there are too few.
-  std::vector<HandBasis> bases_;  ///< Of the library and of files.
+  HandBasis scene_basis_;         ///< Scene's basis, or without one if it names none.
+  HandBasis made_;                ///< Basis of the postures; null if too few.
+  std::vector<HandBasis> bases_;  ///< Bases of the library and of files.
   CapturedPostures postures_;
   QString postures_source_;
   std::string hand_;

@@ -29,12 +29,12 @@ class PmdPad : public QWidget {
 
   explicit PmdPad(QWidget* parent = nullptr);
 
-  /// Nothing to show, and why.
+  /// Clears the pad and shows the reason.
   void clear(const QString& reason);
   void set_axes(const Axis& x, const Axis& y);
   /// @param dots coordinates of postures along both axes.
   void set_dots(std::vector<QPointF> dots);
-  /// Where the hand is.
+  /// Sets the coordinates of the hand's posture.
   void set_posture(const QPointF& coordinates);
   [[nodiscard]] const QPointF& posture() const { return posture_; }
 
@@ -94,7 +94,7 @@ class HandAxes {
  private:
   std::shared_ptr<const geometric::RobotModel> model_;
   sampling::PmdBasis basis_;
-  std::vector<int> variables_;  ///< Of the basis' joints.
+  std::vector<int> variables_;  ///< Variables of the basis' joints.
 };
 
 }  // namespace handway::gui

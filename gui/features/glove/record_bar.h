@@ -25,7 +25,7 @@ class RecordBar : public QWidget {
  public:
   explicit RecordBar(GloveSession& session, QWidget* parent = nullptr);
 
-  /// Where recordings are until they have a name.
+  /// Returns the folder of recordings that have no name yet.
   [[nodiscard]] static std::filesystem::path unnamed_folder();
 
   void begin();

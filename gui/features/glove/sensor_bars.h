@@ -13,12 +13,12 @@
 
 namespace handway::gui {
 
-/// What is known of a glove's sensors while they are used.
+/// State of a glove's sensors as observed while they are used.
 class SensorWatch {
  public:
   enum class Verdict {
     kGood,
-    kMissing,    ///< Not on this glove.
+    kMissing,    ///< The glove lacks this sensor.
     kSaturated,  ///< At an end of its range for most of the last moments.
     kDead,       ///< Has not moved, though others have.
   };

@@ -18,8 +18,8 @@ class QLineEdit;
 
 namespace handway::gui {
 
-/// What a wire makes of its sensor, as a curve to be drawn with the mouse: a click beside its
-/// points adds one (to a straight wire, too), dragging moves one, a right click takes one away.
+/// View of the curve from a sensor to its joint, which is edited with the mouse: a click beside its
+/// points adds one (to a straight line, too), dragging moves one, a right click removes one.
 class CurveView : public QWidget {
   Q_OBJECT
 
@@ -28,10 +28,10 @@ class CurveView : public QWidget {
 
   /// @param lower, upper limits of the joint, rad.
   void set_wire(const device::JointWire& wire, double lower, double upper);
-  /// Where the sensor is now, rad; NaN: unknown.
+  /// Shows the present angle of the sensor, rad; NaN: unknown.
   void show_sensor(double angle);
 
-  /// Where in the widget a sensor's angle and a joint's angle (rad) are drawn.
+  /// Returns the position in the widget of a sensor's angle and a joint's angle (rad).
   [[nodiscard]] QPointF place_of(double angle, double joint) const;
 
   [[nodiscard]] QSize sizeHint() const override { return {240, 132}; }
@@ -70,7 +70,8 @@ class CurveView : public QWidget {
 [[nodiscard]] std::optional<std::vector<device::CurvePoint>> parse_curve(const QString& text);
 [[nodiscard]] QString curve_text(const std::vector<device::CurvePoint>& curve);
 
-/// What a sensor measures, which way is positive, and how far it typically goes.
+/// Returns the tooltip of a sensor: what it measures, its positive direction, and its typical
+/// range.
 [[nodiscard]] QString sensor_tip(int sensor);
 
 /// One wire of a mapping: sensor, gain, offset or curve, or where a joint without sensor is.

@@ -65,7 +65,7 @@ class GraspCard : public FloatingCard {
   QToolButton* fold_;
   QLabel* note_;
   QTreeWidget* list_;
-  QWidget* search_;  ///< How far it is, and what ends it.
+  QWidget* search_;  ///< Progress and button to end the search.
   QProgressBar* progress_;
   QPushButton* plan_;
   std::vector<planning::Pregrasp> listed_;
@@ -88,8 +88,8 @@ class GraspTool : public QObject {
   [[nodiscard]] const std::vector<planning::Pregrasp>& grasps() const { return grasps_.value; }
 
  signals:
-  /// Whether there is room in the view for the handles of what is selected: they would hide the
-  /// fingers.
+  /// Emitted when there is room in the view for the handles of the selection, or not because they
+  /// would hide the fingers.
   void handles_welcome(bool welcome);
   /// A grasp was chosen and is planned to.
   void planning();
@@ -97,7 +97,7 @@ class GraspTool : public QObject {
  private:
   void end();
   void choose(int index);
-  /// What a search has found so far. @param search the number of it.
+  /// Takes the grasps that a search has found so far. @param search the number of the search.
   void take_progress(int search, std::vector<planning::Pregrasp> found, double fraction);
   /// In the view: the object, and the hand in each of the grasps.
   [[nodiscard]] std::vector<QPoint> to_be_seen() const;

@@ -64,7 +64,8 @@ class PlanSettings;
 class SceneView;
 class Workbench;
 
-/// What a line found, in a sentence. @pre index is one of the run's steps.
+/// Returns the result of a line of the algorithm as a sentence. @pre index is one of the run's
+/// steps.
 [[nodiscard]] QString step_text(const RecordedRun& run, std::size_t index);
 
 /// The algorithm microscope: records a run of the paper's planner and replays it line by line,

@@ -90,7 +90,7 @@ class DoctorCard : public FloatingCard {
                       const std::vector<EndDiagnosis>& ends);
   /// The scene was edited: what is shown can't be used until it was looked at again.
   void show_pending();
-  /// What is written on it; empty while it is hidden.
+  /// Returns the text of the card; empty while it is hidden.
   [[nodiscard]] QString text() const;
 
  signals:
@@ -107,7 +107,7 @@ class DoctorCard : public FloatingCard {
   std::function<std::vector<QPoint>()> to_be_seen_;
   QLabel* picture_;
   QLabel* text_;
-  PanelArea* area_;  ///< Where the text scrolls in a small view.
+  PanelArea* area_;  ///< Scrolls the text in a small view.
   QToolButton* close_;
   QPushButton* show_;
   QPushButton* use_;
@@ -143,7 +143,7 @@ class QueryCheck : public QObject {
   Document& document_;
   SceneView& view_;
   QueryDoctor doctor_;
-  std::vector<Eigen::Vector3d> contacts_;  ///< Of the end that is explained, in the world, m.
+  std::vector<Eigen::Vector3d> contacts_;  ///< Contacts of the explained end, world, m.
   DoctorCard* card_;
 };
 

@@ -11,8 +11,8 @@ class QPushButton;
 
 namespace handway::gui {
 
-/// Which joints move: all of the first robot, or some groups, robots and joints, chosen by an edit
-/// of the scene that can be undone.
+/// Field to choose which joints move: all of the first robot, or some groups, robots and joints. A
+/// choice is an edit of the scene that can be undone.
 class GroupChoice : public QWidget {
   Q_OBJECT
 

@@ -42,9 +42,9 @@ class PlanPanel : public QWidget {
   void show_validity(const QString& reason);
   [[nodiscard]] PresetBar& presets() const { return *presets_; }
 
-  /// Whether there is something to plan, and if not, why.
+  /// Sets whether planning is possible and, if not, the reason.
   void set_ready(bool ready, const QString& why_not = {});
-  /// Whether there is a path that optimising can go on with.
+  /// Sets whether there is a path that can be optimised.
   void set_optimizable(bool optimizable);
 
  signals:
@@ -61,25 +61,27 @@ class PlanPanel : public QWidget {
   QWidget* make_optimizing();
   void connect_settings();
   void show_request();
-  /// Of the chosen planner. @param from_defaults presets begin with the planner's own values.
+  /// Rebuilds the form of the chosen planner. @param from_defaults presets begin with the planner's
+  /// own values.
   void rebuild_form(bool from_defaults);
   void show_running();
-  /// What is being done, and for how long.
+  /// Shows the present activity and its elapsed time.
   void show_elapsed();
   void show_optimizing();
   void show_optimize_progress(const OptimizeProgress& progress);
   void show_progress(double fraction, const QString& activity);
-  /// Of several seeds, so many are done, of which so many found a path.
+  /// Shows how many of several seeds are done, and how many of them found a path.
   void show_seeds(int done, int solved);
   /// @param note to be said first; may be empty.
   void show_result(const planning::PlanResult& result, const QString& note);
-  /// Of a path that follows the edits of its scene. @param origin where it came from, one word.
+  /// Shows a path that was replanned after an edit of the scene. @param origin source of the path,
+  /// one word.
   void show_replanned(const planning::PlanResult& result, const QString& origin);
   void show_failure(const QString& message);
   void begin_run();
   /// Says which parameters differ from the preset, and offers its values if no planner runs.
   void show_modified();
-  /// What makes sense with one seed, or with several.
+  /// Shows the controls that apply to one seed, or to several.
   void show_whether_several();
   void end_run();
 
@@ -97,7 +99,7 @@ class PlanPanel : public QWidget {
   QPushButton* reset_;
   QVBoxLayout* form_place_;
   QVBoxLayout* sections_;
-  ParameterForm* form_ = nullptr;  ///< Of the chosen planner; null if there is none.
+  ParameterForm* form_ = nullptr;  ///< Form of the chosen planner, or null.
   QPushButton* plan_;
   QPushButton* cancel_;
   QWidget* optimizing_;  ///< The row of the next two.
@@ -108,7 +110,7 @@ class PlanPanel : public QWidget {
   QLabel* validity_;
   QLabel* result_;
   QPushButton* all_runs_;
-  QString activity_;  ///< Of the planner that runs; empty: none does.
+  QString activity_;  ///< Activity of the running planner, or empty.
   QElapsedTimer since_start_;
   QTimer clock_;
   bool ready_ = false;

@@ -28,7 +28,7 @@ class PresetBar : public QWidget {
   /// has its values, or else, if `reset`, the planner's own, or else stays with what is chosen.
   /// @param planner outlives this or the next call.
   void show_planner(planning::Planner& planner, bool reset);
-  /// What is chosen has other values than the planner by now?
+  /// Returns whether the planner's values differ from those of the chosen preset.
   [[nodiscard]] bool is_modified() const { return modified_; }
   /// The parameters that differ from what is chosen.
   [[nodiscard]] std::vector<std::string> modified_keys() const;
@@ -40,7 +40,7 @@ class PresetBar : public QWidget {
   void restore();
   [[nodiscard]] const PresetStore& store() const { return store_; }
 
-  /// What the menu asks for, once a name is there. @throws InputError
+  /// Carries out the menu's command once there is a name. @throws InputError
   void save_as(const QString& name);
   void rename(const QString& name);
   void remove();
@@ -65,8 +65,8 @@ class PresetBar : public QWidget {
   const planning::PlannerRegistry& registry_;
   PresetStore store_;
   planning::Planner* planner_ = nullptr;
-  std::unique_ptr<planning::Planner> fresh_;  ///< Of the planner's kind, with its own values.
-  std::vector<PlannerPreset> presets_;        ///< Of the planner; as listed.
+  std::unique_ptr<planning::Planner> fresh_;  ///< Planner of this kind with its default values.
+  std::vector<PlannerPreset> presets_;        ///< Presets of the planner, in the list's order.
   std::size_t chosen_ = 0;
   bool modified_ = false;
   QComboBox* list_;

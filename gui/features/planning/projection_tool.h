@@ -60,7 +60,7 @@ class ProjectionPanel : public QWidget {
   /// @param charted of what the last call showed too: keeps axes and view.
   void show_roadmap(ChartedRoadmap charted);
   void show_nothing();
-  /// Where the robot is.
+  /// Sets the configuration of the robot.
   void set_robot(const geometric::Configuration& q);
 
   [[nodiscard]] ProjectionPlot& plot() const { return *plot_; }

@@ -33,7 +33,7 @@ class RegionPreviewBox : public QWidget {
   /// @param bound the planner has these parameters, which go with the sliders.
   void show_region(const std::optional<planning::SamplingRegion>& region, int directions,
                    bool bound);
-  /// As the sliders are; nothing if there is no region.
+  /// Returns the region for the values of the sliders; nothing if there is no region.
   [[nodiscard]] const std::optional<planning::SamplingRegion>& region() const { return region_; }
 
   void show_draws(const planning::RegionDraws& draws);
@@ -62,7 +62,7 @@ class RegionPreviewBox : public QWidget {
   QLabel* legend_;
   std::optional<planning::SamplingRegion> region_;
   bool bound_ = false;
-  bool was_switched_on_ = false;  ///< And has shown nothing yet.
+  bool was_switched_on_ = false;  ///< True until it has shown something.
 };
 
 /// Shows in the view what the plan panel's parameters mean before they are used: where palm and

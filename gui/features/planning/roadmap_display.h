@@ -33,7 +33,7 @@ class HypercubeDisplay : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kMostBoxes = 65;  ///< Of more hypercubes every n-th is drawn.
+  static constexpr int kMostBoxes = 65;  ///< With more hypercubes, every n-th is drawn.
 
   /// @param shown a switch. All outlive it.
   HypercubeDisplay(Document& document, PlanSettings& settings, PlanningSession& session,
@@ -41,14 +41,14 @@ class HypercubeDisplay : public QObject {
 
   /// Half-side of the hypercubes that are drawn, or would be; nothing: the roadmap has none.
   [[nodiscard]] std::optional<double> half_side() const;
-  /// What is drawn.
+  /// Returns the boxes that are drawn.
   [[nodiscard]] const std::vector<planning::PalmBox>& boxes() const { return boxes_; }
 
  signals:
   void changed();
 
  private:
-  /// What a drawing depends on.
+  /// Input of a drawing.
   struct Subject {
     planning::SamplingRegion region;
     std::pair<double, double> range;
@@ -67,7 +67,7 @@ class HypercubeDisplay : public QObject {
   PlanningSession& session_;
   SceneView& view_;
   QAction& shown_;
-  /// Of the run's searches; empty: no hypercubes.
+  /// Regions of the run's searches; empty: no hypercubes.
   std::vector<planning::SamplingRegion> regions_;
   std::optional<Subject> drawn_;
   std::vector<planning::PalmBox> boxes_;
@@ -80,7 +80,7 @@ class RoadmapLegend : public FloatingCard {
   Q_OBJECT
 
  public:
-  /// How a roadmap came about.
+  /// Origin of a roadmap.
   struct Search {
     bool goes_on = false;
     std::optional<double> half_side;  ///< ρ_a of the hypercubes; nothing: there are none.
@@ -177,7 +177,7 @@ class FrontierDisplay : public QObject {
   Document& document_;
   SceneView& view_;
   FrontierLegend* legend_;
-  std::optional<planning::PlanResult> last_;   ///< Of the run that goes on; has a reach.
+  std::optional<planning::PlanResult> last_;   ///< Result of the present run; has a reach.
   std::optional<planning::PlanResult> shown_;  ///< Has a reach.
 };
 

@@ -15,8 +15,8 @@ class Document;
 class PathPlayer;
 class SceneView;
 
-/// What a path leaves in the view: the ways of the fingertips, postures along it, or all that
-/// the robot passes through.
+/// Traces of a path in the view: the paths of the fingertips, postures along the path, or the swept
+/// volume of the robot.
 class PathTraces : public QObject {
   Q_OBJECT
 

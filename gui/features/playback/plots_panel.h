@@ -20,7 +20,7 @@ class QStackedWidget;
 
 namespace handway::gui {
 
-/// What a plot of a motion shows.
+/// Quantities that a plot of a motion can show.
 enum class PlotQuantity { kPosition, kVelocity, kAcceleration, kClearance, kUnlikeness };
 
 /// Is there a curve for every joint, or one for all?
@@ -53,7 +53,7 @@ struct PlotColumn {
 /// directions and to the recorded postures, those of them that there are.
 [[nodiscard]] std::vector<PlotColumn> motion_columns(const MotionCurves& curves,
                                                      PlotQuantity quantity);
-/// What a person reads of motion_columns().
+/// Returns the title of a column of motion_columns() for display.
 [[nodiscard]] QString title_of(const PlotColumn& column);
 
 /// A table with a column for each curve.
@@ -74,12 +74,13 @@ class JointCurveList : public QTreeWidget {
  public:
   explicit JointCurveList(QWidget* parent = nullptr);
 
-  /// The same robot keeps what was chosen; of another the arm is.
+  /// Sets the robot. The selection of curves is kept for the same robot; for another one it is the
+  /// arm.
   void set_robot(std::shared_ptr<const geometric::RobotModel> model, const JointGroups& groups);
   /// Variables that are chosen, in order.
   [[nodiscard]] std::vector<int> chosen() const;
   void choose(const std::vector<int>& variables);
-  /// How a variable's curve is drawn.
+  /// Returns the colour of a variable's curve.
   [[nodiscard]] static QColor color_of(int variable);
   [[nodiscard]] static bool is_dashed(int variable);
   /// @param texts shape [variable_count].
@@ -142,7 +143,7 @@ class PlotsPanel : public QWidget {
   CursorPlot* plot_;
   std::vector<double> times_;
   std::vector<int> drawn_;                   ///< Variables with a curve.
-  std::vector<std::vector<double>> values_;  ///< Of each of them; empty: no curves of joints.
+  std::vector<std::vector<double>> values_;  ///< Values of each; empty: no curves of joints.
   std::vector<PlotColumn> columns_;          ///< Curves that are not of joints.
 };
 

@@ -13,8 +13,8 @@ namespace handway::gui {
 
 class SliderRow;
 
-/// How freely the arm holds the palm and how far out, and, of an arm with more joints than the
-/// palm's pose needs, a slider that swings its elbow while the palm stays: jogging in the null
+/// Shows the arm's manipulability and reach and, for a redundant arm, a
+/// slider that swings its elbow while the palm stays: jogging in the null
 /// space.
 class ElbowSwing : public QWidget {
   Q_OBJECT
@@ -40,8 +40,8 @@ class ElbowSwing : public QWidget {
   std::vector<int> arm_;
   std::unique_ptr<const planning::PalmIk> ik_;  ///< Null: the arm can't swing.
   geometric::Configuration q_;
-  geometric::Pose X_BP_ = geometric::Pose::Identity();  ///< Of the palm, as long as it swings.
-  Eigen::VectorXd direction_;                           ///< Of the swing; empty: it has not begun.
+  geometric::Pose X_BP_ = geometric::Pose::Identity();  ///< Pose of the palm during the swing.
+  Eigen::VectorXd direction_;                           ///< Null-space direction; empty: none.
   double swung_ = 0.0;                                  ///< rad
   SliderRow* slider_;
   QLabel* figures_;

@@ -19,11 +19,12 @@ class RecordedHand;
 /// A distance in normalised joints: its name, a bar from 0 to kMost, and the number.
 class DistanceRow : public QWidget {
  public:
-  static constexpr double kMost = 1.0;  ///< Where the bar is full.
+  static constexpr double kMost = 1.0;  ///< Distance at which the bar is full.
 
   explicit DistanceRow(const QString& name, QWidget* parent = nullptr);
 
-  /// Nothing: a dash. @param usual is marked on the bar; nothing: no mark.
+  /// Shows the distance, or a dash if there is none. @param usual is marked on the bar; nothing: no
+  /// mark.
   void show_distance(std::optional<double> distance, std::optional<double> usual = std::nullopt);
   [[nodiscard]] QString text() const;
 
@@ -34,8 +35,8 @@ class DistanceRow : public QWidget {
   QLabel* number_;
 };
 
-/// How human the posed hand looks: its distances to the subspace of its principal motion
-/// directions and to the nearest recorded posture.
+/// Shows the human-likeness of the posed hand: its distances to the subspace of its principal
+/// motion directions and to the nearest recorded posture.
 class LikenessMeter : public QWidget {
   Q_OBJECT
 

@@ -69,7 +69,7 @@ class PosturePanels : public QObject {
   void add_commands();
   /// Shows the document's robot, which may be another than before.
   void show_robot();
-  /// Of a link of the robot the slider of its joint comes to the front.
+  /// Brings the slider of the joint of a link to the front.
   void show_item(const SceneItem& item) const;
 
   Workbench& workbench_;

@@ -39,7 +39,8 @@ class AddRobotDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Where a robot that stands in the world goes. @param robot as it was read.
+  /// Function that returns a free pose for a robot placed in the world. @param robot as it was
+  /// read.
   using FreePlace = std::function<geometric::Pose(const geometric::RobotInstance& robot)>;
 
   /// Both outlive it.
@@ -80,7 +81,7 @@ class AddRobotDialog : public QDialog {
   PoseForm* pose_;
   QPushButton* add_;
   geometric::Pose X_;                              ///< In the world or the chosen link.
-  std::optional<geometric::RobotInstance> robot_;  ///< As it was read; nothing: not yet.
+  std::optional<geometric::RobotInstance> robot_;  ///< The robot as read; nothing: not yet.
   LatestJob job_;
 };
 

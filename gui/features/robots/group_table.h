@@ -27,7 +27,7 @@ using JointOwners = std::map<std::string, JointOwner>;
 [[nodiscard]] geometric::GroupProposal present_groups(const geometric::RobotModel& model,
                                                       geometric::WristOwner wrist);
 
-/// What makes the second groups of the first ones by with_moved().
+/// Returns the changes by which with_moved() makes the second groups of the first ones.
 [[nodiscard]] JointOwners difference(const geometric::RobotModel& model,
                                      const geometric::GroupProposal& from,
                                      const geometric::GroupProposal& to);

@@ -24,7 +24,7 @@ class PairTable : public QTreeWidget {
   /// @param sampled of the model. @param allowed what follows from it.
   void show_pairs(const geometric::SelfCollisionSamples& sampled,
                   const geometric::AllowedCollisions& allowed);
-  /// What is listed, with the number of pairs: "Never (140)"; the first is all.
+  /// Returns the listed kinds with the number of pairs: "Never (140)"; the first is all.
   [[nodiscard]] QStringList kinds() const;
   /// Hides pairs of other kinds. @param kind of kinds(), by its place.
   void show_kind(int kind);

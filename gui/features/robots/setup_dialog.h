@@ -39,9 +39,9 @@ struct RobotFile {
 
 [[nodiscard]] std::vector<RobotFile> robot_files(const geometric::Scene& scene);
 
-/// What `handway setup` does, with the robot to look at: samples self-collisions, proposes groups,
-/// lists what looks suspicious with its mend and shows it in the view, writes the SRDF and lets the
-/// scene go on with it.
+/// Dialog for `handway setup` with a view of the robot: samples self-collisions, proposes groups,
+/// lists suspicious findings with their remedy and shows them in the view, writes the SRDF and
+/// applies it to the scene.
 class SetupDialog : public QDialog {
   Q_OBJECT
 
@@ -49,7 +49,7 @@ class SetupDialog : public QDialog {
   /// @param editor outlives it; its scene has a robot. @param robot of robot_files(); by name.
   SetupDialog(SceneEditor& editor, const std::string& robot, QWidget* parent = nullptr);
 
-  /// Whether pairs are still being sampled.
+  /// Returns whether pairs are still being sampled.
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
   [[nodiscard]] const std::vector<geometric::RobotFinding>& findings() const { return findings_; }
 
@@ -79,9 +79,9 @@ class SetupDialog : public QDialog {
   void write();
   [[nodiscard]] const RobotFile& chosen() const;
   [[nodiscard]] geometric::WristOwner wrist() const;
-  /// Those that the robot has or that were found, with what was decided.
+  /// Returns the groups that the robot has or that were found, with the user's changes.
   [[nodiscard]] geometric::GroupProposal groups_by_now() const;
-  /// Whether somebody has decided what the groups are.
+  /// Returns whether the user has changed the groups.
   [[nodiscard]] bool groups_are_decided() const;
   /// Robot with what was sampled and decided.
   [[nodiscard]] geometric::RobotDescription set_up() const;
@@ -111,7 +111,7 @@ class SetupDialog : public QDialog {
   QPushButton* again_;
   QLabel* outcome_;
   QPushButton* write_;
-  std::stop_source stop_;  ///< Of the samples, which are enough then.
+  std::stop_source stop_;  ///< Stops the sampling, whose samples are used.
   LatestJob job_;
 };
 

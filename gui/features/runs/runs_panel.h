@@ -43,14 +43,14 @@ class RunsPanel : public QWidget {
   [[nodiscard]] QWidget* make_actions();
   void refresh();
   void show_actions();
-  /// As sorted; none if it is not listed.
+  /// Returns the row of the run in the sorted table; none if it is not listed.
   [[nodiscard]] QModelIndex row_of(const std::shared_ptr<const PlanRun>& run) const;
   /// nullptr if none is chosen.
   [[nodiscard]] const PathRecord* chosen() const;
   void restore();
 
   PathHistory& history_;
-  std::vector<PathRecord> records_;  ///< As in the table.
+  std::vector<PathRecord> records_;  ///< In the order of the table.
   std::shared_ptr<const PlanRun> marked_;
   bool running_ = false;
   RunTable* table_;

@@ -22,8 +22,8 @@ namespace handway::gui {
 
 class QuantityField;
 
-/// How the arm follows the wrist: scale, turn, direction of the source, smoothing, speed and
-/// workspace.
+/// Form of how the arm follows the wrist: scale, rotation, orientation of the source, smoothing,
+/// speed and workspace.
 class FollowForm : public QWidget {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class FollowForm : public QWidget {
   [[nodiscard]] device::ToolFollowerSettings settings() const;
   /// The sensor that leads; nothing for whichever speaks first.
   [[nodiscard]] std::optional<int> sensor() const;
-  /// Whether the sensor's button closes the clutch.
+  /// Returns whether the sensor's button closes the clutch.
   [[nodiscard]] bool button_closes() const;
   /// Puts the box around a point of the base frame, m, as long as it is off.
   void centre_box(const Eigen::Vector3d& p_B);
@@ -78,7 +78,7 @@ class WristPage : public QWidget {
 
   /// Connects as if the person had, and closes the clutch; an empty device does nothing.
   void connect_to(const QString& device);
-  /// How long the tracker has been listened to, s.
+  /// Returns the time since the tracker was connected, s.
   [[nodiscard]] double listening_time() const;
 
   [[nodiscard]] TrackerSession& session() { return session_; }
@@ -113,8 +113,8 @@ class WristPage : public QWidget {
   QTimer ticker_;
   std::optional<device::TrackerSample> sample_;  ///< Latest of the sensor that leads.
   std::optional<device::FollowStep> step_;       ///< Latest since the clutch was closed.
-  QString complaint_;                            ///< What is wrong with the settings.
-  double first_time_ = -1.0;                     ///< Of the samples since connecting, s.
+  QString complaint_;                            ///< Error in the settings.
+  double first_time_ = -1.0;                     ///< Time of the first sample since connecting, s.
   double last_time_ = -1.0;
 };
 

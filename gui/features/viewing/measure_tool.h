@@ -58,7 +58,7 @@ class MeasureTool : public QObject {
   void click(const QPoint& place);
   /// Shows the distance to what is under the pointer.
   void hover(const QPoint& place);
-  /// What is under the pointer, on a corner where one is near.
+  /// Returns the point under the pointer, snapped to a near corner.
   [[nodiscard]] std::optional<SceneHit> hit_at(const QPoint& place);
   void draw(const std::optional<SceneHit>& end);
   void show_card();

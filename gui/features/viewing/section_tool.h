@@ -29,7 +29,7 @@ class SectionCard : public FloatingCard {
   /// @param towards what is cut away: along this direction from there.
   void begin(const geometric::Aabb& room, const Eigen::Vector3d& cut,
              const Eigen::Vector3d& towards);
-  /// What is above it is cut away; world, m.
+  /// Returns the section plane, above which everything is cut away; world, m.
   [[nodiscard]] Eigen::Hyperplane<double, 3> plane() const;
 
  signals:

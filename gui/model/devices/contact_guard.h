@@ -15,10 +15,10 @@
 
 namespace handway::gui {
 
-/// What becomes of a step that leads into something.
+/// Reaction to a step that leads into a collision.
 enum class ContactRule {
   kPass,   ///< It is made.
-  kStop,   ///< None of it is made.
+  kStop,   ///< The step is not made.
   kSlide,  ///< Made as far as it is free: see geometric::sliding_step().
 };
 
@@ -42,7 +42,7 @@ class ContactGuard : public QObject {
                  std::shared_ptr<const PreparedProblem> problem);
   void set_rule(ContactRule rule);
   [[nodiscard]] ContactRule rule() const { return rule_; }
-  /// Where the robot is. @param q shape [variable_count].
+  /// Sets the configuration of the robot. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q) { q_ = q; }
 
   /// The leader wants its joints there, until it wants something else or withdraws.

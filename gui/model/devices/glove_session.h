@@ -26,7 +26,7 @@
 
 namespace handway::gui {
 
-/// What makes postures of the robot's hand from those of a person's.
+/// Methods that make postures of the robot's hand from those of a person's.
 enum class PostureMethod { kJointMapping, kFingertips };
 
 /// One frame of a glove, and what calibration, mapping and retargeting make of it.
@@ -124,7 +124,7 @@ class GloveSession : public QObject {
   explicit GloveSession(QObject* parent = nullptr);
   ~GloveSession() override;
 
-  /// What stands for the built-in emulator among devices.
+  /// Returns the name that stands for the built-in emulator among devices.
   [[nodiscard]] static QString emulator_name();
 
   /// Connects to a serial port, a TCP port, a stream of hand landmarks (see
@@ -161,7 +161,7 @@ class GloveSession : public QObject {
     return retargeter_;
   }
   [[nodiscard]] const QString& retargeting_error() const { return retargeting_error_; }
-  /// What the chosen method makes postures with; nullptr if it can't.
+  /// Returns the source of postures of the chosen method; nullptr if it isn't available.
   [[nodiscard]] const device::PostureSource* source() const;
   /// The posture by the chosen method, shape [joints of source()]; empty if there is none.
   [[nodiscard]] const Eigen::VectorXd& posture_of(const GloveSample& sample) const {

@@ -23,7 +23,7 @@
 
 namespace handway::gui {
 
-/// What the devices reported while a motion ran, beside what was planned.
+/// Reports of the devices during a motion, beside the planned motion.
 struct ExecutedMotion {
   struct Device {
     std::string kind;                              ///< "arm" or "hand"
@@ -31,8 +31,8 @@ struct ExecutedMotion {
     std::vector<execution::MotionSample> samples;  ///< In order of time.
   };
   std::vector<Device> devices;
-  geometric::Configuration start;  ///< Of the whole robot.
-  std::filesystem::path log;       ///< Where the same stands as CSV.
+  geometric::Configuration start;  ///< Start of the whole robot.
+  std::filesystem::path log;       ///< CSV file of this log.
 
   /// One joint over time.
   struct JointCurve {
@@ -44,18 +44,19 @@ struct ExecutedMotion {
   [[nodiscard]] JointCurve curve(int variable) const;
   /// The variable that was farthest off, or -1.
   [[nodiscard]] int worst_variable() const;
-  /// How far each variable was off, in proportion to its velocity limit; what is usual for those
-  /// that no device moves. @returns rad or m, shape [variable_count], see planning::SafetyMargin.
+  /// Returns the following error of each variable, in proportion to its velocity limit, with the
+  /// default for those that no device moves. @returns rad or m, shape [variable_count], see
+  /// planning::SafetyMargin.
   [[nodiscard]] Eigen::VectorXd following_error(const geometric::RobotModel& model) const;
   /// The path of a link's origin as it was measured (world, m).
   [[nodiscard]] std::vector<Eigen::Vector3d> way_of(const geometric::RobotInstance& robot,
                                                     int link) const;
 };
 
-/// Which devices move the robot: addresses such as "arm://localhost:11000", and emulated ones
-/// that stand where the robot does.
+/// Devices that move the robot: addresses such as "arm://localhost:11000", and emulated ones that
+/// start in the robot's configuration.
 struct MotionDevices {
-  QString addresses;  ///< As execution::parse_targets() takes them; may be empty.
+  QString addresses;  ///< For execution::parse_targets(); may be empty.
   bool emulated_arm = false;
   bool emulated_hand = false;
 };
@@ -104,7 +105,8 @@ class MotionDriver : public QObject {
 
  signals:
   void state_changed(handway::gui::MotionDriver::State state);
-  /// Where the robot stands, joints without a device as they were. About 30 times a second.
+  /// Emitted with the measured configuration, about 30 times per second. Joints without a device
+  /// keep their values.
   void measured(const Eigen::VectorXd& q);
   /// @param time s of the motion. @param error farthest that a joint was off so far, rad.
   void progressed(double time, double duration, double error);
@@ -139,9 +141,9 @@ class MotionDriver : public QObject {
   void note_end(bool rested);
 
   State state_ = State::kOff;
-  std::shared_ptr<execution::MotionRequests> requests_;  ///< Of the motion that runs.
-  std::shared_ptr<execution::SceneWatch> watch_;         ///< Of the same.
-  std::mutex mutex_;                                     ///< Of all below but the thread.
+  std::shared_ptr<execution::MotionRequests> requests_;  ///< For the running motion.
+  std::shared_ptr<execution::SceneWatch> watch_;         ///< Watch of the running motion.
+  std::mutex mutex_;  ///< Guards all members below but the thread.
   std::condition_variable_any wake_;
   std::condition_variable_any ended_;
   std::stop_source motion_stop_;
@@ -157,7 +159,7 @@ class MotionDriver : public QObject {
 /// always do, and by exit(), as Qt and Xlib do when the display is lost. One at a time.
 class ProgramEnd {
  public:
-  /// How long rest is waited for.
+  /// Longest time to wait for rest.
   static constexpr std::chrono::milliseconds kLongestWait{2500};
 
   /// @param driver outlives it. @throws std::system_error if there is no pipe to be had.

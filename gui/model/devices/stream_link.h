@@ -44,7 +44,7 @@ class StreamInbox {
   StreamInbox(const StreamInbox&) = delete;
   StreamInbox& operator=(const StreamInbox&) = delete;
 
-  /// What comes from now on is dropped, and what waits.
+  /// Drops all waiting and later items.
   void close() {
     timer_.stop();
     const std::lock_guard lock(box_->mutex);
@@ -71,7 +71,7 @@ class StreamInbox {
     StreamInbox* owner = nullptr;
     Items items;
     bool notified = false;
-    std::chrono::steady_clock::time_point arrival;  ///< Of the first that waits.
+    std::chrono::steady_clock::time_point arrival;  ///< Arrival of the first waiting item.
   };
 
   template <typename Action>
@@ -140,7 +140,7 @@ class StreamInbox {
   std::chrono::steady_clock::time_point arrival_;
 };
 
-/// What links to devices of all kinds have in common, for Qt's signals.
+/// Base class of links to devices of all kinds, for Qt's signals.
 class StreamLink : public QObject {
   Q_OBJECT
 

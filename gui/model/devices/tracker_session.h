@@ -41,7 +41,7 @@ class TrackerSession : public QObject {
   explicit TrackerSession(QObject* parent = nullptr);
   ~TrackerSession() override;
 
-  /// What a tracker may speak, as it is written in front of an address; "emulator", the
+  /// Returns the protocols of trackers as they are written before an address; "emulator", the
   /// built-in one, has none.
   [[nodiscard]] static QStringList protocols();
 
@@ -49,7 +49,7 @@ class TrackerSession : public QObject {
   /// goes wrong is reported by state_changed().
   void connect_to(const QString& device);
   void disconnect_tracker();
-  /// What connect_to() was called with; empty before.
+  /// Returns the argument of the last connect_to(); empty before.
   [[nodiscard]] const QString& device() const { return device_; }
   [[nodiscard]] TrackerLink& link() { return link_; }
 
@@ -83,7 +83,7 @@ class ArmLeader : public QObject {
   void set_settings(const device::ToolFollowerSettings& settings);
   [[nodiscard]] const device::ToolFollowerSettings& settings() const { return settings_; }
   void set_configuration(const geometric::Configuration& q) { q_ = q; }
-  /// Where the tool is in the robot's base; nothing without an arm.
+  /// Returns the position of the tool in the robot's base; nothing without an arm.
   [[nodiscard]] std::optional<Eigen::Vector3d> tool_position() const;
 
   void set_clutch(bool closed);
@@ -96,7 +96,7 @@ class ArmLeader : public QObject {
   /// The arm's joints are to be there.
   void wanted(const handway::geometric::NamedPosture& posture);
   void clutch_changed(bool closed);
-  /// How the arm follows, after every sample and change.
+  /// Emitted after every sample and change with the state of following.
   void followed(const handway::device::FollowStep& step);
 
  private:

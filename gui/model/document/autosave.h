@@ -15,22 +15,22 @@
 
 namespace handway::gui {
 
-/// What is to be kept of a scene with unsaved changes.
+/// Data kept of a scene with unsaved changes.
 struct UnsavedScene {
   planning::LoadedScene loaded;
-  geometric::Configuration shown;  ///< Where the first robot stands.
+  geometric::Configuration shown;  ///< Configuration of the first robot.
   geometric::PlannerRequest planner;
-  std::filesystem::path file;  ///< Where it was opened from; may be empty.
+  std::filesystem::path file;  ///< File it was opened from; may be empty.
   QString name;                ///< For people.
 };
 
 /// A scene that a window left behind when its program ended in the middle of work.
 struct LostScene {
-  std::filesystem::path folder;  ///< Of that window.
+  std::filesystem::path folder;  ///< Folder of that window.
   std::filesystem::path scene;   ///< To be opened instead of `file`.
   std::filesystem::path file;
   QString name;
-  QDateTime time;  ///< Of the last change.
+  QDateTime time;  ///< Time of the last change.
 };
 
 /// Keeps a copy of the scene with its unsaved changes in a folder of this window,
@@ -53,7 +53,7 @@ class Autosave : public QObject {
   /// There is nothing unsaved any more.
   void clear();
 
-  /// What windows that are no more have left, the newest first.
+  /// Returns the scenes that windows which ended have left, the newest first.
   [[nodiscard]] std::vector<LostScene> find_lost() const;
   static void forget(const LostScene& lost);
 

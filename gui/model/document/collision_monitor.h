@@ -14,14 +14,14 @@
 
 namespace handway::gui {
 
-/// What touches what in one configuration, and which constraints it violates.
+/// Colliding bodies of one configuration, and the constraints that it violates.
 struct CollisionReport {
   std::vector<geometric::NamedPair> collisions;
-  std::vector<std::string> violated;  ///< As violated_constraints() says.
+  std::vector<std::string> violated;  ///< See violated_constraints().
   /// The closest pair of a free configuration; nothing if all are farther apart
   /// than CollisionMonitor::kNear.
   std::optional<geometric::NamedPair> closest;
-  std::optional<geometric::ClosestPoints> points;  ///< Of that pair.
+  std::optional<geometric::ClosestPoints> points;  ///< Closest points of that pair.
 };
 
 /// Checks the posture on screen on a thread of its own. Only the latest posture
@@ -43,12 +43,12 @@ class CollisionMonitor : public QObject {
 
  signals:
   void checked(const handway::gui::CollisionReport& report);
-  /// What was checked before is of another scene, and the answer takes a while.
+  /// Emitted when the last report is for another scene, and a new one takes a while.
   void outdated();
   void failed(const QString& message);
 
  private:
-  /// What the job's thread checks a problem with.
+  /// Problem and checker of the job's thread.
   struct Checks {
     OwnChecker checker;
     std::unique_ptr<geometric::ClosestPointFinder> finder = nullptr;

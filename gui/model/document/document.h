@@ -60,7 +60,7 @@ class RecordedHand : public QObject {
 
   explicit RecordedHand(QObject* parent = nullptr);
 
-  /// Of another scene. What was chosen stays for the same hand. @param basis may be null.
+  /// Sets the basis of another scene. Choices are kept for the same hand. @param basis may be null.
   void set_basis(std::shared_ptr<const sampling::PmdBasis> basis);
   /// Compares with a file's postures (sampling::read_postures()) instead of the basis'.
   void choose(const std::filesystem::path& file);
@@ -127,7 +127,7 @@ class SceneLoader : public QObject {
   BackgroundThreads threads_;
 };
 
-/// What tells whether a file is the one that it was.
+/// Identifies the state of a file, to detect changes.
 struct FileStamp {
   std::filesystem::file_time_type time = {};
   std::uintmax_t size = 0;
@@ -156,7 +156,7 @@ class Document : public QObject {
   /// The scene, and which objects are hidden or locked.
   [[nodiscard]] const SceneState& state() const { return state_; }
   [[nodiscard]] const planning::LoadedScene& loaded() const { return loaded_; }
-  /// What results of this moment are made from. Any edit makes it another one, undoing included.
+  /// Returns the revision that present results depend on. Any edit changes it, undo included.
   [[nodiscard]] const planning::Revision& revision() const { return revision_; }
   /// For planning and collision checks; null if there is no robot.
   [[nodiscard]] const std::shared_ptr<const PreparedProblem>& problem() const { return problem_; }
@@ -165,12 +165,12 @@ class Document : public QObject {
   [[nodiscard]] const JointGroups& groups() const { return groups_; }
   [[nodiscard]] int palm() const { return palm_; }
   [[nodiscard]] const geometric::Configuration& configuration() const { return q_; }
-  /// What the hand is compared with.
+  /// Returns the recorded postures that the hand is compared with.
   [[nodiscard]] RecordedHand& recorded_hand() { return recorded_hand_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
-  /// Whether the scene's file is another than when it was read or written here: another window or
-  /// program has changed it.
+  /// Returns whether the scene's file has changed since it was read or written here, by another
+  /// window or program.
   [[nodiscard]] bool is_changed_on_disk() const;
 
   /// Begins to read `file`; opened() or open_failed() follows.
@@ -214,7 +214,7 @@ class Document : public QObject {
   void measured_shown(bool shown);
 
  private:
-  /// What follows from the robot and the hand's basis.
+  /// Updates the data that follow from the robot and the hand's basis.
   void take_hand();
   void use_first_robot(const geometric::Configuration& q);
   void change_robots(SceneState state);
@@ -232,8 +232,8 @@ class Document : public QObject {
   bool shows_measured_ = false;
   std::filesystem::path file_;
   std::filesystem::path requested_;
-  FileStamp stamp_;            ///< Of `file_`, as it was read or written.
-  FileStamp requested_stamp_;  ///< Of `requested_`, before it is read.
+  FileStamp stamp_;            ///< Stamp of `file_` when read or written.
+  FileStamp requested_stamp_;  ///< Stamp of `requested_` before it is read.
 };
 
 }  // namespace handway::gui

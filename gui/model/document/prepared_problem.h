@@ -64,7 +64,7 @@ class PreparedProblem {
   PreparedProblem(const PreparedProblem&) = delete;
   PreparedProblem& operator=(const PreparedProblem&) = delete;
 
-  /// Of the scene: what is derived from the problem is made from it.
+  /// Returns the revision of the scene, from which results of the problem are derived.
   [[nodiscard]] const planning::Revision& revision() const { return revision_; }
 
   /// Waits for the problem, at most until `stop` or the queue's end (null then).

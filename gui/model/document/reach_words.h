@@ -8,7 +8,7 @@ namespace handway::gui {
 
 /// "manipulability 0.084 · reach 78 %"; with "out of reach" in front where the arm is not there.
 [[nodiscard]] QString reach_words(const planning::ReachFigures& figures, bool reached = true);
-/// What the two figures are, for a tooltip.
+/// Returns the explanation of the two figures, for a tooltip.
 [[nodiscard]] QString reach_explanation();
 
 }  // namespace handway::gui

@@ -24,10 +24,11 @@ struct LinkOfRobot {
   friend bool operator==(const LinkOfRobot&, const LinkOfRobot&) = default;
 };
 
-/// What carries a mounted part; nothing of a robot that stands in the world.
+/// Returns the link that carries a mounted part; nothing for a robot that stands in the world.
 [[nodiscard]] std::optional<LinkOfRobot> carrier_of(const geometric::Scene& scene,
                                                     const std::string& robot);
-/// Where `robot` could be mounted: all links of robots and parts that it does not carry itself.
+/// Returns the links that `robot` can be mounted on: all links of robots and parts that it does not
+/// carry itself.
 [[nodiscard]] std::vector<LinkOfRobot> mounting_places(const geometric::Scene& scene,
                                                        const std::string& robot);
 /// The end of the first robot, if that is an arm without a hand: where hands and tools go.
@@ -56,7 +57,7 @@ struct LinkOfRobot {
                                     geometric::RobotInstance robot,
                                     const std::optional<LinkOfRobot>& on,
                                     const geometric::Pose& X_LB);
-/// Whether the group names something that the first robot has not: a robot beside it.
+/// Returns whether the group names something that the first robot lacks: a robot beside it.
 [[nodiscard]] bool joins_robots(const geometric::Scene& scene,
                                 const std::vector<std::string>& group);
 /// Lets what the group names move; see geometric::set_moving_group().

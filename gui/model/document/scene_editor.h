@@ -29,12 +29,12 @@ class SceneEditor : public QObject {
   explicit SceneEditor(Document& document, QObject* parent = nullptr);
 
   [[nodiscard]] QUndoStack& undo_stack() { return stack_; }
-  /// Whether there are edits that the scene's file does not hold yet.
+  /// Returns whether there are edits that the scene's file does not hold yet.
   [[nodiscard]] bool is_modified() const;
   [[nodiscard]] const SceneState& state() const { return document_.state(); }
   [[nodiscard]] const Document& document() const { return document_; }
 
-  /// What was selected last.
+  /// Returns the item that was selected last.
   [[nodiscard]] const SceneItem& selection() const { return selection_.item; }
   /// The objects that are selected; none if something else is.
   [[nodiscard]] const std::vector<std::string>& selected_objects() const {
@@ -51,9 +51,9 @@ class SceneEditor : public QObject {
   /// The selected objects that are not locked.
   [[nodiscard]] std::vector<std::string> changeable() const;
   [[nodiscard]] bool can_change() const { return !changeable().empty(); }
-  /// Of the selected object or robot (mounted ones too), or the palm of the selected posture, in
-  /// the world. Several objects: the middle of the box around those that can be changed, along the
-  /// world's axes.
+  /// Returns the pose in the world of the selected object or robot (mounted ones too), or of the
+  /// palm of the selected posture. For several objects it is the middle of the box around those
+  /// that can be changed, along the world's axes.
   [[nodiscard]] std::optional<geometric::Pose> selected_pose() const;
 
   /// Adds an object and selects it. @param foot where the middle of its underside goes (world).
@@ -65,14 +65,14 @@ class SceneEditor : public QObject {
   void add_room(const std::string& name, const geometric::Shape& shape,
                 const geometric::Color& color, const geometric::Pose& X_WO);
 
-  /// Where something new goes, see free_foot(): onto what is selected if that is much larger, or
-  /// beside it; without a selection beside `wanted`.
+  /// Returns the place for a new object, see free_foot(): onto the selection if that is much
+  /// larger, or beside it; without a selection beside `wanted`.
   /// @param size m. @pre there is a scene.
   [[nodiscard]] Eigen::Vector3d place_for(const Eigen::Vector3d& size,
                                           const Eigen::Vector3d& wanted) const;
 
-  /// What a constraint of the selection is about: a carried object, a link of the first robot, the
-  /// palm of the robot as shown. Empty: nothing.
+  /// Returns the body of the selection's constraints: a carried object, a link of the first robot,
+  /// the palm of the robot as shown. It is empty if there is none.
   [[nodiscard]] std::string constrained_body() const;
   /// Adds a constraint, or changes the one of that name.
   void set_constraint(const geometric::PathConstraint& constraint);
@@ -92,7 +92,7 @@ class SceneEditor : public QObject {
   /// links that may touch.
   void set_model(const std::string& robot, std::shared_ptr<const geometric::RobotModel> model,
                  Outcome outcome);
-  /// Whether the selected thing is a robot that can be removed: a scene keeps one.
+  /// Returns whether the selection is a robot that can be removed; the last robot of a scene can't.
   [[nodiscard]] bool can_remove_robot() const;
   /// Plans for the selected robot from now on.
   void put_first(const std::string& robot);
@@ -111,12 +111,13 @@ class SceneEditor : public QObject {
   void put_at(const std::vector<std::string>& objects, const Eigen::Vector3d& foot);
   /// Makes objects that aren't locked members of a group, or of none (empty).
   void move_into_group(const std::vector<std::string>& objects, const std::string& group);
-  /// Of another object's name it makes one with a number; that of a link or a robot it refuses.
+  /// Renames the selection. A name of another object gets a number; that of a link or a robot is
+  /// refused.
   void rename(const std::string& name);
   /// Moves objects or a robot so that selected_pose() becomes `X_WO`; of a posture it
   /// emits palm_placed().
   void place(const geometric::Pose& X_WO);
-  /// What place() would make of objects; nothing for anything else.
+  /// Returns the result of place() for objects; nothing for anything else.
   [[nodiscard]] std::optional<SceneState> placed(const geometric::Pose& X_WO) const;
   /// @param X_WO where the resized object goes.
   void set_shape(const geometric::Shape& shape, const std::optional<geometric::Pose>& X_WO = {});
@@ -126,7 +127,7 @@ class SceneEditor : public QObject {
   void drop();
   void set_hidden(const std::vector<std::string>& objects, bool hidden);
   void set_locked(const std::vector<std::string>& objects, bool locked);
-  /// Whether closed shapes are filled; locked objects stay as they are.
+  /// Sets whether closed shapes are filled; locked objects are not changed.
   void set_solid(const std::vector<std::string>& objects, bool solid);
   /// Fixes the objects to a link, where all are now; raised by a little if one of them stands on
   /// something, see rise_to_clear(). @param touching links that may touch them.
@@ -143,7 +144,7 @@ class SceneEditor : public QObject {
   /// Adds a goal pose, where the palm is shown, and selects it; with a start, where the robot is
   /// shown, if there is none.
   void add_goal_pose();
-  /// Whether the robot has a palm that an arm moves.
+  /// Returns whether the robot has a palm that an arm moves.
   [[nodiscard]] bool can_add_goal_pose() const;
   /// The selected goal pose; nullptr if something else is selected.
   [[nodiscard]] const geometric::PoseGoal* selected_goal_pose() const {
@@ -151,8 +152,8 @@ class SceneEditor : public QObject {
   }
   /// Changes the selected goal pose.
   void change_goal_pose(const geometric::PoseGoal& goal);
-  /// What moves, see geometric::set_moving_group(). Robots that it makes one are composed in the
-  /// background.
+  /// Sets the moving group, see geometric::set_moving_group(). Robots that it combines are composed
+  /// in the background.
   void set_group(const std::vector<std::string>& group);
   void set_start(const geometric::Configuration& q);
   /// @param start what becomes the start of a scene that has none; nothing: where the robot stood
@@ -200,7 +201,7 @@ class SceneEditor : public QObject {
   bool was_modified_ = false;
   Selection selection_;
   LatestJob composing_;
-  Outcome outcome_;  ///< Of what is being composed.
+  Outcome outcome_;  ///< Outcome of the composition.
 };
 
 }  // namespace handway::gui

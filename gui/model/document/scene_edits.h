@@ -25,11 +25,11 @@ namespace handway::gui {
 
 using geometric::kRestingGap;
 
-/// What a person edits: a scene that never changes itself. An edit makes a new
-/// state of an old one.
+/// State of a scene that is edited. It is immutable: an edit makes a new state of an old
+/// one.
 struct SceneState {
   std::shared_ptr<const geometric::Scene> scene;
-  std::shared_ptr<const sampling::PmdBasis> basis = nullptr;  ///< Of the hand; null: none.
+  std::shared_ptr<const sampling::PmdBasis> basis = nullptr;  ///< Basis of the hand, or null.
 
   [[nodiscard]] bool is_hidden(std::string_view object) const { return display_of(object).hidden; }
   [[nodiscard]] bool is_locked(std::string_view object) const { return display_of(object).locked; }
@@ -92,7 +92,7 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 [[nodiscard]] SceneState with_posture(const SceneState& state,
                                       const geometric::NamedPosture& posture);
 [[nodiscard]] SceneState without_posture(const SceneState& state, std::string_view name);
-/// Likewise.
+/// Adds `view`, or replaces the view of that name.
 [[nodiscard]] SceneState with_saved_view(const SceneState& state, const geometric::SavedView& view);
 [[nodiscard]] SceneState without_saved_view(const SceneState& state, std::string_view name);
 /// The hand is planned for with a basis, which the scene names by its file.
@@ -102,8 +102,8 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 /// `group`, or the first like it that no object is in: "group", "group 2", ….
 [[nodiscard]] std::string unused_group(const geometric::Scene& scene, const std::string& group);
 
-/// Where what a constraint is about is in the world, the first robot standing at `q`.
-/// Nothing if it is none of constrainable_bodies().
+/// Returns the pose in the world of a constrained body, with the first robot at `q`; nothing if it
+/// is none of constrainable_bodies().
 [[nodiscard]] std::optional<geometric::Pose> body_pose(const geometric::Scene& scene,
                                                        const geometric::Configuration& q,
                                                        std::string_view body);
@@ -125,20 +125,20 @@ using ObjectNames = std::vector<std::string>;
 [[nodiscard]] SceneState moved(const SceneState& state, const geometric::Configuration& q,
                                const ObjectNames& names, const geometric::Pose& motion);
 
-/// Which part of the boxes is brought together.
+/// Part of the boxes that is aligned.
 enum class AlignTo { kLeast, kCentre, kMost };
 
 /// All brought to the last one (or the group it is in), along one axis.
 [[nodiscard]] SceneState aligned(const SceneState& state, const geometric::Configuration& q,
                                  const ObjectNames& names, int axis, AlignTo to);
 
-/// The same gap between neighbours along one axis; the outermost stay.
+/// Makes the gaps between neighbours along one axis equal; the outermost objects stay.
 [[nodiscard]] SceneState distributed(const SceneState& state, const geometric::Configuration& q,
                                      const ObjectNames& names, int axis);
 
-/// How to move objects so that, along each axis of the world, a side of the box around them meets
-/// the nearest side of the box around another object, or the floor (z = 0): flush with it, or
-/// kRestingGap beside it. Along an axis without one within `reach` 0. m
+/// Returns the shift of objects such that, along each axis of the world, a side of the box around
+/// them meets the nearest side of the box around another object, or the floor (z = 0): flush with
+/// it, or kRestingGap beside it. It is 0 along an axis without one within `reach`.
 [[nodiscard]] Eigen::Vector3d shift_to_sides(const geometric::Scene& scene,
                                              const geometric::Configuration& q,
                                              const ObjectNames& names, double reach);
@@ -148,7 +148,7 @@ struct LinearArray {
   Eigen::Vector3i count{1, 1, 1};          ///< Each at least 1, the original included.
   Eigen::Vector3d spacing{0.1, 0.1, 0.1};  ///< m
 
-  /// Where the copies go, without the original.
+  /// Returns the motions to the copies, without the original.
   [[nodiscard]] std::vector<geometric::Pose> motions() const;
 };
 
@@ -179,7 +179,8 @@ struct Copies {
 [[nodiscard]] Copies with_objects_of(const SceneState& state, const geometric::Scene& added,
                                      const geometric::Pose& motion);
 
-/// These objects alone, as they are in the world, unlocked: to be added to this or another scene.
+/// Returns a scene of these objects alone, with their poses in the world, unlocked, to be added to
+/// this or another scene.
 [[nodiscard]] geometric::Scene objects_alone(const SceneState& state,
                                              const geometric::Configuration& q,
                                              const ObjectNames& names);
@@ -187,7 +188,7 @@ struct Copies {
 /// A face of a shape that can be pulled outwards: of a box or mesh each of its six sides, of
 /// a cylinder or cone its ends and its mantle, of a sphere anywhere on the axes.
 struct ResizeKnob {
-  int axis = 0;  ///< Of the shape's own frame.
+  int axis = 0;  ///< Axis of the shape's own frame.
   int sign = 1;  ///< On which side.
   Eigen::Vector3d p_O = Eigen::Vector3d::Zero();
 

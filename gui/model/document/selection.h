@@ -26,8 +26,8 @@ struct SceneItem {
   };
 
   Kind kind = Kind::kNone;
-  std::string robot;  ///< Of kRobot and kLink.
-  std::string name;   ///< Of kLink, kObject and kGroup; of kGoalPose its number, from 0.
+  std::string robot;  ///< For kRobot and kLink.
+  std::string name;   ///< For kLink, kObject, kGroup; for kGoalPose its number, from 0.
 
   /// A posture of the first robot, that is moved by its palm: where it is, start or goal.
   [[nodiscard]] bool is_posture() const {
@@ -37,13 +37,13 @@ struct SceneItem {
   friend bool operator==(const SceneItem&, const SceneItem&) = default;
 };
 
-/// What a pointer meets in the view.
+/// Hit of a pointer in the view.
 struct SceneHit {
   SceneItem item;
   Eigen::Vector3d point;  ///< World, m.
 };
 
-/// What is selected: any number of objects, or one thing of another kind.
+/// Selected items: any number of objects, or one item of another kind.
 struct Selection {
   SceneItem item;                         ///< The one that was selected last.
   std::vector<std::string> objects = {};  ///< All that are selected; the last is `item`.
@@ -59,22 +59,22 @@ struct Selection {
 
 /// One item, whatever it is.
 [[nodiscard]] Selection selection_of(const SceneItem& item);
-/// These objects, each once; the last is the one that others are aligned to.
+/// Returns a selection of these objects, each once; the others are aligned to the last one.
 [[nodiscard]] Selection selection_of(std::vector<std::string> objects);
 
 /// The objects of a group, as the scene lists them.
 [[nodiscard]] std::vector<std::string> group_members(const geometric::Scene& scene,
                                                      const std::string& group);
 
-/// What a click on an object selects: it with its group, but it alone if just that
+/// Returns the selection after a click on an object: it with its group, or it alone if exactly that
 /// group is selected already.
 [[nodiscard]] Selection clicked(const SceneState& state, const Selection& now,
                                 const SceneItem& item);
-/// What a click with Ctrl or Shift selects: what it would without is added to what
-/// is selected now, or taken away if it was.
+/// Returns the selection after a click with Ctrl or Shift: the items of a plain click are added to
+/// the selection, or removed if they were in it.
 [[nodiscard]] Selection toggled(const SceneState& state, const Selection& now,
                                 const SceneItem& item);
-/// What of it is still in the scene.
+/// Returns the part of the selection that is still in the scene.
 [[nodiscard]] Selection still_there(const SceneState& state, Selection selection);
 
 /// The objects in parts that move as one: each group that is selected whole, and each other

@@ -19,7 +19,7 @@ class LatestJob : public QObject {
   Q_OBJECT
 
  public:
-  /// What is to be done on the GUI thread with what a job found; may be empty.
+  /// Function that runs on the GUI thread with the results of a job; may be empty.
   using Answer = std::function<void()>;
   /// Runs on the job's thread. The token says that nobody waits any more.
   using Job = std::function<Answer(const std::stop_token& stop)>;
@@ -32,7 +32,7 @@ class LatestJob : public QObject {
   /// Lets the job before come to its end, and its answer arrive: for questions that may come faster
   /// than they can be answered.
   void run_next(Job job);
-  /// As run(), without another job.
+  /// Cancels the job, like run() without another job.
   void cancel();
   /// True while an answer is still to come.
   [[nodiscard]] bool is_busy() const { return wanted_ != done_; }

@@ -12,8 +12,8 @@
 
 namespace handway::gui {
 
-/// The same surface with one vertex a place (within a ten-thousandth of a millimetre), also of
-/// triangle soups (STL), without triangles that have a place twice.
+/// Returns this surface with coinciding vertices (within a ten-thousandth of a millimetre) merged,
+/// also of triangle soups (STL), without degenerate triangles.
 [[nodiscard]] geometric::TriangleMesh welded_to_draw(const geometric::TriangleMesh& mesh);
 
 /// Is it the surface of solids, seen from outside? Then triangles that look away can't be seen.
@@ -65,14 +65,15 @@ struct CoarserMesh {
 /// A mesh as the view draws it.
 struct DrawnMesh {
   ShadedMesh fine;
-  bool is_solid = false;             ///< As is_solid() says.
+  bool is_solid = false;             ///< See is_solid().
   std::vector<CoarserMesh> coarser;  ///< From fine to coarse; none if that doesn't pay.
 };
 
 /// @pre the mesh has a vertex.
 [[nodiscard]] DrawnMesh prepare_to_draw(const geometric::TriangleMesh& mesh);
 
-/// What is shown of a link: its visual geometry, or, where there is none, that for collisions.
+/// Returns the displayed geometry of a link: its visual geometry or, if there is none, that for
+/// collisions.
 [[nodiscard]] inline const std::vector<geometric::LinkGeometry>& shown_geometry(
     const geometric::Link& link) {
   return link.visual.empty() ? link.collision : link.visual;

@@ -30,7 +30,7 @@ struct RecordedStep {
 struct RecordedRun {
   std::vector<RecordedStep> steps;
   std::vector<geometric::Configuration> samples;
-  std::vector<int> nodes;  ///< Of each node of the roadmap: its index in samples.
+  std::vector<int> nodes;  ///< Index in samples of each node of the roadmap.
   std::vector<std::pair<std::string, std::string>> pairs;  ///< Names of the world's pairs.
   std::uint64_t left_out = 0;                              ///< Steps after the last one kept.
   planning::PlanResult result;
@@ -58,7 +58,7 @@ class RunRecorder : public planning::AlgorithmObserver {
   RecordedRun run_;
 };
 
-/// Which steps are stopped at.
+/// Kinds of steps to stop at.
 enum class StepFilter {
   kAll,
   kSamples,  ///< Questions about the arm's and the hand's draws, and new nodes.

@@ -30,7 +30,7 @@ class RoadmapWatch : public planning::RoadmapRecorder {
 
   /// Has anything come since it was last taken?
   [[nodiscard]] bool has_news() const;
-  /// What has been found by now; of several searches, the winner's once there is one.
+  /// Returns the roadmap found so far; of several searches, the winner's once there is one.
   [[nodiscard]] SharedRoadmap take();
 
  private:

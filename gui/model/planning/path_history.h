@@ -39,7 +39,7 @@ struct PlanRun {
   QString failure;  ///< Why it could not be done; empty if there is a result.
 };
 
-/// How planning ended, in few words: "Path found".
+/// Returns the outcome of planning in few words: "Path found".
 [[nodiscard]] QString status_text(planning::PlanStatus status);
 /// A result as one line of plain text.
 [[nodiscard]] QString result_line(const planning::PlanResult& result);
@@ -59,7 +59,7 @@ struct PathFigures {
   double least_clearance = 0.0;  ///< m, at most kMostClearance; or a run's certificate.
   /// m, over time, more than kMostClearance counting as that; nothing where it was not looked at.
   std::optional<double> mean_clearance;
-  /// How human the hand looks, over time; nothing where there is nothing to compare with.
+  /// Human-likeness of the hand over time; nothing if there is nothing to compare with.
   std::optional<planning::DistanceAlong> to_subspace;
   std::optional<planning::DistanceAlong> to_recorded;
 };
@@ -74,12 +74,12 @@ struct PathFigures {
 /// normalised to [0, 1]: 0 for a straight one.
 [[nodiscard]] double turning_of(const geometric::RobotModel& model, const planning::Path& path);
 
-/// How the better of two paths is chosen.
+/// Criterion to choose the better of two paths.
 enum class PathMerit { kShort, kQuick, kSmooth, kHuman, kClear };
 inline constexpr std::array kPathMerits{PathMerit::kShort, PathMerit::kQuick, PathMerit::kSmooth,
                                         PathMerit::kHuman, PathMerit::kClear};
 
-/// Of two paths, the one with the lesser cost is better.
+/// Returns the cost of a path; the path with the lower cost is better.
 [[nodiscard]] double cost(const PathFigures& figures, PathMerit merit);
 
 /// The best by that merit: "shortest", "quickest", …
@@ -94,8 +94,8 @@ struct PathRecord {
   std::shared_ptr<const MotionCurves> curves;      ///< Null: there is no motion, or not found yet.
   std::shared_ptr<const PlanRun> run;  ///< Null: from a file, or a path that follows edits.
   std::optional<PathFigures> figures;  ///< Once there are curves.
-  int opened_scene = 0;                ///< Of the scenes of a session, one after the other.
-  QString remark = {};                 ///< What is to be known of a file's, a sentence.
+  int opened_scene = 0;                ///< Counts the scenes of a session.
+  QString remark = {};                 ///< Remark about a file, a sentence.
 
   [[nodiscard]] bool has_figures() const { return figures.has_value(); }
   /// Has its run found a path?
@@ -107,10 +107,10 @@ struct PathRecord {
 [[nodiscard]] std::vector<PathRecord>::const_iterator best_of(
     const std::vector<PathRecord>& records, PathMerit merit);
 
-/// What a person calls a path. @param way where it comes from: "auto, seed 1".
+/// Returns the displayed name of a path. @param origin source of the path: "auto, seed 1".
 [[nodiscard]] QString label_of(const QString& origin, const planning::Motion& motion,
                                const QTime& time);
-/// The same of one that a planner found.
+/// Returns the displayed name of a path that a planner found.
 [[nodiscard]] QString label_of(const PlanRun& run, const planning::Motion& motion);
 
 /// The paths and runs of the scene that is open and of some that were open before, the latest
@@ -134,7 +134,7 @@ class PathHistory : public QObject {
   [[nodiscard]] bool is_of_open_scene(const PathRecord& record) const {
     return record.opened_scene == opened_scene_;
   }
-  /// Those with a motion and its curves.
+  /// Returns the records with a motion and its curves.
   [[nodiscard]] std::vector<PathRecord> paths() const;
 
  signals:

@@ -12,8 +12,8 @@ namespace handway::gui {
 
 class PathPlayer;
 
-/// Whether the path on screen is valid in the scene as it is. An edit revokes it at once; the path
-/// is then checked in the edited scene, in the background.
+/// Validity of the path on screen in the present scene. An edit revokes it at once; the path is
+/// then checked in the edited scene, in the background.
 class PathValidity : public QObject {
   Q_OBJECT
 

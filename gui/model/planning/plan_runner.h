@@ -54,17 +54,17 @@ class PlanRunner : public QObject {
   LatestJob job_;
 };
 
-/// The same plan with several seeds.
+/// One plan with several seeds.
 struct SeedRuns {
   std::shared_ptr<const PreparedProblem> problem;
   /// Alike; as many as there are to be at work at a time.
   std::vector<std::shared_ptr<planning::Planner>> planners;
-  planning::PlanRequest request;  ///< Of the first seed; each has the next, and one thread.
+  planning::PlanRequest request;  ///< For the first seed; each has the next, and one thread.
   int count = 1;
   std::shared_ptr<const sampling::RecordedPostures> postures;  ///< May be null.
 };
 
-/// What one of them came to.
+/// Outcome of one of these seeds.
 struct SeedOutcome {
   planning::PlanRequest request;
   planning::PlanResult result;
@@ -117,19 +117,19 @@ struct OptimizeTask {
   planning::PlanRequest request;  ///< Its seed, and for how long at most: optimize_s.
 };
 
-/// How far optimising has come.
+/// Progress of optimising.
 struct OptimizeProgress {
   planning::Path path;                  ///< The best so far.
-  double seconds = 0.0;                 ///< Of this run.
+  double seconds = 0.0;                 ///< Time of this run.
   double limit_s = 0.0;                 ///< It ends after these at the latest; may be infinite.
   double cost_before = 0.0;             ///< When it first began.
-  double cost = 0.0;                    ///< Of the path by now.
+  double cost = 0.0;                    ///< Cost of the present path.
   double length = 0.0;                  ///< In joints normalised to [0, 1].
   std::optional<double> hand_distance;  ///< Mean, from the PMD subspace; nothing: no basis.
   bool converged = false;
 };
 
-/// What it came to.
+/// Outcome of optimising.
 struct OptimizeOutcome {
   planning::PlanResult result;
   OptimizeProgress last;

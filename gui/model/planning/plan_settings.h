@@ -25,7 +25,7 @@ struct PlanChoices {
   double optimize_limit = 0.0;  ///< s
 };
 
-/// What the next run is asked for: a planner with its parameters, seeds, limits.
+/// Settings of the next run: a planner with its parameters, seeds, limits.
 class PlanSettings : public QObject {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class PlanSettings : public QObject {
   /// The chosen planner; null if there is none. Whoever changes its parameters calls
   /// announce_parameters().
   [[nodiscard]] const std::shared_ptr<planning::Planner>& planner() const { return planner_; }
-  /// So many planners like the chosen one.
+  /// Returns this number of planners like the chosen one.
   [[nodiscard]] std::vector<std::shared_ptr<planning::Planner>> copies(int count) const;
   /// The chosen planner with the settings that differ from its defaults.
   [[nodiscard]] geometric::PlannerRequest choice() const;
@@ -45,11 +45,12 @@ class PlanSettings : public QObject {
   /// Takes over a scene's planner with its settings.
   /// @throws InputError if it names an unknown planner, key or value.
   void apply(const geometric::PlannerRequest& choice);
-  /// What a scene begins with: one seed, 1, no margin, and the usual time limit and threads.
+  /// Resets to the initial settings of a scene: one seed, 1, no margin, and the usual time limit
+  /// and threads.
   void begin_scene();
   /// Chooses a planner with its defaults. @throws InputError if there is none of that name.
   void use_planner(const std::string& name);
-  /// The same, but keeps the settings if it is chosen already.
+  /// Chooses a planner, but keeps the settings if it is chosen already.
   void choose_planner(const std::string& name);
   /// Sets KEY=VALUE of the chosen planner. @throws InputError
   void set_parameter(const std::string& key, const std::string& value);
@@ -60,7 +61,7 @@ class PlanSettings : public QObject {
   /// Seed, threads, time limit and margin.
   [[nodiscard]] const planning::PlanRequest& request() const { return request_; }
   void set_seed(std::uint64_t seed);
-  /// Of this scene, and of those that are opened from now on.
+  /// Sets the threads for this scene, and for scenes that are opened from now on.
   void set_usual_threads(int threads);
   void set_usual_time_limit(double seconds);
   /// @param threads 0: one a processor.
@@ -71,7 +72,7 @@ class PlanSettings : public QObject {
   /// Seed, time limit and margin as they were; one seed.
   void restore(const planning::PlanRequest& request);
 
-  /// How many seeds are planned with, from the seed on.
+  /// Returns the number of seeds to plan with, beginning with the seed.
   [[nodiscard]] int seeds() const { return seeds_; }
   void set_seeds(int seeds);
   /// By which the best of several seeds' paths is chosen.

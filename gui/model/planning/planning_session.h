@@ -47,14 +47,14 @@ class PlanningSession : public QObject {
   /// @param note what is to be known of it, a sentence.
   /// @pre the waypoints are configurations of the document's robot.
   void show_opened(const planning::Path& path, const QString& origin, const QString& note);
-  /// Where the path comes from that was not planned here; empty for one that was, or none.
+  /// Returns the source of a path that was not planned here; empty if it was, or if there is none.
   [[nodiscard]] const QString& opened_from() const { return opened_from_; }
   /// The run whose path is shown; null if there is none, or the path has followed edits.
   [[nodiscard]] const std::shared_ptr<const PlanRun>& shown_run() const { return shown_; }
   /// True while a path follows an edit.
   [[nodiscard]] bool is_replanning() const { return live_.is_busy(); }
 
-  /// Of the last run, as far as it is; null: none.
+  /// Returns the roadmap of the last run as far as it has grown; null: none.
   [[nodiscard]] const SharedRoadmap& roadmap() const { return roadmap_; }
 
   /// Plans for a scene that is only tried, such as while an object is dragged.
@@ -66,17 +66,18 @@ class PlanningSession : public QObject {
   /// The path that is being optimised, as it is by now; empty: none is any more.
   void path_optimized(const handway::planning::Path& path);
   void progressed(double fraction, const QString& activity);
-  /// Of several seeds, so many are done, of which so many found a path.
+  /// Emitted when `done` of several seeds are done, of which `solved` found a path.
   void seeds_done(int done, int solved);
   void optimized_further(const handway::gui::OptimizeProgress& progress);
-  /// What a run, or several seeds together, came to. @param note to be said first; may be empty.
+  /// Emitted with the result of a run, or of several seeds together. @param note to be shown first;
+  /// may be empty.
   void result_found(const handway::planning::PlanResult& result, const QString& note);
   /// A path follows an edit, or there is none. @param origin how it was found, a few words.
   void replanned(const handway::planning::PlanResult& result, const QString& origin);
   void failed(const QString& message);
   /// A path is shown that was not planned here.
   void path_opened(const QString& note);
-  /// What was found before counts no more.
+  /// Emitted when earlier results are not valid any more.
   void forgotten();
   /// roadmap() is another one, or has grown.
   void roadmap_changed();
@@ -112,13 +113,12 @@ class PlanningSession : public QObject {
   PlanRunner runner_;
   SeedRunner seeds_;
   LiveReplanner live_;
-  planning::Revision planned_;     ///< Of the run that goes on.
-  PlanRun begun_;                  ///< The same run, as far as it is known when it begins.
-  std::vector<PathRecord> found_;  ///< Of its seeds.
+  planning::Revision planned_;     ///< Revision of the present run.
+  PlanRun begun_;                  ///< Present run, as known at its start.
+  std::vector<PathRecord> found_;  ///< Paths of its seeds.
   std::shared_ptr<const PlanRun> shown_;
   OptimizeRunner optimizer_;
-  bool repeatable_ =
-      false;  ///< What is optimised would be found again with the settings as they are.
+  bool repeatable_ = false;  ///< Whether the present settings repeat the optimised path.
   SharedRoadmap roadmap_;
   QString opened_from_;
 };

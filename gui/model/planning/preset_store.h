@@ -16,7 +16,7 @@ namespace handway::gui {
 /// A named set of a planner's parameters.
 struct PlannerPreset {
   QString name;
-  /// What it is for, one sentence; empty for a person's own.
+  /// Purpose, one sentence; empty for a user's own.
   QString purpose;
   /// Keys and values that differ from the planner's own, in any order.
   std::vector<std::pair<std::string, std::string>> settings;
@@ -51,9 +51,9 @@ class PresetStore : public QObject {
   /// Reads what is kept.
   explicit PresetStore(QObject* parent = nullptr);
 
-  /// Those that come with the program first, then a person's own by name.
+  /// Returns the presets that ship first, then the user's own by name.
   [[nodiscard]] std::vector<PlannerPreset> of(const std::string& planner) const;
-  /// What is wrong with the file; empty if nothing is.
+  /// Returns the error in the file; empty if there is none.
   [[nodiscard]] const QString& fault() const { return fault_; }
   [[nodiscard]] static std::filesystem::path file();
 

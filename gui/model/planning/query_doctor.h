@@ -17,15 +17,15 @@
 
 namespace handway::gui {
 
-/// What is wrong with a start or a goal, and what could be taken instead.
+/// Diagnosis of a start or a goal in collision, with an alternative.
 struct EndDiagnosis {
   bool is_start = true;
-  geometric::Configuration q;                ///< What was looked at.
+  geometric::Configuration q;                ///< The diagnosed configuration.
   std::vector<geometric::Contact> contacts;  ///< Deepest first.
   std::vector<std::string> beyond_limits;    ///< Names of joints.
-  std::vector<std::string> violated;         ///< As violated_constraints() says.
+  std::vector<std::string> violated;         ///< See violated_constraints().
   planning::NearestFree nearest;
-  std::optional<planning::CollisionRemedy> remedy;  ///< What may be meant instead.
+  std::optional<planning::CollisionRemedy> remedy;  ///< Alternative that may be meant.
 };
 
 /// Looks at start and goal on a thread of its own.
@@ -54,7 +54,7 @@ class QueryDoctor : public QObject {
   QStringList reported_;
 };
 
-/// What planning would refuse about the scene's start and goal.
+/// Returns the errors that planning would report about the scene's start and goal.
 [[nodiscard]] std::vector<EndDiagnosis> diagnose(const planning::PlanningProblem& problem,
                                                  bool has_start, bool has_goal,
                                                  const std::stop_token& stop);

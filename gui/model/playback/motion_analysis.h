@@ -30,12 +30,12 @@ struct PathMotion {
 [[nodiscard]] PathMotion motion_of(const planning::PlanningProblem& problem,
                                    const planning::Path& path);
 
-/// What the points of a motion have beside joints; all of shape [points].
+/// Curves along the points of a motion beside the joints; all of shape [points].
 struct MotionCurves {
   /// m, at most kMostClearance; empty, as `closest` is, where only hands are looked at.
   std::vector<double> clearance;
   std::vector<std::string> closest;  ///< "A with B", empty where nothing is near.
-  /// How human the hand looks, see planning::HandLikeness; empty: nothing to compare with.
+  /// Human-likeness of the hand, see planning::HandLikeness; empty: nothing to compare with.
   std::vector<double> to_subspace;
   std::vector<double> to_recorded;
 };
@@ -50,7 +50,7 @@ inline constexpr double kMostClearance = 0.1;
     const std::shared_ptr<const sampling::RecordedPostures>& postures,
     const planning::Trajectory& trajectory, const std::stop_token& stop);
 
-/// The same without clearance, which takes nearly all of the time.
+/// Returns the curves without clearance, which takes nearly all of the time.
 [[nodiscard]] MotionCurves hand_curves(
     const planning::PlanningProblem& problem,
     const std::shared_ptr<const sampling::RecordedPostures>& postures,
@@ -94,7 +94,7 @@ class MotionAnalysis : public QObject {
   State state_ = State::kNoPath;
   std::shared_ptr<const planning::Motion> motion_;
   std::shared_ptr<const MotionCurves> curves_;
-  std::shared_ptr<const planning::PlanningProblem> problem_;  ///< That motion_ is of.
+  std::shared_ptr<const planning::PlanningProblem> problem_;  ///< Problem of motion_.
   QString fault_;
   QTimer calm_;  ///< Paths that follow each other fast are not timed.
   LatestJob job_;

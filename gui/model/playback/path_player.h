@@ -37,9 +37,10 @@ class PathTimeline {
 
   /// Configuration at `fraction`, clamped to [0, 1]. @pre not empty.
   [[nodiscard]] geometric::Configuration at(double fraction) const;
-  /// Where waypoint `index` lies. @pre index is one of the path's.
+  /// Returns the fraction of waypoint `index`. @pre index is one of the path's.
   [[nodiscard]] double fraction_of(std::size_t index) const;
-  /// How many waypoints lie before `fraction`, and the share of the way to the next one.
+  /// Returns the number of waypoints before `fraction`, plus the share of the motion to the next
+  /// one.
   [[nodiscard]] double waypoint_at(double fraction) const;
   /// The opposite of waypoint_at().
   [[nodiscard]] double fraction_at(double waypoint) const;
@@ -70,7 +71,7 @@ class PathPlayer : public QObject {
   Q_OBJECT
 
  public:
-  /// How long a picture is shown, s at real time.
+  /// Time for which a frame is shown, s at real time.
   static constexpr double kFrame = 1.0 / 30.0;
 
   explicit PathPlayer(QObject* parent = nullptr);
@@ -83,10 +84,10 @@ class PathPlayer : public QObject {
   [[nodiscard]] const planning::Revision& made_from() const { return made_from_; }
   /// The path has got times: it goes on from where it is. @pre `motion` is one of the path.
   void set_motion(std::shared_ptr<const planning::Motion> motion);
-  /// Whether duration() and time() are those of a robot that goes the path.
+  /// Meaning of duration() and time(): whether they are those of a robot that follows the path.
   enum class Times {
     kPending,    ///< They are being found: those before were of another scene or path.
-    kKnown,      ///< As the motion has them.
+    kKnown,      ///< The times of the motion.
     kEstimated,  ///< There is no motion; the path is played at even speed.
   };
   [[nodiscard]] Times times() const { return times_; }
@@ -95,13 +96,13 @@ class PathPlayer : public QObject {
   [[nodiscard]] const PathTimeline& timeline() const { return timeline_; }
 
   [[nodiscard]] double fraction() const { return fraction_; }
-  /// Whether the robot is shown where the path is at fraction(); false where it was moved
+  /// Returns whether the robot is shown at fraction() of the path; false if it was moved
   /// otherwise.
   [[nodiscard]] bool is_at_robot() const { return is_at_robot_; }
   /// The robot is shown in `q`: at the start or the end of the path, fraction() becomes that.
   void locate(const geometric::Configuration& q);
   [[nodiscard]] bool is_playing() const { return timer_.isActive(); }
-  /// How long the whole path takes at speed 1, s.
+  /// Returns the duration of the whole path at speed 1, s.
   [[nodiscard]] double duration() const { return timeline_.duration(); }
   [[nodiscard]] double time() const { return fraction_ * duration(); }
 
@@ -122,14 +123,14 @@ class PathPlayer : public QObject {
   void moved(double fraction);
   void playing_changed(bool playing);
   void timeline_changed();
-  /// The same path, with other times.
+  /// Emitted when the path is the same, with other times.
   void retimed();
   /// The robot was moved by something else, see locate().
   void located();
 
  private:
   void advance();
-  /// Where it begins, and where it ends; they change places when it plays backwards.
+  /// Returns the fractions of the beginning and the end; they are swapped for backward playback.
   [[nodiscard]] double begin() const { return backwards_ ? 1.0 : 0.0; }
   [[nodiscard]] double end() const { return backwards_ ? 0.0 : 1.0; }
 

@@ -7,14 +7,14 @@ namespace handway::gui {
 
 class OrbitCamera;
 
-/// Which buttons of the mouse turn, move and zoom.
+/// Mouse buttons that turn, move and zoom.
 enum class NavigationStyle {
   kLeftTurns,    ///< Left turns, middle or Shift+left moves, right zooms.
   kMiddleTurns,  ///< Middle turns, Shift+middle moves, Ctrl+middle zooms.
   kRightTurns,   ///< Right turns, middle or Shift+right moves, Ctrl+right zooms.
 };
 
-/// How the mouse moves a camera.
+/// Settings of how the mouse moves a camera.
 struct Navigation {
   NavigationStyle style = NavigationStyle::kLeftTurns;
   bool wheel_reversed = false;
@@ -24,7 +24,7 @@ struct Navigation {
 
 enum class CameraMove { kNone, kTurn, kPan, kZoom };
 
-/// What dragging with these buttons held does.
+/// Returns the move of the camera when dragging with these buttons held.
 [[nodiscard]] CameraMove camera_move(NavigationStyle style, Qt::MouseButtons buttons,
                                      Qt::KeyboardModifiers modifiers);
 
@@ -32,7 +32,8 @@ enum class CameraMove { kNone, kTurn, kPan, kZoom };
 /// height, right and down.
 void move_camera(OrbitCamera& camera, CameraMove move, const QPointF& drag);
 
-/// How much farther away a turn of the wheel goes. @param angle as QWheelEvent::angleDelta().
+/// Returns the factor on the camera's distance for a turn of the wheel. @param angle as
+/// QWheelEvent::angleDelta().
 [[nodiscard]] double wheel_zoom(const Navigation& navigation, int angle);
 
 }  // namespace handway::gui

@@ -13,15 +13,15 @@
 
 namespace handway::gui {
 
-/// Of the window, px.
+/// Size of the window, px.
 constexpr QSize kUsualSize{1440, 900};
 
-/// What the command line asks of the workbench.
+/// Options of the workbench on the command line.
 struct Options {
   std::filesystem::path scene;       ///< Empty: start with an empty window.
   std::filesystem::path screenshot;  ///< Empty: stay open.
   bool view_only = false;            ///< The picture shows the 3-D view alone, of that size.
-  /// Nothing: as last time; at first, and for pictures, kUsualSize.
+  /// Nothing: the last size; at first, and for pictures, kUsualSize.
   std::optional<QSize> size;
   std::filesystem::path path;  ///< File of a path to show at once; empty: none.
   bool play = false;           ///< Plan at once, unless there is a path, then play in a loop.
@@ -45,11 +45,11 @@ struct ViewColors {
   geometric::Color text{0.20F, 0.24F, 0.30F, 1.0F};
 };
 
-/// What start and goal are drawn in, in the view and in the panels.
+/// Colours of start and goal, in the view and in the panels.
 inline constexpr geometric::Color kStartColor{0.16F, 0.62F, 0.44F, 1.0F};
 inline constexpr geometric::Color kGoalColor{0.92F, 0.52F, 0.16F, 1.0F};
 
-/// Where a search that found no path came to from the start and from the goal.
+/// Colours of the ends of a search that found no path, from the start and from the goal.
 inline constexpr geometric::Color kFromStartColor{0.13F, 0.45F, 0.86F, 1.0F};
 inline constexpr geometric::Color kFromGoalColor{0.62F, 0.25F, 0.74F, 1.0F};
 

@@ -17,7 +17,7 @@ enum class Projection { kPerspective, kOrthographic };
 /// A camera on a turntable around `target`; the horizon stays level.
 class OrbitCamera {
  public:
-  /// Where the camera stands, seen from the target.
+  /// Position of the camera relative to the target.
   struct Placement {
     Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< World, m.
     double distance = 3.0;                             ///< From the target, m.
@@ -28,7 +28,7 @@ class OrbitCamera {
   static constexpr double kFieldOfView = geometric::radians(32.0);  ///< Vertical.
 
   [[nodiscard]] Projection projection() const { return projection_; }
-  /// What is at the target's depth stays as large as it is.
+  /// Sets the projection. Bodies at the target's depth keep their size.
   void set_projection(Projection projection) { projection_ = projection; }
   [[nodiscard]] const Placement& placement() const { return placement_; }
   void set_placement(const Placement& placement);
@@ -54,10 +54,10 @@ class OrbitCamera {
   /// Moves so that all points (world, m) just fit into the picture with a margin.
   /// @param aspect width / height.
   void fit(std::span<const Eigen::Vector3d> points, double aspect, double margin = 1.08);
-  /// Where a point (world, m) is in the picture: right of its middle and above it, in fractions of
-  /// the view's height; nothing if it is behind the camera.
+  /// Returns the position of a point (world, m) in the picture: right of its middle and above it,
+  /// in fractions of the view's height; nothing if it is behind the camera.
   [[nodiscard]] std::optional<Eigen::Vector2d> place_of(const Eigen::Vector3d& point) const;
-  /// Whether all points (world, m) are in the picture. @param aspect width / height.
+  /// Returns whether all points (world, m) are in the picture. @param aspect width / height.
   [[nodiscard]] bool sees(std::span<const Eigen::Vector3d> points, double aspect) const;
 
  private:

@@ -21,7 +21,7 @@ struct QuantityUnits {
   bool operator==(const QuantityUnits& other) const = default;
 };
 
-/// How a unit is written behind a number, and what one of it is in mm or degrees.
+/// Text of a unit behind a number, and its size in mm or degrees.
 struct UnitText {
   QString suffix;
   double size = 1.0;
@@ -31,7 +31,7 @@ struct UnitText {
 
 enum class Theme { kLight, kDark };
 
-/// What a person may wish of the workbench, whatever scene is open. As made: the defaults.
+/// Preferences of the user, independent of the open scene. Initial values are the defaults.
 struct PreferenceValues {
   std::optional<Theme> theme;  ///< Empty: the desktop's.
   int text_size = 100;         ///< Percent; from the next start.
@@ -45,7 +45,7 @@ struct PreferenceValues {
   bool always_fine = false;  ///< Smooth edges and all triangles also while something moves.
   int frame_limit = 60;      ///< Pictures at most a second; 0: as many as can be had.
 
-  QString planner;            ///< Of scenes that name none; empty: the registry's first.
+  QString planner;            ///< For scenes that name none; empty: the registry's first.
   int threads = 0;            ///< To plan with; 0: one a processor.
   double time_limit = 300.0;  ///< s; 0: none.
 
@@ -65,7 +65,7 @@ class Preferences : public QObject {
   [[nodiscard]] const PreferenceValues& values() const { return values_; }
   /// Keeps other values and emits changed(), if they have.
   void set(const PreferenceValues& values);
-  /// The same for one of them: set(&PreferenceValues::floor, false).
+  /// Sets one of the values: set(&PreferenceValues::floor, false).
   template <typename Value>
   void set(Value PreferenceValues::*member, const Value& value) {
     PreferenceValues changed = values_;

@@ -21,7 +21,7 @@ struct PanelPart {
       : layout(which), stretch(stretched) {}
 
   QWidget* widget = nullptr;
-  QLayout* layout = nullptr;  ///< Neither: nothing is there but room.
+  QLayout* layout = nullptr;  ///< Null like widget: only a space.
   int stretch = 0;
   Qt::Alignment alignment = {};
 };
@@ -49,7 +49,7 @@ template <typename Object>
   return object;
 }
 
-/// What stands above a part of a panel.
+/// Makes the heading of a part of a panel.
 [[nodiscard]] QLabel* heading(const QString& text = {});
 /// Words that are read after all others: what explains, counts or names.
 [[nodiscard]] QLabel* note(const QString& text = {});

@@ -45,10 +45,10 @@ class ParameterForm : public QWidget {
   /// Weights of an objective are shown where they count: if it is a custom one.
   void show_weights();
 
-  std::vector<std::pair<std::string, QWidget*>> names_;  ///< What names each parameter, by key.
+  std::vector<std::pair<std::string, QWidget*>> names_;  ///< Label of each parameter, by key.
   QFormLayout* layout_;
   std::vector<std::pair<QWidget*, QWidget*>> weights_;  ///< Their names and fields.
-  int weights_row_ = 0;                                 ///< Where they go.
+  int weights_row_ = 0;                                 ///< Row of the weights.
   bool has_weights_ = true;                             ///< They are in the layout.
 };
 

@@ -62,7 +62,7 @@ class PoseForm : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  signals:
-  /// What was not typed stays exactly as shown.
+  /// Emitted with the edited pose. Values that were not typed are exactly those that were shown.
   void pose_edited(const handway::geometric::Pose& X);
 
  protected:
@@ -76,7 +76,7 @@ class PoseForm : public QWidget {
   std::array<QuantityField*, 3> position_;
   std::array<QuantityField*, 3> rotation_;
   geometric::Pose X_ = geometric::Pose::Identity();
-  std::array<QLabel*, 6> labels_{};  ///< Of the position, then of the rotation.
+  std::array<QLabel*, 6> labels_{};  ///< Labels of position, then of rotation.
   bool is_narrow_ = false;
 };
 
@@ -85,8 +85,8 @@ class SliderRow : public QWidget {
   Q_OBJECT
 
  public:
-  /// What the row is about. Bounds and values are in inside units; the screen
-  /// shows them multiplied by `scale`.
+  /// Quantity of the row. Bounds and values are in inside units; the screen shows them multiplied
+  /// by `scale`.
   struct Range {
     double lower = 0.0;
     double upper = 1.0;

@@ -38,7 +38,7 @@ class ShapeForm : public QWidget {
 
   QFormLayout* layout_;
   std::vector<QuantityField*> fields_;
-  QDoubleSpinBox* scale_ = nullptr;  ///< Of a mesh.
+  QDoubleSpinBox* scale_ = nullptr;  ///< Scale of a mesh.
   geometric::Shape shape_;
   bool editable_ = true;
 };
@@ -48,15 +48,15 @@ class ShapeForm : public QWidget {
 
 class PoseForm;
 
-/// What a body has to keep along paths: an angle to the upright, a region. Each can be switched on,
-/// which makes one, changed, and switched off.
+/// Form of a body's constraints along paths: an angle to the upright, a region. Each can be
+/// switched on, which makes one, changed, and switched off.
 class ConstraintForm : public QWidget {
   Q_OBJECT
 
  public:
   explicit ConstraintForm(QWidget* parent = nullptr);
 
-  /// Nothing: there is none of that kind.
+  /// Shows the constraint; nothing: there is none of that kind.
   void show_upright(const std::optional<geometric::OrientationConstraint>& upright);
   void show_region(const std::optional<geometric::PositionConstraint>& region);
 

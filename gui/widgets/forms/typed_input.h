@@ -25,8 +25,8 @@ namespace handway::gui {
 // Every panel shows its values through them: a robot that moves, a document that changes or a
 // device that streams never overwrites what is being typed.
 
-/// Whether a person is at work in the field: text is typed and not entered yet, the list is open,
-/// or the handle of the slider is held.
+/// Returns whether the user is editing the field: text is typed and not entered yet, the list is
+/// open, or the handle of the slider is held.
 [[nodiscard]] bool is_being_edited(const QWidget& field);
 
 /// Shows a number.
@@ -40,7 +40,7 @@ void show_text(QLineEdit& field, const QString& text);
 struct ShownChoice {
   QString text;
   QVariant data = {};
-  QVariant more_data = {};  ///< Of Qt::UserRole + 1.
+  QVariant more_data = {};  ///< For Qt::UserRole + 1.
 };
 /// Shows a list of choices. An open list stays as it is until it is closed.
 /// @param current row; negative: none.

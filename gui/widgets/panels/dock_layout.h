@@ -26,7 +26,7 @@ struct DockContent {
   std::function<void(const QString& title, QWidget* page)> add_page = {};
 };
 
-/// What goes into the docks around the view.
+/// Contents of the docks around the view.
 struct DockContents {
   std::vector<DockContent> left;     ///< Above each other.
   std::vector<DockContent> history;  ///< Behind the last on the left, hidden at first.
@@ -78,7 +78,7 @@ class PanelArea : public ScrollingPage {
 /// `wanted`, but no larger than the window that a dialog belongs to.
 [[nodiscard]] QSize within_window(const QWidget& dialog, const QSize& wanted);
 
-/// Which docks are where, and how large the window is where, kept between runs.
+/// Saves the places of the docks and the geometry of the window between runs.
 void save_layout(const QMainWindow& window);
 /// @returns false if there is none, or one of another version of the program.
 bool restore_layout(QMainWindow& window);

@@ -32,7 +32,7 @@ class FloatingCard : public QFrame {
   [[nodiscard]] QToolButton* make_fold(const QString& name, QWidget& details);
   /// Moves it, as large as it has to be, to the lower right, above others that are there.
   void stand_at_lower_right();
-  /// The others that are shown over the same widget.
+  /// Returns the other cards over the same widget.
   [[nodiscard]] QList<FloatingCard*> others() const;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;

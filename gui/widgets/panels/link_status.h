@@ -9,8 +9,8 @@ class QLabel;
 
 namespace handway::gui {
 
-/// How the connection to a glove or a tracker is: state and device, what went wrong, and rate,
-/// delay and dropouts.
+/// Shows the connection to a glove or a tracker: state and device, errors, and rate, delay and
+/// dropouts.
 class LinkStatus : public QWidget {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class LinkStatus : public QWidget {
   void show_statistics(const device::StreamStatistics& statistics, double to_screen = 0.0);
   void clear_statistics();
 
-  /// What went wrong; empty if nothing.
+  /// Returns the error; empty if there is none.
   [[nodiscard]] QString error() const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace handway::gui {
 
-/// What happened, line by line, with the time of day.
+/// Log of events, one per line, with the time of day.
 class LogPanel : public QPlainTextEdit {
   Q_OBJECT
 

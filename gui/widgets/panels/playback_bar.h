@@ -28,11 +28,11 @@ class PlaybackBar : public QWidget {
   /// @param player outlives the bar.
   explicit PlaybackBar(PathPlayer& player, QWidget* parent = nullptr);
 
-  /// Of what else is drawn of a path.
+  /// Menu of the traces of a path.
   [[nodiscard]] QMenu& traces() const { return *traces_; }
   /// A word about what is played; empty: none.
   void show_note(const QString& note, const QString& explanation);
-  /// Where nothing is drawn but the path.
+  /// Hides the traces, so that only the path is drawn.
   void hide_traces();
   /// Redraws the icons, after a change of theme.
   void refresh_icons();
@@ -64,7 +64,7 @@ class PlaybackBar : public QWidget {
   QToolButton* reverse_;
   QToolButton* show_;
   QMenu* traces_;
-  QBoxLayout* above_;  ///< Of the buttons.
+  QBoxLayout* above_;  ///< Layout of the buttons.
   QBoxLayout* row_;
   QSlider* scrub_;
   QLabel* note_;

@@ -22,8 +22,8 @@ namespace handway::gui {
 /// @param note to be said first, plain text; may be empty.
 [[nodiscard]] QString result_text(const planning::PlanResult& result, const QString& note = {});
 
-/// The same of a path that was planned again for an edited scene.
-/// @param way where it came from, one word.
+/// Returns the text about a path that was replanned for an edited scene. @param source of the path,
+/// one word.
 [[nodiscard]] QString replanned_text(const planning::PlanResult& result, const QString& source);
 
 /// A path that gets better, with its figures, as rich text.
@@ -32,16 +32,16 @@ namespace handway::gui {
 /// A failure in words, as rich text.
 [[nodiscard]] QString failure_text(const QString& message);
 
-/// What a motion would be like, or what stands against it, for a person (rich text).
+/// Returns a description of a motion, or of what prevents it (rich text).
 [[nodiscard]] QString motion_text(const planning::TimedPath& motion);
 
-/// What stopped a motion that was not done.
+/// Returns the cause that stopped a motion before its end.
 [[nodiscard]] QString cause_of(const execution::MotionOutcome& outcome);
 
-/// How a motion ended, for a person (rich text).
+/// Returns how a motion ended (rich text).
 [[nodiscard]] QString outcome_text(const execution::MotionOutcome& outcome);
 
-/// What a table says of a run; what is not known of it is empty.
+/// Row of a table for a run; unknown values are empty.
 struct RunRow {
   int number = 0;
   QString planner;
@@ -50,7 +50,7 @@ struct RunRow {
   double time_s = 0.0;  ///< Planning alone.
   QString outcome;
   std::optional<std::uint64_t> samples;
-  std::optional<std::uint64_t> nodes;   ///< Of the path.
+  std::optional<std::uint64_t> nodes;   ///< Nodes of the path.
   std::optional<double> length;         ///< In normalised joints.
   std::optional<double> duration;       ///< s
   std::optional<double> clearance;      ///< The least, mm.

@@ -22,7 +22,7 @@ struct PlotLine {
   QString title;
   QColor color;
   bool dashed = false;
-  std::vector<double> values;  ///< As many as there are times.
+  std::vector<double> values;  ///< One for each time.
   std::vector<double> limits;  ///< Values at which faint lines are drawn.
 };
 
@@ -34,7 +34,7 @@ class CursorPlot : public QWidget {
 
   void set_colors(const PlotColors& colors, const QColor& cursor);
   void set_titles(const QString& x, const QString& y);
-  /// What is drawn from now on; looks at the same part of it as before. @param times s, rising.
+  /// Sets the curves to draw; keeps the visible range. @param times s, rising.
   void set_lines(std::vector<double> times, std::vector<PlotLine> lines);
   /// Times (s) of ticks along the upper edge.
   void set_marks(std::vector<double> times);
@@ -44,9 +44,9 @@ class CursorPlot : public QWidget {
 
   /// Told where (s) the mouse puts the cursor.
   void on_scrub(std::function<void(double)> scrub) { scrub_ = std::move(scrub); }
-  /// What of the time is in sight, s.
+  /// Returns the visible range of time, s.
   [[nodiscard]] std::pair<double, double> span() const;
-  /// Where in the widget a time (s) is drawn, in the middle of the canvas.
+  /// Returns the position in the widget of a time (s), in the middle of the canvas.
   [[nodiscard]] QPoint place_of(double time) const;
   [[nodiscard]] QWidget* canvas() const;
 

@@ -13,8 +13,8 @@
 class QwtPlot;
 class QwtText;
 
-/// What all figures have in common: black on white, thin lines, a light grid, one sans-serif
-/// font, as journals print them.
+/// Common style of all figures: black on white, thin lines, a light grid, one sans-serif font, as
+/// journals print them.
 
 class QPainter;
 class QRectF;
@@ -26,7 +26,7 @@ inline const QColor kPlotGrid{0xdd, 0xe1, 0xe6};
 inline const QColor kPlotBlue{0x1f, 0x5f, 0xa8};
 inline const QColor kPlotOrange{0xd9, 0x6c, 0x1e};
 
-/// What a plot is drawn in.
+/// Colours of a plot.
 struct PlotColors {
   QColor paper{Qt::white};
   QColor ink = kPlotInk;
@@ -57,7 +57,7 @@ void write_figure(const QString& path, const QString& title, const QSize& size,
 void write_picture(const QString& file, const QString& title, const QSize& size,
                    const DrawFigure& draw);
 
-/// What write_picture() would write; needs no GUI thread.
+/// Returns the bytes that write_picture() would write; needs no GUI thread.
 [[nodiscard]] QByteArray picture_bytes(const QString& file, const QString& title, const QSize& size,
                                        const DrawFigure& draw);
 
@@ -74,11 +74,11 @@ struct Strip {
   std::vector<QImage> pictures;
 };
 
-/// How large a picture is drawn, pixels at 96 dpi; images have a multiple of it.
+/// Size of a picture, pixels at 96 dpi; images have a multiple of it.
 inline constexpr QSize kStripFrame{150, 132};
 inline constexpr int kStripScale = 3;
 
-/// How large the figure of these strips is. @param frame of one picture.
+/// Returns the size of the figure of these strips. @param frame of one picture.
 [[nodiscard]] QSize strips_size(const std::vector<Strip>& strips, const QSize& frame = kStripFrame);
 
 /// Draws strips above each other, as the paper's Figs. 14, 15 and 17.

@@ -29,7 +29,7 @@ struct PlaneRoadmap {
   QPointF goal;
 };
 
-/// What a projection is drawn in.
+/// Colours of a projection.
 struct ProjectionColors {
   QColor paper;
   QColor ink;
@@ -52,7 +52,7 @@ class ProjectionPlot : public QWidget {
   void set_titles(const QString& x, const QString& y);
   /// Looks at all of it. @param keeps_view looks where it looked before.
   void set_roadmap(PlaneRoadmap roadmap, bool keeps_view);
-  /// Where the robot is; nothing: no cross.
+  /// Sets the position of the robot; nothing: no cross.
   void set_robot(const std::optional<QPointF>& place);
   void show_all();
 
@@ -63,7 +63,7 @@ class ProjectionPlot : public QWidget {
 
   /// The node at a place in the canvas.
   [[nodiscard]] std::optional<int> node_at(const QPoint& place) const;
-  /// Where in the canvas something is drawn.
+  /// Returns the position of a point in the canvas.
   [[nodiscard]] QPoint place_of(const QPointF& point) const;
   [[nodiscard]] const PlaneRoadmap& roadmap() const { return roadmap_; }
   [[nodiscard]] QWidget* canvas() const;

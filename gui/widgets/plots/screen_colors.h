@@ -5,7 +5,7 @@
 
 namespace handway::gui {
 
-/// What plots in the window are drawn in, in the theme that was applied last.
+/// Returns the colours of plots in the window, in the theme that was applied last.
 [[nodiscard]] inline PlotColors screen_colors() {
   const ThemeColors colors = colors_of(current_theme());
   return {colors.surface, colors.text, colors.border};

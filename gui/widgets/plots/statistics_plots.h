@@ -19,10 +19,10 @@ namespace handway::gui {
 struct EcdfCurve {
   QString title;
   std::vector<double> times;  ///< s, of the runs that found a path, in any order.
-  int runs = 0;               ///< Those without a path too.
+  int runs = 0;               ///< Includes runs without a path.
 };
 
-/// How the share of runs that found a path grows with time, on a logarithmic scale.
+/// Plot of the share of runs that found a path over time, on a logarithmic scale.
 class EcdfPlot : public QWidget {
  public:
   explicit EcdfPlot(QWidget* parent = nullptr);
@@ -52,8 +52,8 @@ struct PlotVariable {
 /// Pearson's correlation coefficient; 0 if one of them doesn't vary.
 [[nodiscard]] double correlation(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
 
-/// How much of the variance the first principal directions cover together (line), and each by
-/// itself (bars). @param shares of each direction, in [0, 1], falling, shape [directions].
+/// Makes a plot of the variance that the first principal directions explain together (line), and
+/// each by itself (bars). @param shares of each direction, in [0, 1], falling, shape [directions].
 [[nodiscard]] std::unique_ptr<QwtPlot> make_variance_plot(const Eigen::VectorXd& shares);
 
 }  // namespace handway::gui

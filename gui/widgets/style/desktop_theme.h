@@ -10,19 +10,19 @@ class QDBusConnection;
 
 namespace handway::gui {
 
-/// Whether the desktop is light or dark, as it was when this was first asked.
+/// Returns whether the desktop is light or dark; the first answer is kept.
 [[nodiscard]] Theme desktop_theme();
 
 /// The colours that the desktop gave to applications, as they were when this was first called:
 /// apply_theme() does before it puts others in their place.
 const QPalette& desktop_palette();
 
-/// What the desktop answers to applications (GNOME, Plasma and others): `color-scheme` of the
-/// freedesktop portal's `org.freedesktop.appearance`; empty if it has no wish or there is no
+/// Returns the desktop's answer to applications (GNOME, Plasma and others): `color-scheme` of the
+/// freedesktop portal's `org.freedesktop.appearance`; empty if it has no preference or there is no
 /// portal.
 [[nodiscard]] std::optional<Theme> theme_of_portal(const QDBusConnection& bus);
 
-/// That of the colours of an application.
+/// Returns the theme of an application's colours.
 [[nodiscard]] Theme theme_of(const QPalette& palette);
 
 }  // namespace handway::gui

@@ -42,7 +42,7 @@ void apply_theme(QApplication& application, Theme theme, double text_scale);
 /// With text as large as it is.
 void apply_theme(QApplication& application, Theme theme);
 
-/// As large as `pixels` are beside text of 100 %, px: for what has room for so many letters.
+/// Returns a length for text, px: `pixels` at 100 %, scaled with the size of the text.
 [[nodiscard]] int scaled(int pixels);
 /// Text of so many pixels, as scaled(), for what is painted from now on.
 void set_text_size(QPainter& painter, int pixels);
@@ -74,7 +74,8 @@ void follow_theme(QWidget& widget, std::function<void()> take);
 /// Gives a widget that is shown already another role in the style sheet; empty: none.
 void set_role(QWidget& widget, const QString& role);
 
-/// What needs attention but is no fault: joints at their limits, sensors at their ends.
+/// Returns the colour of what needs attention but is no fault: joints at their limits, sensors at
+/// their ends.
 [[nodiscard]] inline QColor attention_color() {
   return current_theme() == Theme::kDark ? QColor(0xe5, 0xa5, 0x3d) : QColor(0x8f, 0x56, 0x00);
 }
@@ -89,7 +90,7 @@ void set_role(QWidget& widget, const QString& role);
 /// colour at rest, accent when checked, faint when disabled.
 [[nodiscard]] QIcon icon(const QString& name);
 
-/// The same drawing in one given colour.
+/// Returns the icon in one given colour.
 [[nodiscard]] QIcon icon(const QString& name, const QColor& color);
 
 /// A command with its keys, whose tool tip names them. @param name of the object and of its icon,
