@@ -9,8 +9,8 @@
 
 namespace handway::python {
 
-/// Real numbers in C order; what numpy can turn into such an array without losing anything but
-/// precision is accepted.
+/// Real numbers in C order; every object that numpy converts to such an array without loss other
+/// than precision is accepted.
 class Array
     : public pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast> {
  public:
@@ -22,13 +22,13 @@ class Array
 /// it; TypeError for other objects.
 [[nodiscard]] std::string file_name_from(const pybind11::object& path, const std::string& argument);
 
-/// Rows of numbers as they came from Python: one row or a batch of them.
+/// Rows of numbers from Python: one row or a batch of them.
 struct Batch {
   std::vector<Eigen::VectorXd> rows;
-  bool is_single = false;  ///< The array had one dimension, and so has the answer.
+  bool is_single = false;  ///< The array had one dimension, as the answer will.
 };
 
-/// @param width what a row must have: the shape is [width] or [n, width].
+/// @param width length of a row: the shape is [width] or [n, width].
 /// @param argument name for messages.
 /// @throws InputError if the shape differs or a number is not finite.
 [[nodiscard]] Batch batch_from(const Array& array, Eigen::Index width, const std::string& argument);

@@ -5,7 +5,7 @@
 #include <functional>
 #include <stop_token>
 
-/// The parts that the module handway._core is put together from.
+/// The parts of the module handway._core.
 
 namespace handway::python {
 
@@ -21,7 +21,7 @@ void bind_results(pybind11::module_& module);
 /// Scene, load_scene().
 void bind_scene(pybind11::module_& module);
 
-/// new_scene(), and what makes other scenes of a Scene. @pre bind_scene()
+/// new_scene(), and functions that make other scenes of a Scene. @pre bind_scene()
 void bind_editing(pybind11::module_& module);
 
 /// Motion, find_pmds(), Scene.time(), Scene.grasps(). @pre bind_scene(), bind_basis()

@@ -31,20 +31,20 @@ struct PlanOutcome {
   int variables = 0;                     ///< Number of the robot's variables: the path's width.
 };
 
-/// A planner as Python sees it: for one run at a time, its parameters by key.
+/// A planner for Python: for one run at a time, its parameters by key.
 class PlannerModel {
  public:
   explicit PlannerModel(std::unique_ptr<planning::Planner> planner);
 
   [[nodiscard]] const planning::Planner& planner() const { return *planner_; }
 
-  /// The settings as they are now, bound to this object.
+  /// The present settings, bound to this object.
   [[nodiscard]] std::vector<planning::Parameter> parameters() const {
     return planner_->parameters();
   }
 
-  /// bool, int, float or str, as the parameter is.
-  /// @throws InputError naming the keys there are.
+  /// A bool, int, float or str, by the parameter's kind.
+  /// @throws InputError naming the valid keys.
   [[nodiscard]] pybind11::object get(const std::string& key) const;
 
   /// @throws InputError if the key is unknown or the value invalid for the parameter;
@@ -64,7 +64,7 @@ class PlannerModel {
 };
 
 /// The planner called `name`, or the default one, with its own defaults.
-/// @throws InputError naming the planners there are.
+/// @throws InputError naming the valid planners.
 [[nodiscard]] std::unique_ptr<PlannerModel> make_planner(const std::string& name);
 
 /// The planner that the scene requests with its settings, or that called `name`, with the scene's

@@ -13,15 +13,15 @@
 
 namespace handway::python {
 
-/// The devices of a scene's robot, connected. While no motion runs, a thread of its own listens to
-/// them. For any number of threads; of the motions one runs at a time.
+/// The connected devices of a scene's robot. While no motion runs, a thread of its own polls them.
+/// For any number of threads; one motion runs at a time.
 class RobotConnection {
  public:
   /// @param to as execution::parse_targets() takes it.
-  /// @throws InputError for devices that the robot has not; DeviceError if one can't be reached.
+  /// @throws InputError for devices that the robot lacks; DeviceError if one can't be reached.
   RobotConnection(std::shared_ptr<const planning::PlanningProblem> problem, const std::string& to,
                   const std::stop_token& stop);
-  /// Stops what moves.
+  /// Stops running motions.
   ~RobotConnection();
   RobotConnection(const RobotConnection&) = delete;
   RobotConnection& operator=(const RobotConnection&) = delete;
@@ -33,13 +33,13 @@ class RobotConnection {
   };
 
   /// Runs a motion to its end, or until `stop` or stop(). It begins only if it is free in the scene
-  /// from where the robot is measured.
+  /// from the robot's measured position.
   /// @throws InputError if the motion is not cleared, is another robot's, or moves joints that no
   /// device does; DeviceError if a device can't begin.
   [[nodiscard]] Outcome run(const planning::TimedPath& timed,
                             const device::MotionTolerances& tolerances,
                             const std::stop_token& stop);
-  /// Stops all devices at once; a motion that runs ends.
+  /// Stops all devices at once; a running motion ends.
   void stop();
   /// Stops, and disconnects the devices. Later calls are refused.
   void close();

@@ -31,13 +31,13 @@ class CheckerPool {
   std::vector<std::unique_ptr<geometric::CollisionChecker>> idle_;
 };
 
-/// A scene as Python sees it: what a file gave, ready for planning and questions.
-/// Immutable; shared by threads.
+/// A scene for Python: the contents of a file, ready for planning and queries. Immutable; shared by
+/// threads.
 class SceneModel {
  public:
   /// @param basis file or name in the library, instead of the scene's; empty: the scene's.
-  /// @throws InputError as load_scene(), make_problem() and read_pmd_basis(), but a scene
-  /// without start or goal will do.
+  /// @throws InputError as load_scene(), make_problem() and read_pmd_basis(); but start and goal
+  /// may be missing.
   SceneModel(const std::filesystem::path& file, const std::string& basis);
 
   /// @param basis null: none.
@@ -53,7 +53,7 @@ class SceneModel {
   /// The query from `start` to `goal`; missing ones are the scene's.
   /// @param goal_poses replace the scene's; `goal` is then for the joints that don't move their
   /// links. Without poses, a given `goal` is the goal, even if the scene has poses.
-  /// @throws InputError if the scene has none either, or has not a goal's link.
+  /// @throws InputError if the scene has none either, or lacks a goal's link.
   [[nodiscard]] planning::PlanningProblem problem_between(
       const std::optional<geometric::Configuration>& start,
       const std::optional<geometric::Configuration>& goal,

@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-/// Questions about configurations of a scene's robot; `q` has the shape [variables] or
-/// [n, variables], and an answer one number, or [n]. They are answered without the
-/// interpreter's lock. InputError if shapes differ or a number is not finite.
+/// Queries about configurations of a scene's robot; `q` has the shape [variables] or [n,
+/// variables], and an answer one number, or [n]. They run without the interpreter's lock.
+/// InputError if shapes differ or a number is not finite.
 
 namespace handway::python {
 
-/// Does the robot touch itself or something else? bool.
+/// Returns whether the robot is in collision with itself or anything else. bool.
 [[nodiscard]] pybind11::object collides(const SceneModel& scene, const Array& q);
 
-/// Distance of the closest pair, m; `enough` where it is more than that. float.
+/// Distance of the closest pair, m; `enough` if it is more than that. float.
 [[nodiscard]] pybind11::object clearance(const SceneModel& scene, const Array& q, double enough);
 
-/// Is every variable within its limits? bool.
+/// Returns whether every variable is within its limits. bool.
 [[nodiscard]] pybind11::object within_limits(const SceneModel& scene, const Array& q);
 
 /// Pose X_WL of a link in the world: [4, 4] or [n, 4, 4]. InputError for an unknown link.
@@ -39,7 +39,7 @@ namespace handway::python {
 // not finite or the link is unknown.
 
 /// Configurations that bring `link` to X_WL [4, 4], at most `most`, the nearest to `near` first:
-/// [n, variables]. @param free only such in which the robot is free.
+/// [n, variables]. @param free only configurations without collision.
 [[nodiscard]] pybind11::array_t<double> inverse_kinematics(const SceneModel& scene,
                                                            const std::string& link,
                                                            const Array& X_WL,

@@ -37,7 +37,7 @@ class CampaignProgress {
   std::string name_;
   std::size_t kept_;
   std::size_t total_;
-  std::size_t done_ = 0;    ///< Since the beginning.
+  std::size_t done_ = 0;    ///< Runs done since the beginning.
   std::size_t solved_ = 0;  ///< Solved ones of `done_`.
   bool terminal_;
   std::chrono::steady_clock::time_point begin_;
@@ -48,7 +48,7 @@ class CampaignProgress {
 [[nodiscard]] std::string duration_text(double seconds);
 
 struct CampaignSession {
-  std::filesystem::path folder;  ///< Made if it is not there; gets `runs.sqlite`.
+  std::filesystem::path folder;  ///< Created if missing; gets `runs.sqlite`.
   bool resume = false;
   int jobs = 0;  ///< Runs at a time; 0: one for each core, shared among the threads of a run.
 };
@@ -60,20 +60,20 @@ struct CampaignOutcome {
   double elapsed_s = 0.0;                    ///< Wall clock of this session.
   std::size_t done = 0;                      ///< Runs of this session.
   int workers = 0;                           ///< 0: no run was carried out.
-  bool complete = false;                     ///< False: it was interrupted.
+  bool complete = false;                     ///< False if interrupted.
 };
 
 /// Carries out the rest of a campaign, on threads or with a team of processes. Ctrl+C ends it and
 /// keeps finished runs.
 /// @param team may be null.
-/// @returns nothing in a process of a team that does not lead it.
-/// @throws InputError for what can't be read or written.
+/// @returns nothing in a process of a team other than the leader.
+/// @throws InputError for files that can't be read or written.
 [[nodiscard]] std::optional<CampaignOutcome> conduct_campaign(
     const planning::Campaign& campaign, const planning::PluginManager& plugins,
     const CampaignSession& session, planning::ProcessTeam* team);
 
 /// Makes a folder and those above it.
-/// @throws InputError if that can't be done.
+/// @throws InputError if that fails.
 void make_out_folder(const std::filesystem::path& folder);
 
 struct CampaignOptions {

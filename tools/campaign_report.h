@@ -24,8 +24,8 @@ struct ParameterGrid {
   std::vector<std::size_t> planners;  ///< Index of y · size of x_values + x: in the campaign.
 };
 
-/// The grids there are, each once, none a part of another; the parameter that comes first
-/// in the planner's list is across.
+/// All grids, each once, none a part of another; the parameter that comes first in the planner's
+/// list is across.
 [[nodiscard]] std::vector<ParameterGrid> parameter_grids(const planning::Campaign& campaign);
 
 /// Median planning times of a grid on one problem as colours and numbers, the least in bold, with
@@ -40,8 +40,8 @@ struct ParameterGrid {
                                          std::span<const planning::CampaignCell> cells);
 
 /// Writes into `folder`: report.md with drawings/N.svg, report.html, summary.csv, runs.csv,
-/// ecdf.csv, boxplot.csv, comparisons.csv and an OMPL benchmark log a problem in `ompl/`.
-/// @throws InputError if that can't be done.
+/// ecdf.csv, boxplot.csv, comparisons.csv and one OMPL benchmark log per problem in `ompl/`.
+/// @throws InputError if that fails.
 void write_campaign_report(const planning::Campaign& campaign, const CampaignOutcome& outcome,
                            const std::filesystem::path& folder);
 
@@ -51,11 +51,11 @@ void write_campaign_report(const planning::Campaign& campaign, const CampaignOut
 /// Returns the machine that the times depend on, and how the runs were carried out.
 [[nodiscard]] ReportTable machine_table(const CampaignOutcome& outcome);
 
-/// The planners that are compared, with their parameters: a column a planner.
+/// The planners compared, with their parameters: one column per planner.
 [[nodiscard]] ReportTable parameter_table(const planning::Campaign& campaign);
 
-/// The runs on one problem as OMPL's benchmark log, which `ompl_benchmark_statistics` makes a
-/// database for Planner Arena of (https://ompl.kavrakilab.org/benchmark.html).
+/// The runs on one problem as OMPL's benchmark log, from which `ompl_benchmark_statistics` makes a
+/// database for Planner Arena (https://ompl.kavrakilab.org/benchmark.html).
 /// @param cells of one problem, one a planner.
 [[nodiscard]] std::string ompl_log(const planning::Campaign& campaign,
                                    std::span<const planning::CampaignCell> cells);

@@ -14,12 +14,12 @@ inline constexpr int kNotWritten = 1;  ///< A result that could not be written.
 inline constexpr int kWrongUsage = 2;
 inline constexpr int kInvalidInput = 3;
 inline constexpr int kInvalidQuery = 4;   ///< Start or goal in collision or out of limits.
-inline constexpr int kMotionStopped = 5;  ///< A robot's motion did not come to its end.
+inline constexpr int kMotionStopped = 5;  ///< A robot's motion did not reach its end.
 
 /// Adds `handway arm` and its command `emulate`.
 void add_arm_command(CLI::App& app, int& exit_code);
 
-/// `handway bench [SCENE…]`: what collision checks and plans take.
+/// `handway bench [SCENE…]`: times of collision checks and plans.
 void add_bench_command(CLI::App& app, int& exit_code);
 
 /// `handway check SCENE PATH.csv`: re-checks a path on the exact meshes.
@@ -58,10 +58,10 @@ void add_ros_command(CLI::App& app, int& exit_code);
 /// Adds `handway send PATH.csv --scene SCENE --to DEVICE`.
 void add_send_command(CLI::App& app, int& exit_code);
 
-/// `handway setup ROBOT.urdf`: groups, pairs of links that may touch, and what looks wrong.
+/// `handway setup ROBOT.urdf`: groups, pairs of links that may touch, and suspicious parts.
 void add_setup_command(CLI::App& app, int& exit_code);
 
-/// `handway time PATH.csv`: how long a path takes, and whether it may run.
+/// `handway time PATH.csv`: duration of a path, and the checks of its motion.
 void add_time_command(CLI::App& app, int& exit_code);
 
 /// handway tracker emulate|live …

@@ -43,7 +43,7 @@ void add_emulator_options(CLI::App& command, EmulatedDeviceChoice& choice,
 /// Adds the options of all emulated devices, and scene and lag of those that move joints.
 void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice);
 
-/// The joints of a device, and where they are, rad.
+/// The joints of a device with their positions, rad.
 struct EmulatedPosture {
   device::JointRanges joints;
   Eigen::VectorXd position;
@@ -54,7 +54,7 @@ struct EmulatedPosture {
 [[nodiscard]] EmulatedPosture scene_posture(const std::filesystem::path& scene,
                                             const std::string& kind);
 
-/// The fault, with a time drawn by the seed (0.2 to 1 s) if none is given.
+/// The fault, with a time from the seed (0.2 to 1 s) by default.
 [[nodiscard]] device::InjectedFault chosen_fault(const EmulatedDeviceChoice& choice);
 
 /// Prints `address` and waits for Ctrl+C, or the end of the duration. @returns the exit code.
@@ -65,7 +65,7 @@ struct ServeOptions {
   std::optional<std::uint16_t> tcp_port;
   bool pty = false;
   std::optional<double> duration_s;
-  std::string scheme;  ///< In front of the address that is printed.
+  std::string scheme;  ///< Prefix of the printed address.
 };
 
 /// @returns the option that names a TCP port.
@@ -86,10 +86,10 @@ void add_line_fault_options(CLI::App& command, LineFaultOptions& options);
 [[nodiscard]] device::DeviceEmulatorSettings emulator_settings(const LineFaultOptions& options,
                                                                std::uint64_t seed);
 
-/// Prints `address`, what to connect to, and waits for Ctrl+C, or the end of the duration (s).
+/// Prints `address` for clients, and waits for Ctrl+C, or the end of the duration (s).
 void wait_until_ended(const std::string& address, const std::optional<double>& duration);
 
-/// Runs an emulated device until Ctrl+C; its first line on standard output is what to connect to.
+/// Runs an emulated device until Ctrl+C; its first line on standard output is its address.
 /// @returns the exit code.
 [[nodiscard]] int serve_device(device::DeviceEmulatorSettings settings,
                                std::unique_ptr<device::DeviceUnit> unit,

@@ -10,11 +10,11 @@ namespace handway::tools {
 
 /// Runs the program `handway-figures` beside this one to draw the figures of a folder or file:
 /// directly on a display, under xvfb-run without one.
-/// @throws InputError if the program or xvfb-run isn't there or fails.
+/// @throws InputError if the program or xvfb-run is missing or fails.
 void draw_figures(const std::filesystem::path& source);
 
-/// Writes `postures.csv` (rad), `basis.yaml` and `variance.csv` to a folder, which is made if it
-/// isn't there, and has draw_figures() draw their figures there.
+/// Writes `postures.csv` (rad), `basis.yaml` and `variance.csv` to a folder, which is created if
+/// missing, and calls draw_figures() for it.
 /// @param postures rad, shape [samples, joints of the basis].
 /// @param shares of the variance, shape [directions].
 /// @throws InputError if a file can't be written, and as draw_figures().

@@ -51,16 +51,16 @@ void add_glove_emulate(CLI::App& glove, int& exit_code);
 /// handway glove generate: a recording of a synthetic hand, faster than it would move.
 void add_glove_generate(CLI::App& glove, int& exit_code);
 
-/// handway glove live: what a glove measures, as it comes.
+/// handway glove live: a glove's measurements as they come.
 void add_glove_live(CLI::App& glove, int& exit_code);
 
-/// handway glove map: a mapping that is proposed for any robot hand.
+/// handway glove map: proposes a mapping for any robot hand.
 void add_glove_map(CLI::App& glove, int& exit_code);
 
-/// handway glove record: what a glove measures, into a file.
+/// handway glove record: writes a glove's measurements into a file.
 void add_glove_record(CLI::App& glove, int& exit_code);
 
-/// handway glove replay: a recording played as if it came from a glove.
+/// handway glove replay: plays a recording like a glove.
 void add_glove_replay(CLI::App& glove, int& exit_code);
 
 }  // namespace handway::tools

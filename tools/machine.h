@@ -14,7 +14,7 @@ namespace handway::tools {
 /// The host's name; "unknown" if it has none.
 [[nodiscard]] std::string host_name();
 
-/// The processor as the system calls it.
+/// The processor's name in the system.
 [[nodiscard]] std::string processor_name();
 
 /// Returns free memory to the system and begins a new measurement of the peak.

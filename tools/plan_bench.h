@@ -23,7 +23,7 @@ struct CheckerSpeed {
   double edge_us = 0.0;  ///< NaN without an edge.
 };
 
-/// The everyday checker against FCL, on the same questions.
+/// The default checker against FCL, on the same queries.
 struct CollisionBench {
   int configurations = 0;
   double in_collision = 0.0;  ///< Share of the configurations.
@@ -32,11 +32,11 @@ struct CollisionBench {
   CheckerSpeed fast;
   CheckerSpeed fcl;  ///< Pair by pair.
   double fcl_broadphase_configuration_us = 0.0;
-  int disagreements = 0;  ///< Configurations that not all find free, or not free.
+  int disagreements = 0;  ///< Configurations on which checkers disagree.
 };
 
-/// Configurations are drawn around the straight motion from `start` to `goal`, up to 5 %
-/// of every joint's range off it; edges begin there and take a tenth of the motion.
+/// Configurations are sampled around the straight motion from `start` to `goal`, up to 5 % of every
+/// joint's range off it; edges begin there and are a tenth of the motion long.
 [[nodiscard]] CollisionBench bench_collision(
     const std::shared_ptr<const geometric::CollisionWorld>& world,
     const geometric::Configuration& start, const geometric::Configuration& goal);
@@ -46,18 +46,18 @@ struct PlanBench {
   std::string planner;
   std::string checker;  ///< Key in checker_kinds().
   std::vector<std::uint64_t> seeds;
-  std::vector<planning::PlanResult> results;  ///< One a seed, without its path's points.
+  std::vector<planning::PlanResult> results;  ///< One per seed, without its path's points.
   std::vector<std::size_t> path_nodes;        ///< One per seed; 0 without a path.
-  std::vector<std::optional<planning::PathQuality>> qualities;  ///< One a seed, of its path.
-  std::vector<std::vector<std::string>> path_faults;  ///< One a seed, of paths that were checked.
-  std::size_t memory = 0;                             ///< Peak, bytes.
-  std::string problem;                                ///< Reason why it could not run; or empty.
+  std::vector<std::optional<planning::PathQuality>> qualities;  ///< One per seed, of its path.
+  std::vector<std::vector<std::string>> path_faults;            ///< One per seed, of checked paths.
+  std::size_t memory = 0;                                       ///< Peak, bytes.
+  std::string problem;  ///< Reason why it could not run; or empty.
 };
 
 /// Runs each of `seeds`; ends after the first if the query itself is not valid.
 /// @param checked whether every path is checked again at 1 mm (planning::check_path).
-/// @param make_problem is called for every run, so that none profits from what a checker
-/// remembers of another.
+/// @param make_problem is called for every run, so that none profits from a checker's caches of
+/// another.
 [[nodiscard]] PlanBench bench_planner(
     planning::Planner& planner, const std::function<planning::PlanningProblem()>& make_problem,
     planning::PlanRequest request, const std::vector<std::uint64_t>& seeds, bool checked);
@@ -71,10 +71,10 @@ struct PlanBench {
 /// them have none.
 [[nodiscard]] double time_quantile(const PlanBench& bench, double p);
 
-/// Medians over all runs, or NaN if there was none: samples drawn, configurations checked.
+/// Medians over all runs, or NaN without runs: samples drawn, configurations checked.
 [[nodiscard]] double median_samples(const PlanBench& bench);
 [[nodiscard]] double median_checks(const PlanBench& bench);
-/// Over the runs that found a path, or NaN.
+/// Median over the runs that found a path, or NaN.
 [[nodiscard]] double median_path_nodes(const PlanBench& bench);
 /// Medians over the runs that found a path, or NaN: of its length in normalised joints, and of the
 /// hand's mean distance from the PMD subspace (NaN without a basis, too).
@@ -84,13 +84,13 @@ struct PlanBench {
 /// A variant and the runs on it.
 struct VariantRuns {
   SceneVariant variant;
-  std::vector<PlanBench> plans;  ///< One a planner, the default first; empty without a scene.
+  std::vector<PlanBench> plans;  ///< One per planner, the default first; empty without a scene.
 };
 
 /// Runs of planners on the variants of one problem.
 struct VariantBench {
   std::filesystem::path file;
-  std::string target;  ///< Objects that the goal is kept relative to; may be empty.
+  std::string target;  ///< Objects relative to which the goal is kept; may be empty.
   std::vector<VariantRuns> variants;
 
   [[nodiscard]] std::string name() const { return file.stem().string(); }
@@ -105,12 +105,12 @@ struct MissedPair {
   std::vector<std::pair<std::string, double>> solved_by;  ///< Other planners with their time, s.
 };
 
-/// (Variant, seed) pairs, counted.
+/// Counts of (variant, seed) pairs.
 struct VariantSummary {
   std::size_t pairs = 0;
   std::size_t solved_by_any = 0;
   std::size_t solved_by_default = 0;
-  std::vector<MissedPair> missed;  ///< By the default, solved by another one or not.
+  std::vector<MissedPair> missed;  ///< Missed by the default, solved by another one or not.
 
   VariantSummary& operator+=(const VariantSummary& other);
   /// Share of the pairs solved by any planner that the default solved; NaN if none solved any.
@@ -119,7 +119,7 @@ struct VariantSummary {
 
 [[nodiscard]] VariantSummary summary_of(const VariantBench& bench);
 
-/// The runs of each planner on all variants, as if they were on one problem.
+/// The runs of each planner on all variants, merged as if on one problem.
 [[nodiscard]] std::vector<PlanBench> merged_plans(const VariantBench& bench);
 
 /// The seeds that a planner did not solve.

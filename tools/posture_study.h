@@ -34,7 +34,7 @@ struct MappedRecording {
   std::filesystem::path file;
   device::Recording recording;       ///< Angles, after all steps.
   device::RecordingQuality quality;  ///< Quality of the file as it was read.
-  bool calibrated = false;           ///< It held counts.
+  bool calibrated = false;           ///< True if it held counts.
   device::MappedPostures mapped;
 };
 
@@ -49,11 +49,11 @@ struct MappedRecording {
 /// Scaling of joints to [0, 1] before their components are found.
 enum class Normalisation {
   kLimits,  ///< Postures clamped to the joint limits, by these limits.
-  kRange,   ///< Postures as the mapping gave them, by the least and most of each joint.
+  kRange,   ///< Postures of the mapping, by the least and most of each joint.
 };
 
-/// The postures of all recordings, one after the other, shape [samples, joints]. A joint that
-/// doesn't move is in the middle.
+/// The postures of all recordings, one after the other, shape [samples, joints]. A fixed joint is
+/// in the middle.
 [[nodiscard]] Eigen::MatrixXd normalised_samples(const std::vector<MappedRecording>& recordings,
                                                  const device::PostureSource& mapper,
                                                  Normalisation normalisation);
@@ -62,7 +62,7 @@ enum class Normalisation {
 [[nodiscard]] Eigen::MatrixXd joint_values(const Eigen::MatrixXd& samples,
                                            const device::PostureSource& mapper);
 
-/// Components, and how many samples were set aside.
+/// Components, and the number of samples left out.
 struct Analysis {
   sampling::PrincipalComponents components;
   Eigen::Index samples = 0;
@@ -78,7 +78,7 @@ struct Analysis {
                                              const std::vector<std::string>& joints);
 
 /// A recording of a glove mapped to the SAH hand by the paper's Table 1, and its principal motion
-/// directions: of all joints but the thumb base, which gets an axis of its own (section 4.2).
+/// directions: of all joints but the thumb base, which has an axis of its own (section 4.2).
 struct PostureStudy {
   std::filesystem::path recording;
   Normalisation normalisation = Normalisation::kLimits;  ///< Scaling of basis and postures.
@@ -86,13 +86,13 @@ struct PostureStudy {
   Eigen::MatrixXd postures;       ///< rad, shape [samples, joints of the basis].
   Eigen::VectorXd shares;         ///< Shares of the variance, shape [directions].
   Eigen::VectorXd limits_shares;  ///< Shares with joints by their limits, …
-  Eigen::VectorXd range_shares;   ///< … and by the range they went through.
+  Eigen::VectorXd range_shares;   ///< … and by the range of their motion.
 
   /// Correlation of two joints, -1 to 1. @pre the basis has them.
   [[nodiscard]] double correlation(const std::string& first, const std::string& second) const;
 };
 
-/// Counts are taken for those of a typical right hand.
+/// Counts are interpreted as those of a typical right hand.
 /// @throws InputError if the recording can't be read or has no postures.
 [[nodiscard]] PostureStudy study_postures(const std::filesystem::path& recording,
                                           Normalisation normalisation);

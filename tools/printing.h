@@ -8,8 +8,8 @@
 
 namespace handway::tools {
 
-/// Writes text to a stream as geometric::printable() makes it: names from files can't steer the
-/// terminal. All that commands print goes through here.
+/// Writes text to a stream after geometric::printable(): names from files can't control the
+/// terminal. All output of commands goes through here.
 /// @throws std::system_error if it can't be written.
 void write_printable(std::FILE* stream, std::string_view text);
 

@@ -17,11 +17,11 @@ struct ReportText {
 };
 
 struct ReportTable {
-  std::vector<std::string> columns;  ///< The first is text, the others are set to the right.
+  std::vector<std::string> columns;  ///< The first is text, the others are right-aligned.
   std::vector<std::vector<std::string>> rows;
 };
 
-/// A drawing: in HTML as it is, in Markdown as a file of its own.
+/// A drawing: inline in HTML, in Markdown as a file of its own.
 struct ReportFigure {
   std::string caption;
   std::string svg;
@@ -40,17 +40,17 @@ using ReportPart =
 using ReportDocument = std::vector<ReportPart>;
 
 [[nodiscard]] std::string to_markdown(const ReportDocument& document);
-/// A drawing with the styles that reports give it.
+/// Returns a drawing with the styles of reports.
 [[nodiscard]] std::string to_svg(const ReportFigure& figure);
-/// One file with its styles and drawings.
+/// Returns one file with its styles and drawings.
 [[nodiscard]] std::string to_html(const ReportDocument& document);
 
-/// Reports hold text from files: it appears as text, see geometric::printable().
+/// Reports contain text from files: it is shown as text, see geometric::printable().
 
-/// `text` with <, >, & and " as HTML and SVG want them, and without control characters.
+/// Returns `text` with <, >, & and " escaped for HTML and SVG, and without control characters.
 [[nodiscard]] std::string html_escaped(const std::string& text);
-/// `text` as a field of a CSV file for spreadsheets: quoted where it has to be, and with a ' before
-/// what a spreadsheet would take for a formula.
+/// Returns `text` as a field of a CSV file for spreadsheets: quoted if needed, and with a ' before
+/// text that a spreadsheet would take for a formula.
 [[nodiscard]] std::string csv_field(const std::string& text);
 /// Columns and rows of a table.
 [[nodiscard]] std::string to_csv(const ReportTable& table);

@@ -19,16 +19,16 @@ struct ReproducedFigure {
   std::string caption;
   std::string text;  ///< Description of its data; may be empty.
   std::vector<ReportPicture> pictures;
-  std::optional<ReportTable> table;  ///< Published figures beside ours, where there are some.
+  std::optional<ReportTable> table;  ///< Published figures beside the measured ones, if any.
   std::string problem;               ///< Reason of missing parts; may be empty.
 };
 
-/// Figures that there are: 7 to 10 of hand postures, 14 and 17 of paths.
+/// Figures available: 7 to 10 of hand postures, 14 and 17 of paths.
 [[nodiscard]] std::set<int> reproducible_figures();
 
 /// Makes `figures` in their order, as reproduce_postures() and reproduce_films() do.
 /// @param time_limit_s of each plan.
-/// @throws InputError if a file can't be written or a scene not be read.
+/// @throws InputError if a file can't be written or a scene can't be read.
 [[nodiscard]] std::vector<ReproducedFigure> reproduce_figures(
     const std::set<int>& figures, const planning::PluginManager& plugins, double time_limit_s,
     const std::filesystem::path& folder);
@@ -42,7 +42,7 @@ struct ReproducedCampaign {
 
 /// Writes report.md, report.html and report.csv: the paper's tables and figures with ours.
 /// @param tables some of 2, 3 and 4. Table 3 needs the campaign of Table 2, carried out or not.
-/// @throws InputError if that can't be done.
+/// @throws InputError if that fails.
 void write_reproduce_report(const std::set<int>& tables,
                             const std::vector<ReproducedCampaign>& campaigns,
                             const std::vector<ReproducedFigure>& figures, bool quick,

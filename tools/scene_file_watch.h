@@ -10,7 +10,7 @@
 
 namespace handway::tools {
 
-/// A file as it was: what can be seen without reading it, and its content.
+/// Former state of a file: the attributes visible without reading it, and its content.
 struct SeenFile {
   std::filesystem::path file;
   std::filesystem::file_time_type written;
@@ -18,11 +18,11 @@ struct SeenFile {
   std::string digest;
 };
 
-/// The files as they are.
-/// @param files those that a scene is made of (geometric::FilesRead).
+/// The files' present states.
+/// @param files all files of a scene (geometric::FilesRead).
 [[nodiscard]] std::vector<SeenFile> see_files(const std::vector<std::filesystem::path>& files);
 
-/// Notices within some 20 ms that a file's content is not what it was: what a robot moves by was
+/// Detects within some 20 ms that a file's content has changed: the data of a running motion were
 /// edited.
 class SceneFileWatch {
  public:

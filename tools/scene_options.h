@@ -14,13 +14,13 @@
 
 namespace handway::tools {
 
-/// Takes `basis=FILE` out of the settings, and puts that basis in the place of the scene's. FILE is
-/// a path or the name of a basis that ships.
+/// Takes `basis=FILE` out of the settings, and replaces the scene's basis by that one. FILE is a
+/// path or the name of a basis that ships.
 /// @throws InputError if it can't be read or is for another hand than the scene's basis.
 void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& scene);
 
-/// The planner called `name` (empty: the scene's, or else the first in the registry).
-/// The scene's settings are taken if they are for it; another planner's mean nothing.
+/// The planner called `name` (empty: the scene's, or else the first in the registry). The scene's
+/// settings are applied if they are for it; another planner's are ignored.
 /// @throws InputError for an unknown planner or setting.
 [[nodiscard]] std::unique_ptr<planning::Planner> scene_planner(
     const std::string& name, const geometric::PlannerRequest& choice,
@@ -28,7 +28,7 @@ void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& sce
 
 /// Sets parameters from the command line, KEY=VALUE each.
 /// @throws CLI::ValidationError if one is not of this form, InputError for an unknown parameter or
-/// a value that it can't have.
+/// an invalid value.
 void apply_settings(planning::Planner& planner, const std::vector<std::string>& settings);
 
 /// Prints the readers' warnings as one summary on stderr; nothing if there are none.
@@ -41,19 +41,19 @@ void print_warnings(const planning::PlanningProblem& problem);
 [[nodiscard]] planning::Path read_path(const planning::PlanningProblem& problem,
                                        const std::filesystem::path& file);
 
-/// Adds `--upright OBJECT:DEGREES`, which may be given several times.
+/// Adds `--upright OBJECT:DEGREES`, a repeatable option.
 void add_upright_option(CLI::App& command, std::vector<std::string>& uprights);
 
-/// Adds a constraint to the scene for each OBJECT:DEGREES that the option took: the z axis of the
-/// object, or of the robot's link of that name, stays within that angle of the world's.
+/// Adds a constraint to the scene for each OBJECT:DEGREES of the option: the z axis of the object,
+/// or of the robot's link of that name, stays within that angle of the world's.
 /// @throws InputError if the robot has no such link and carries no such object.
 void add_uprights(const std::vector<std::string>& uprights, planning::LoadedScene& scene);
 
-/// Adds `--group`, names with commas between them, which may be given several times.
+/// Adds `--group`, names with commas between them, a repeatable option.
 void add_group_option(CLI::App& command, std::vector<std::string>& group);
 
-/// Lets the group move in place of the scene's (geometric::set_moving_group()); nothing without
-/// names. @throws InputError for a name that no robot of the scene has.
+/// Replaces the scene's group (geometric::set_moving_group()); does nothing without names. @throws
+/// InputError for a name that no robot of the scene has.
 void set_group(const std::vector<std::string>& group, planning::LoadedScene& scene);
 
 /// Goals as poses of a link, from the command line.
@@ -63,7 +63,7 @@ struct GoalPoseOptions {
   std::vector<double> tolerance;   ///< mm and degrees; empty: as a scene's.
 };
 
-/// Adds `--goal-pose`, which may be given several times, `--goal-link` and `--goal-tolerance`.
+/// Adds `--goal-pose`, which is repeatable, `--goal-link` and `--goal-tolerance`.
 void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options);
 
 /// Replaces the scene's goal by the goal poses; its values remain for joints that don't move their

@@ -23,7 +23,7 @@ inline constexpr double kLongestMovable = 0.45;                       ///< m
 struct SceneVariant {
   int number = 1;                                 ///< From 1; the higher, the narrower.
   std::uint64_t seed = 1;                         ///< Seed of its random numbers.
-  int draws = 0;                                  ///< Placements that were tried.
+  int draws = 0;                                  ///< Number of placements tried.
   std::shared_ptr<const geometric::Scene> scene;  ///< Null: none was found.
 };
 
@@ -37,7 +37,7 @@ struct SceneVariant {
 /// fingers close until kVariantHandGap is left. No object gets deeper into another one than it
 /// is.
 ///
-/// A variant depends on problem, number and seed alone, to the bit.
+/// A variant depends on problem, number and seed alone, bitwise.
 class VariantGenerator {
  public:
   /// @param problem outlives this.
@@ -48,7 +48,7 @@ class VariantGenerator {
   /// @param number ≥ 1.
   [[nodiscard]] SceneVariant make(int number, std::uint64_t seed) const;
 
-  /// The objects that the goal is kept relative to; empty: none is near the hand.
+  /// The objects relative to which the goal is kept; empty: none is near the hand.
   [[nodiscard]] const std::vector<std::string>& target() const;
 
  private:

@@ -7,15 +7,15 @@
 
 namespace handway::tools {
 
-/// Prints a table of whole lines on a terminal, over the one of as many lines printed before
+/// Prints a table of whole lines on a terminal, replacing the previous table of as many lines
 /// unless it is the first.
 void print_table(const std::string& table, bool first);
 
-/// Prints a line at once, also where standard output is a file.
+/// Prints a line at once, also if standard output is a file.
 void print_line(const std::string& line);
 
-/// While it lives, Ctrl+C, a request to terminate and a terminal that is closed ask for a stop
-/// instead of ending the program; a second one ends it. One at a time.
+/// During its lifetime, Ctrl+C, a request to terminate and a closed terminal request a stop instead
+/// of ending the program; a second one ends it. One at a time.
 class StopsOnInterrupt {
  public:
   /// @param stop must outlive it.

@@ -32,7 +32,7 @@ struct TimingChoice {
 
 void add_timing_options(CLI::App& command, TimingChoice& choice);
 
-/// The scene's problem, as its files are now. @throws InputError for files that are wrong.
+/// The scene's problem, from the files' present contents. @throws InputError for invalid files.
 [[nodiscard]] planning::PlanningProblem read_problem(const TimingChoice& choice,
                                                      const planning::PluginManager& plugins);
 
@@ -43,7 +43,7 @@ void add_timing_options(CLI::App& command, TimingChoice& choice);
                                                            const geometric::RobotModel& before);
 
 /// The limits of the choice's file, or of the robot if it names none.
-/// @throws InputError for a file that is wrong.
+/// @throws InputError for an invalid file.
 [[nodiscard]] planning::JointKinematicLimits read_limits(const TimingChoice& choice,
                                                          const geometric::RobotModel& model);
 
@@ -53,22 +53,22 @@ struct TimingInput {
   planning::Path path;
 };
 
-/// Reads scene and path, and prints the scene's warnings. @throws InputError for files that are
-/// wrong.
+/// Reads scene and path, and prints the scene's warnings. @throws InputError for invalid
+/// files.
 [[nodiscard]] TimingInput read_timing_input(const TimingChoice& choice,
                                             const planning::PluginManager& plugins);
 
 /// Times the path. Writes the report if requested.
-/// @param start where the robot is, the scene's start or as measured, and how far from
-/// there the path may begin (rad or m).
-/// @throws InputError for options that are wrong.
+/// @param start configuration of the robot, the scene's start or as measured, with the allowed
+/// distance of the path's beginning from it (rad or m).
+/// @throws InputError for invalid options.
 [[nodiscard]] planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& input,
                                              const planning::Configuration& start,
                                              double start_tolerance);
 
 /// Reads scene and path and times the path from the scene's start. Writes the report if
 /// requested.
-/// @throws InputError for files and options that are wrong.
+/// @throws InputError for invalid files and options.
 [[nodiscard]] planning::TimedPath run_timing(const TimingChoice& choice,
                                              const planning::PluginManager& plugins);
 

@@ -4,7 +4,7 @@
 
 namespace handway::export_ros {
 
-/// trajectory_msgs/JointTrajectory for ROS 1 and ROS 2, each as YAML (for `rostopic pub`
+/// Exports trajectory_msgs/JointTrajectory for ROS 1 and ROS 2, each as YAML (for `rostopic pub`
 /// and `ros2 topic pub`) and as JSON (for rosbridge): NAME_ros1.yaml, …
 class RosExporter final : public planning::Exporter {
  public:
@@ -18,7 +18,7 @@ class RosExporter final : public planning::Exporter {
       const planning::Motion& motion) const override;
 };
 
-/// moveit_msgs/DisplayTrajectory for ROS 1 and ROS 2 as YAML, for RViz's motion planning
+/// Exports moveit_msgs/DisplayTrajectory for ROS 1 and ROS 2 as YAML, for RViz's motion planning
 /// display: NAME_display_ros1.yaml and NAME_display_ros2.yaml.
 class MoveItExporter final : public planning::Exporter {
  public:

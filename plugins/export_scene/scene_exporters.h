@@ -6,8 +6,8 @@ namespace handway::export_scene {
 
 /// Scenes for MoveIt: the first robot as URDF and SRDF, `scene.yaml` (moveit_msgs/PlanningScene)
 /// and, with a start and a goal, `request.yaml` (moveit_msgs/MotionPlanRequest) for the group
-/// `all_joints`, which is added. Poses are in the frame of the robot's root link, so that they hold
-/// wherever MoveIt has it. Other robots become objects, link by link.
+/// `all_joints`, which is added. Poses are in the frame of the robot's root link, so that they are
+/// valid for any place of it in MoveIt. Other robots become objects, link by link.
 ///
 /// Messages: http://docs.ros.org/en/noetic/api/moveit_msgs/html/index-msg.html
 class MoveitSceneExporter final : public planning::SceneExporter {

@@ -12,19 +12,19 @@ struct ArmMove {
   std::array<double, 6> point{};  ///< deg
   double velocity = 100.0;        ///< % of the nominal joint speed, above 0.
   double acceleration = 100.0;    ///< % of the nominal joint acceleration, above 0.
-  double pause = 0.0;             ///< s: above 0 the arm stays where it is, while the hand moves.
+  double pause = 0.0;             ///< s: above 0 the arm rests while the hand moves.
 };
 
 /// A move to each waypoint, the first one being the start of the motion. Speeds are such that moves
 /// take as long as in the motion: the joints accelerate, run and brake together at the limits that
 /// the motion was timed with.
-/// @throws InputError if the arm has not six joints that turn.
+/// @throws InputError unless the arm has six revolute joints.
 [[nodiscard]] std::vector<ArmMove> arm_moves(const planning::Motion& motion);
 
 /// A VAL3 application for Staeubli controllers of the CS8 series and CS9, in a folder NAME: the
-/// path's waypoints as joint points in degrees and a joint move to each. Joint moves
-/// between rests are straight in the joints, so that the arm runs along the
-/// certified path; the controller blends nothing.
+/// path's waypoints as joint points in degrees and a joint move to each. Joint moves between rests
+/// are straight in the joints, so that the arm follows the certified path; the controller does not
+/// blend.
 class Val3Exporter final : public planning::Exporter {
  public:
   [[nodiscard]] std::string name() const override { return "val3"; }
@@ -32,7 +32,7 @@ class Val3Exporter final : public planning::Exporter {
     return "a VAL3 application for the arm, stopping at every waypoint";
   }
   [[nodiscard]] bool stops_at_waypoints() const override { return true; }
-  /// Objects to arms that are no Staeubli's by the name of the robot, its file or the arm's links:
+  /// Rejects arms other than Staeubli's, by the name of the robot, its file or the arm's links:
   /// VAL3's joint points are angles of the controller's own arm.
   [[nodiscard]] std::string robot_objection(const planning::Motion& motion) const override;
 

@@ -4,8 +4,8 @@
 
 namespace handway::import_kautham {
 
-/// Problems (`.xml`) and robots (`.rob`) of Kautham 2013, with meshes in Open
-/// Inventor or VRML 1.
+/// Imports problems (`.xml`) and robots (`.rob`) of Kautham 2013, with meshes in Open Inventor or
+/// VRML 1.
 class KauthamImporter final : public planning::Importer {
  public:
   [[nodiscard]] std::string name() const override;

@@ -37,9 +37,9 @@ namespace handway::import_kautham {
 /// name, as Kautham calls them.
 [[nodiscard]] KauthamRobot controlled_robot(const geometric::RobotModel& model);
 
-/// The hand's controls as a PMD basis: joints are the group `hand` without coupled
-/// ones, a control of a single joint is a free joint, any other a principal
-/// direction as printed; λ = eigValue / 2. Null if no control drives the hand.
+/// The hand's controls as a PMD basis: joints are the group `hand` without coupled ones, a control
+/// of a single joint is a free joint, any other a principal direction as printed; λ = eigValue / 2.
+/// Null if no control drives the hand.
 /// @param[out] warnings gets what a basis can't express.
 [[nodiscard]] std::shared_ptr<const sampling::PmdBasis> make_hand_basis(
     const KauthamRobot& robot, const geometric::RobotModel& model,

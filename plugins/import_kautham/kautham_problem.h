@@ -14,7 +14,7 @@ namespace handway::import_kautham {
 /// Range of a robot's base along x, y and z of the world, m.
 using BaseLimits = std::array<std::pair<double, double>, 3>;
 
-/// A problem file of Kautham 2013 or later, before the files it names are opened.
+/// A problem file of Kautham 2013 or later, before the files named in it are opened.
 struct KauthamProblem {
   /// A Robot element.
   struct PlacedRobot {
@@ -32,14 +32,14 @@ struct KauthamProblem {
 
   std::filesystem::path file;
   std::string name;
-  /// Metres and radians in later versions, where URDF files are taken as they are.
+  /// Units: metres and radians for later versions with unscaled URDF files.
   Units units = {};
   std::filesystem::path controls;  ///< `.cntr`, as written; empty: in the robots' files.
   std::vector<PlacedRobot> robots;
   std::vector<Obstacle> obstacles;
   std::string planner;                                          ///< May be empty.
   std::vector<std::pair<std::string, std::string>> parameters;  ///< Texts for the planner.
-  std::vector<double> init;  ///< Controls of all robots; empty: the query has no start.
+  std::vector<double> init;  ///< Controls of all robots; empty: no start.
   std::vector<double> goal;  ///< Controls of all robots at the goal.
   std::string query_place;   ///< "file:line" of the query.
   std::vector<std::string> warnings;

@@ -14,9 +14,9 @@
 
 namespace handway::import_kautham {
 
-/// A link and the joint that carries it, in one: modified Denavit-Hartenberg
-/// parameters, X_PL(q) = PreTrans * Rx(alpha) Tx(a) Rz(theta + q) Tz(d), or with
-/// d + q for a sliding joint.
+/// A link together with its joint: modified Denavit-Hartenberg parameters, X_PL(q) =
+/// PreTrans * Rx(alpha) Tx(a) Rz(theta + q) Tz(d), or with d + q for a sliding
+/// joint.
 struct KauthamJoint {
   std::string name;
   std::filesystem::path mesh;            ///< Open Inventor or VRML, mm.
@@ -36,7 +36,7 @@ struct KauthamJoint {
 /// Parameters of the base: x, y and z, then X1, X2, X3, which make a rotation (see base_pose()).
 using BaseParameters = Eigen::Matrix<double, 6, 1>;
 
-/// Moves joints together: eig_value * factors * (c - 0.5) adds to their parameters.
+/// Couples joints: eig_value * factors * (c - 0.5) is added to their parameters.
 struct KauthamControl {
   std::string name;
   double eig_value = 1.0;                        ///< Full side of the control's interval, ≥ 0.
@@ -61,18 +61,18 @@ struct KauthamRobot {
   std::vector<std::string> warnings;
 };
 
-/// Joints may stand in <Joints> or, as in older files, right in <Robot>.
+/// Joints may be in <Joints> or, as in older files, directly in <Robot>.
 /// @throws InputError naming file, line, element, the value found and the expected one.
 [[nodiscard]] KauthamRobot read_kautham_robot(const std::filesystem::path& file);
 
 /// Reads a `.cntr` file of later versions, which has the controls of all robots of a problem: DOF
-/// are called ROBOT/JOINT, or ROBOT/X to ROBOT/X3. Each robot gets all controls, in order, with
-/// those factors that are its own; what no offset is given for has 0.5.
+/// are called ROBOT/JOINT, or ROBOT/X to ROBOT/X3. Each robot gets all controls, in order, with its
+/// own factors; a missing offset is 0.5.
 /// @throws InputError as read_kautham_robot().
 void read_kautham_controls(const std::filesystem::path& file, std::span<KauthamRobot> robots);
 
-/// Kautham's own controls where a problem of a later version names none: each of the base and of
-/// the joints that move, for itself, robot after robot.
+/// Adds Kautham's default controls if a problem of a later version has none: one for each of the
+/// base's and the joints' degrees of freedom, robot after robot.
 /// @param limits of each robot's base along x, y and z: equal ones are fixed.
 void add_default_controls(std::span<KauthamRobot> robots,
                           std::span<const std::array<std::pair<double, double>, 3>> limits);
@@ -84,11 +84,11 @@ void add_default_controls(std::span<KauthamRobot> robots,
 [[nodiscard]] BaseParameters base_parameters(const KauthamRobot& robot,
                                              const Eigen::VectorXd& controls);
 
-/// The rotation of the parameters X1, X2, X3 in [0, 1], spread evenly over all rotations (Shoemake,
+/// The rotation of the parameters X1, X2, X3 in [0, 1], uniform over all rotations (Shoemake,
 /// "Uniform random rotations", Graphics Gems III, 1992).
 [[nodiscard]] Eigen::Quaterniond base_rotation(const BaseParameters& parameters);
 
-/// Does the joint move? Not so if it is declared unmovable or its limits are equal.
+/// Returns whether the joint moves: it is declared movable and its limits differ.
 [[nodiscard]] bool moves(const KauthamJoint& joint);
 
 /// Parameters p of all joints. @param controls c, shape [controls].

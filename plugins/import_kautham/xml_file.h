@@ -17,8 +17,8 @@ namespace handway::import_kautham {
 /// expected contents.
 class XmlFile {
  public:
-  /// @throws InputError if the file can't be opened, is no XML, or its root
-  /// element is not called `root`.
+  /// @throws InputError if the file can't be opened, is not XML, or its root element is not
+  /// `root`.
   XmlFile(const std::filesystem::path& file, const char* root);
   XmlFile(const XmlFile&) = delete;
   XmlFile& operator=(const XmlFile&) = delete;
@@ -32,7 +32,7 @@ class XmlFile {
   [[nodiscard]] std::string text(pugi::xml_node node, const char* attribute) const;
   /// @throws InputError if it is missing or not a finite number.
   [[nodiscard]] double number(pugi::xml_node node, const char* attribute) const;
-  /// `otherwise` if the attribute is missing. @throws InputError if it is not a finite number.
+  /// Returns `otherwise` for a missing attribute. @throws InputError if it is not a finite number.
   [[nodiscard]] double number_or(pugi::xml_node node, const char* attribute,
                                  double otherwise) const;
   /// @throws InputError if it is missing or neither true nor false.
@@ -42,14 +42,14 @@ class XmlFile {
   /// of one. Other elements are allowed.
   void refuse_slips(pugi::xml_node node, std::initializer_list<std::string> known) const;
 
-  /// A complaint about `node`, or about its attribute unless that is empty.
+  /// An error about `node`, or about its attribute unless that is empty.
   [[noreturn]] void refuse(pugi::xml_node node, std::string_view attribute,
                            const std::string& found, const std::string& expected,
                            const std::string& advice = "") const;
   /// "file:line" of the node.
   [[nodiscard]] std::string place(pugi::xml_node node) const;
 
-  /// Remembers a warning about `node`, for notes().
+  /// Stores a warning about `node`, for notes().
   void note(pugi::xml_node node, const std::string& what) const;
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
@@ -63,7 +63,7 @@ class XmlFile {
   mutable std::vector<std::string> notes_;
 };
 
-/// The text in quotation marks.
+/// Returns the text in quotation marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Units of the numbers in a file.

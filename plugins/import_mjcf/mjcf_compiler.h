@@ -17,7 +17,7 @@ struct ModelDeleter {
 };
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 
-/// A model, and what of the file isn't in it.
+/// A compiled model, with the parts of the file that it lacks.
 struct Compiled {
   ModelPointer model;
   MjcfText text;
@@ -26,7 +26,7 @@ struct Compiled {
 
 /// Compiles an MJCF file with MuJoCo's compiler. One file at a time; any thread.
 /// @param warnings MuJoCo's warnings are appended.
-/// @throws InputError in MuJoCo's words, with file and line.
+/// @throws InputError with MuJoCo's message, file and line.
 [[nodiscard]] Compiled compile_mjcf(const std::filesystem::path& file,
                                     std::vector<std::string>& warnings);
 

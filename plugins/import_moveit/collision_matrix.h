@@ -21,12 +21,12 @@ using ObjectNames = std::map<std::string, std::vector<std::string>>;
 /// does not forbid it. Without either, links that it does not name keep the SRDF's pairs, with a
 /// warning if that makes a difference, and pairs with objects are checked. An attached object may
 /// touch its touch links in any case.
-/// @throws InputError if its rows are not as long as its names are many.
+/// @throws InputError if the lengths of its rows differ from the number of names.
 void read_collision_matrix(const geometric::YamlElement& matrix, const ObjectNames& objects,
                            geometric::Scene& scene);
 
-/// `link_padding` and `link_scale` of a moveit_msgs/PlanningScene, for the first robot. Links that
-/// it has not are passed over with a warning.
+/// Reads `link_padding` and `link_scale` of a moveit_msgs/PlanningScene, for the first robot.
+/// Unknown links are ignored with a warning.
 /// @throws InputError for a scale of 0 or less, or a negative padding.
 void read_paddings(const geometric::YamlElement& planning_scene, geometric::Scene& scene);
 

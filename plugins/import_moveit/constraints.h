@@ -12,13 +12,13 @@ namespace handway::import_moveit {
 [[nodiscard]] bool has_pose(const geometric::YamlElement& goal);
 
 /// The poses of such a goal: one position constraint, one orientation constraint or one of each, of
-/// the same link. A region of several primitives makes a goal of each.
+/// the same link. A region of several primitives gives a goal for each.
 ///
-/// Tolerances are along the goal's axes: where a box lies across them, or a region is round, they
-/// are those of the largest cube inside.
-/// @param model the planned robot. @param frames where headers' frames are in the world.
-/// @throws InputError for other constraints, regions of meshes, links that the robot has not or
-/// that no joint moves.
+/// Tolerances are along the goal's axes: for a box across them, or a round region, they are those
+/// of the largest cube inside.
+/// @param model the planned robot. @param frames poses of the headers' frames in the world.
+/// @throws InputError for other constraints, regions of meshes, links that the robot lacks or that
+/// no joint moves.
 [[nodiscard]] std::vector<geometric::PoseGoal> read_pose_goals(const geometric::YamlElement& goal,
                                                                const geometric::RobotModel& model,
                                                                const Frames& frames);

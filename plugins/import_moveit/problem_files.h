@@ -15,7 +15,7 @@ namespace handway::import_moveit {
 /// Messages of ROS as YAML, in the forms of `rostopic echo` (maps: `{x: 1, y: 2, z: 3}`) and of
 /// MotionBenchMaker (lists: `[1, 2, 3]`).
 
-/// Gathers what the readers of messages below have to remark on, on this thread while it lives.
+/// Collects remarks of the readers of messages below, on this thread during its lifetime.
 class Remarks {
  public:
   Remarks();
@@ -23,7 +23,7 @@ class Remarks {
   Remarks(const Remarks&) = delete;
   Remarks& operator=(const Remarks&) = delete;
 
-  /// A warning for each kind, with a count and the first place.
+  /// Returns a warning for each kind, with a count and the first place.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
@@ -36,29 +36,29 @@ class Remarks {
 /// Adds to the innermost Remarks of this thread, if any.
 void remark(const std::string& kind, const std::string& where);
 
-/// geometry_msgs/Point and Vector3, m. Coordinates that are missing from a map are 0.
+/// Reads geometry_msgs/Point and Vector3, m. Coordinates that are missing in a map are 0.
 [[nodiscard]] Eigen::Vector3d read_point(const geometric::YamlElement& element);
 
 /// Reads geometry_msgs/Quaternion: x, y, z, w. As in MoveIt, an unset one, of zeros, is the
 /// identity, and others are normalised, both with remarks.
 [[nodiscard]] Eigen::Quaterniond read_rotation(const geometric::YamlElement& element);
 
-/// geometry_msgs/Pose: `position` and `orientation`, each of which may be missing.
+/// Reads geometry_msgs/Pose: `position` and `orientation`, each of which may be missing.
 [[nodiscard]] geometric::Pose read_pose(const geometric::YamlElement& element);
 
-/// sensor_msgs/JointState: positions by name, rad or m; none if `name` is missing.
-/// @throws InputError if there are not as many positions as names.
+/// Reads sensor_msgs/JointState: positions by name, rad or m; none if `name` is missing.
+/// @throws InputError if the numbers of positions and names differ.
 [[nodiscard]] std::map<std::string, double> read_joint_state(const geometric::YamlElement& element);
 
-/// sensor_msgs/MultiDOFJointState: where planar and floating joints are, by name.
-/// @throws InputError if there are not as many transforms as names.
+/// Reads sensor_msgs/MultiDOFJointState: poses of planar and floating joints, by name.
+/// @throws InputError if the numbers of transforms and names differ.
 [[nodiscard]] std::map<std::string, geometric::Pose> read_multi_dof_joint_state(
     const geometric::YamlElement& element);
 
-/// geometry_msgs/Transform: `translation` and `rotation`, each of which may be missing.
+/// Reads geometry_msgs/Transform: `translation` and `rotation`, each of which may be missing.
 [[nodiscard]] geometric::Pose read_transform(const geometric::YamlElement& element);
 
-/// The files of a problem as MotionBenchMaker lays them out: `scene0001.yaml` beside
+/// The files of a problem in MotionBenchMaker's layout: `scene0001.yaml` beside
 /// `request0001.yaml`.
 struct ProblemFiles {
   std::filesystem::path scene;
@@ -69,13 +69,13 @@ struct ProblemFiles {
 /// like a scene of Handway. Reads its first 64 KiB.
 [[nodiscard]] bool is_moveit_file(const std::filesystem::path& file);
 
-/// The problem that `file`, a scene or a request, belongs to.
+/// Returns the problem of `file`, a scene or a request.
 /// @throws InputError if a request has no scene beside it.
 [[nodiscard]] ProblemFiles problem_files(const std::filesystem::path& file);
 
-/// The URDF of a robot: what $HANDWAY_ROBOT names (`--robot`); else `NAME.urdf` or
-/// `NAME/NAME.urdf`, `robots/NAME.urdf` or `robots/NAME/NAME.urdf` in the problem's folder or one
-/// of the three above it, or a robot that ships. Its SRDF lies beside it.
+/// The URDF of a robot: $HANDWAY_ROBOT (`--robot`); else `NAME.urdf` or `NAME/NAME.urdf`,
+/// `robots/NAME.urdf` or `robots/NAME/NAME.urdf` in the problem's folder or one of the three above
+/// it, or a robot that ships. Its SRDF lies beside it.
 /// @param name the element `robot_model_name` of the scene.
 /// @throws InputError if it does not exist.
 [[nodiscard]] std::filesystem::path robot_file(const geometric::YamlElement& name,

@@ -8,7 +8,7 @@ namespace handway::import_moveit {
 /// Returns whether a file is a scene as RViz' MotionPlanning panel exports it (.scene).
 [[nodiscard]] bool is_scene_text(const std::filesystem::path& file);
 
-/// Such a scene as a moveit_msgs/PlanningScene (YAML) for the robot that $HANDWAY_ROBOT names: the
+/// Reads such a scene as a moveit_msgs/PlanningScene (YAML) for the robot in $HANDWAY_ROBOT: the
 /// file itself names none. Objects are in the frame of the robot's root; their subframes are left
 /// out.
 ///

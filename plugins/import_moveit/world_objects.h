@@ -16,7 +16,7 @@
 namespace handway::import_moveit {
 
 /// The occupied cells of an octomap_msgs/Octomap as one closed surface: the sides of these boxes
-/// that no other occupied cell is at, m, in the map's frame. Free and unknown cells are free, as in
+/// without an occupied neighbour, m, in the map's frame. Free and unknown cells are free, as in
 /// MoveIt. Both forms of the message are read, `binary` and with probabilities (OcTree and
 /// ColorOcTree).
 /// @returns null for a map without data or without occupied cells.
@@ -24,11 +24,11 @@ namespace handway::import_moveit {
 [[nodiscard]] std::shared_ptr<const geometric::TriangleMesh> octomap_mesh(
     const geometric::YamlElement& octomap);
 
-/// Poses of frames in the world by name: the robot's links, "world" and those that the scene
-/// names (`fixed_frame_transforms`).
+/// Poses of frames in the world by name: the robot's links, "world" and the scene's frames
+/// (`fixed_frame_transforms`).
 using Frames = std::map<std::string, geometric::Pose>;
 
-/// A ball that everything stays in which a robot moves.
+/// A ball that contains all bodies of a robot in all configurations.
 struct Reach {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< The robot's base, in the world.
   double radius = 0.0;                               ///< m
@@ -37,7 +37,7 @@ struct Reach {
 /// Returns the reach with all joints stretched, and as much again for what the robot carries.
 [[nodiscard]] Reach reach_of(const geometric::RobotInstance& robot);
 
-/// The frame that a message's `header` names; nothing if it names none.
+/// The frame in a message's `header`; nothing if it names none.
 [[nodiscard]] std::optional<std::string> frame_name(const geometric::YamlElement& message);
 
 /// Returns the pose in the world of the frame in a message's `header`; "world" if it names none.
@@ -49,7 +49,7 @@ struct Reach {
 [[nodiscard]] std::vector<std::pair<geometric::Shape, geometric::Pose>> read_primitives(
     const geometric::YamlElement& message);
 
-/// A collision object by its id: what later messages may move, add to or remove.
+/// A collision object by its id, which later messages may move, extend or remove.
 struct WorldObject {
   geometric::Pose X_PO = geometric::Pose::Identity();  ///< In the world, or in the link.
   std::vector<geometric::Pose> X_OS;                   ///< Poses of its shapes, see World::names.
@@ -71,15 +71,15 @@ struct World {
 /// removes it, or all without an id. A plane is the half space opposite to the robot's base, up to
 /// the ends of the reach; if the base is on it, the one below. An octomap is one mesh
 /// (octomap_mesh()), "<octomap>" for the collision matrix.
-/// @throws InputError for what can't be read.
+/// @throws InputError for anything that can't be read.
 void add_world(const geometric::YamlElement& message, World& world);
 
-/// Adds what the first robot carries (moveit_msgs/AttachedCollisionObject), by its operation: ADD
-/// without shapes takes an object of the world, REMOVE puts it back there.
+/// Adds objects attached to the first robot (moveit_msgs/AttachedCollisionObject), by their
+/// operation: ADD without shapes attaches an object of the world, REMOVE detaches it.
 /// @throws InputError as add_world().
 void add_attached(const geometric::YamlElement& attached, World& world);
 
-/// Takes away all that the robot carries. @returns whether there was something.
+/// Removes all attached objects. @returns whether there were any.
 bool remove_attached(World& world);
 
 }  // namespace handway::import_moveit

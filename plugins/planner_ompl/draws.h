@@ -13,8 +13,8 @@
 
 namespace handway::planner_ompl {
 
-/// The random numbers of one run: where their seeds come from, and how many samples
-/// were drawn with them.
+/// The random numbers of one run: the source of seeds, and the number of samples drawn with
+/// them.
 ///
 /// OMPL seeds every generator from a generator of the whole program, so that two runs would differ
 /// by what ran before them. So samplers are seeded from here instead; code that makes OMPL's other
@@ -46,19 +46,19 @@ class Draws {
   std::uint64_t count_ = 0;
 };
 
-/// As long as this is held no other run makes a generator of OMPL's.
+/// While this is held, no other run makes a generator of OMPL's.
 using SeedingLock = std::unique_lock<std::recursive_mutex>;
 [[nodiscard]] SeedingLock lock_seeding();
 
-/// Generators that are made as long as `lock` is held get seeds that follow from `draws`.
+/// Generators made while `lock` is held get seeds that follow from `draws`.
 void seed_ompl(const SeedingLock& lock, Draws& draws);
 
-/// Makes every sampler of the space of `map` draw the targets of Handway's own searches, with seeds
-/// and counts of `draws`. Both must outlive the space. @pre before samplers are made.
+/// Makes every sampler of the space of `map` sample the targets of Handway's own searches, with
+/// seeds and counts of `draws`. Both must outlive the space. @pre before samplers are made.
 void draw_states(const StateMap& map, Draws& draws);
 
-/// Makes `information` draw valid states from its space, with seeds of `draws`, which
-/// must outlive it.
+/// Makes `information` sample valid states from its space, with seeds of `draws`, which must
+/// outlive it.
 void draw_valid_states(ompl::base::SpaceInformation& information);
 
 /// The problem's goal. Drawing it counts as a sample, so that a planner that only does this ends
@@ -66,8 +66,8 @@ void draw_valid_states(ompl::base::SpaceInformation& information);
 [[nodiscard]] std::shared_ptr<ompl::base::GoalState> make_goal(
     const ompl::base::SpaceInformationPtr& information, Draws& draws);
 
-/// Short paths, whose informed samplers (they draw where a path can be shorter than one
-/// that is known) are seeded and counted too. `draws` must outlive it.
+/// Objective of short paths, whose informed samplers (they sample where a path can be shorter than
+/// a known one) are seeded and counted too. `draws` must outlive it.
 [[nodiscard]] ompl::base::OptimizationObjectivePtr make_path_length(
     const ompl::base::SpaceInformationPtr& information, Draws& draws);
 

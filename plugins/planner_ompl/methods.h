@@ -10,7 +10,7 @@
 
 namespace handway::planner_ompl {
 
-/// A parameter of an OMPL planner that is offered as a setting.
+/// A parameter of an OMPL planner that becomes a setting.
 struct MethodSetting {
   std::string key;  ///< Key in OMPL's ParamSet and in Handway.
   std::string label;
@@ -23,7 +23,7 @@ struct MethodSetting {
 /// Properties of a planner: whether it improves paths, and which edges it shows.
 struct MethodTraits {
   bool improves = false;  ///< Can shorten a path once it has one.
-  bool guesses = false;   ///< Has edges that it has not checked.
+  bool guesses = false;   ///< Has edges that are not checked yet.
 };
 
 /// Planner of OMPL that finds exact solutions on one thread.
@@ -47,7 +47,7 @@ class SequentialPrm final : public ompl::geometric::PRM {
 
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& stop) override;
 
-  /// Milestones without an edge included.
+  /// Number of milestones, with those without an edge.
   void getPlannerData(ompl::base::PlannerData& data) const override;
 
  private:

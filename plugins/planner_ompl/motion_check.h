@@ -12,9 +12,9 @@
 
 namespace handway::planner_ompl {
 
-/// OMPL's question whether a state is valid, put to a run's collision checker.
-/// Once the run has to end every answer is yes, and no motion is valid any more: some
-/// planners draw until they have a valid state, none until it has a valid motion.
+/// OMPL's validity check of a state, by a run's collision checker. Once the run has to end, every
+/// state is valid, and no motion is any more: some planners sample until they have a valid state,
+/// none until it has a valid motion.
 class StateCheck final : public ompl::base::StateValidityChecker {
  public:
   /// `context` and `map` must outlive this object.
@@ -40,12 +40,12 @@ class MotionCheck final : public ompl::base::MotionValidator {
   [[nodiscard]] bool checkMotion(const ompl::base::State* from,
                                  const ompl::base::State* to) const override;
 
-  /// If the motion is not free, `last_valid` gets the end of a part of it that is:
-  /// the longest of those tried by bisection, or `from` and 0 if none was free.
+  /// If the motion is not free, `last_valid` gets the end of a free part of it: the longest of
+  /// those tried by bisection, or `from` and 0 if none was free.
   [[nodiscard]] bool checkMotion(const ompl::base::State* from, const ompl::base::State* to,
                                  std::pair<ompl::base::State*, double>& last_valid) const override;
 
-  /// Was the motion between two configurations, either way, found free?
+  /// Returns whether the motion between two configurations, in either direction, was found free.
   [[nodiscard]] bool known_free(const planning::Configuration& a,
                                 const planning::Configuration& b) const;
 

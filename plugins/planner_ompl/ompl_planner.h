@@ -32,14 +32,14 @@ class Search {
  public:
   /// Sets OMPL up. `context` must outlive this object.
   /// @param settings of the method, for OMPL's parameters of these keys.
-  /// @param region, hand where states are drawn from; the region must outlive this object.
+  /// @param region, hand source of the states; the region must outlive this object.
   /// @throws geometric::InputError if OMPL refuses a setting.
   Search(planning::PlanningContext& context, const Method& method, std::unique_ptr<StateMap> map,
          const std::vector<planning::Parameter>& settings, SampleBudget budget,
          const planning::TargetRegion& region, planning::HandSpace hand);
 
-  /// Searches, then reports to the observer the nodes and edges there are in the end.
-  /// Sets status, reason if there is something to add, path and statistics.
+  /// Searches, then reports the final nodes and edges to the observer. Sets status, reason if it
+  /// has one to add, path and statistics.
   void run(planning::PlanResult& result);
 
  private:
@@ -48,8 +48,8 @@ class Search {
   void set_objective();
   [[nodiscard]] bool has_to_end();
   [[nodiscard]] planning::Path path() const;
-  /// Were all motions of `path` found free, or are they? OMPL cuts some motions where
-  /// the cut may be beside them, at a joint's limit.
+  /// Returns whether all motions of `path` were found free, or are. OMPL cuts some motions, and the
+  /// cut may be beside them, at a joint's limit.
   [[nodiscard]] bool proved(const planning::Path& path);
   [[nodiscard]] std::vector<std::pair<int, int>> edges_of(
       const ompl::base::PlannerData& graph,
@@ -65,7 +65,7 @@ class Search {
   ompl::base::ProblemDefinitionPtr definition_;
   std::shared_ptr<MotionCheck> motions_;
   ompl::base::PlannerPtr planner_;
-  std::optional<std::uint64_t> first_path_at_;  ///< Samples drawn by then.
+  std::optional<std::uint64_t> first_path_at_;  ///< Number of samples at that time.
 };
 
 /// Planner of OMPL over all joints or over the controls of the paper's method

@@ -11,7 +11,7 @@
 namespace handway::planner_ompl {
 
 /// OMPL's states as points of one of Handway's state spaces. Coordinates without extent are left
-/// out: OMPL takes none.
+/// out: OMPL accepts none.
 class StateMap {
  public:
   explicit StateMap(std::unique_ptr<planning::StateSpace> coordinates);

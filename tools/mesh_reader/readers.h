@@ -14,8 +14,8 @@ void prepare_inventor();
 /// @throws Refusal, TooLarge
 void read_by_assimp(const std::filesystem::path& file, Mesh& mesh);
 
-/// All triangles of an Open Inventor or VRML file whose lengths, times `scale`, are millimetres;
-/// in metres. Files that it includes are looked for in its own folder.
+/// All triangles of an Open Inventor or VRML file whose lengths, times `scale`, are millimetres; in
+/// metres. Included files are searched in its own folder.
 /// @throws Refusal, TooLarge
 void read_inventor(const std::filesystem::path& file, double scale, Mesh& mesh);
 

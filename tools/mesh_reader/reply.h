@@ -29,7 +29,7 @@ class Refusal : public std::runtime_error {
   std::string advice_;
 };
 
-/// More vertices or triangles than the request allows.
+/// Thrown for more vertices or triangles than the request allows.
 class TooLarge : public std::exception {};
 
 /// Triangles over shared vertices, limited in number.
@@ -50,7 +50,7 @@ class Mesh {
   std::array<float, 4> color = {0.7F, 0.7F, 0.7F, 1.0F};
   bool includes_files = false;
   double largest =
-      0.0;  ///< Coordinate that was handled in single precision, as add_vertex() has it.
+      0.0;  ///< Coordinate that was handled in single precision, as add_vertex() returns it.
   std::string warnings;  ///< One a line.
 
   /// Writes the whole reply. @returns false if the pipe is closed.

@@ -77,8 +77,8 @@ struct RunRecord : PlanStatistics {
   double time_s = 0.0;       ///< Planning alone, wall clock.
   double smoothing_s = 0.0;  ///< Wall clock.
 
-  std::uint64_t path_nodes = 0;  ///< 0: no path.
-  double path_length = 0.0;      ///< In joints normalised to [0, 1]; 0: no path.
+  std::uint64_t path_nodes = 0;  ///< 0 without a path.
+  double path_length = 0.0;      ///< In joints normalised to [0, 1]; 0 without a path.
   double resolution_mm = 0.0;    ///< Resolution of the certificate.
   double min_clearance_mm = 0.0;
   std::uint64_t certificate_checks = 0;
@@ -87,18 +87,18 @@ struct RunRecord : PlanStatistics {
 
 /// Reads a campaign file (YAML; docs/campaigns.md).
 ///
-/// Problems are paths relative to the campaign's folder or names of scenes that ship;
-/// `${NAME}` in them is the environment's. A problem marked optional is left out where
-/// its file, or a variable in its name, is missing. Every combination of a planner's lists
-/// of values becomes a CampaignPlanner of its own, and so does each value under `vary`;
-/// two that come to the same parameters become one.
+/// Problems are paths relative to the campaign's folder or names of scenes that ship; `${NAME}` in
+/// them is an environment variable. A problem marked optional is left out if its file, or a
+/// variable in its name, is missing. Every combination of a planner's lists of values becomes a
+/// CampaignPlanner of its own, and so does each value under `vary`; two with the same parameters
+/// become one.
 ///
 /// @throws InputError naming file, line and element of the error, planners, parameters and their
 /// ranges included. The problems themselves are not opened.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Campaign read_campaign(const std::filesystem::path& file,
                                                              const PlannerRegistry& registry);
 
-/// Is this a YAML file with the key `campaign` at its top? Never throws.
+/// Returns whether the file is YAML with the key `campaign` at its top. Never throws.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_campaign(const std::filesystem::path& file);
 
 }  // namespace handway::planning

@@ -20,7 +20,7 @@ struct Interval {
 /// Mean of values without NaN; infinite ones (runs that never found a path) sort last.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double mean_of(std::span<const double> values);
 
-/// With n - 1 in the denominator; NaN for fewer than two.
+/// Standard deviation with n - 1 in the denominator; NaN for fewer than two.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double deviation_of(std::span<const double> values);
 
 using sampling::quantile_of;
@@ -43,8 +43,8 @@ struct EcdfStep {
   double share = 0.0;
 };
 
-/// One step for each different finite value; infinite ones count among all, so that the
-/// last share is below 1 if there are some.
+/// One step for each different finite value; infinite ones count too, so that the last share is
+/// below 1 if there are any.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<EcdfStep> ecdf_of(std::span<const double> values);
 
 /// Values of a box plot (J. W. Tukey, "Exploratory Data Analysis", 1977): quartiles, whiskers at
@@ -63,8 +63,8 @@ struct BoxPlot {
 
 /// Outcome of a Mann-Whitney U test.
 struct MannWhitney {
-  double u = 0.0;       ///< Pairs in which a value of the first sample is the larger; ties half.
-  double effect = 0.5;  ///< Chance that the first's value is the smaller, ties half: 1 - u/(n m).
+  double u = 0.0;       ///< Pairs in which the first sample's value is larger; ties half.
+  double effect = 0.5;  ///< Probability that the first is smaller, ties half: 1 - u/(n m).
   double p = 1.0;       ///< Two-sided.
   bool exact = false;   ///< p from U's exact distribution, not from the normal approximation.
 };
@@ -77,9 +77,9 @@ struct MannWhitney {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT MannWhitney mann_whitney(std::span<const double> first,
                                                                std::span<const double> second);
 
-/// p-values of several tests so adjusted that the chance of one false finding among all
-/// stays below that of each (S. Holm, "A simple sequentially rejective multiple test
-/// procedure", Scandinavian Journal of Statistics 6, 1979). In the order of `p`.
+/// p-values of several tests, adjusted so that the probability of one false finding among all stays
+/// below that of each (S. Holm, "A simple sequentially rejective multiple test procedure",
+/// Scandinavian Journal of Statistics 6, 1979). In the order of `p`.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> holm_adjusted(std::span<const double> p);
 
 /// A number of a run in reports.
@@ -102,7 +102,7 @@ struct CampaignCell {
   /// Values of the runs that found a path.
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> of_solved(
       const RunMeasure& measure) const;
-  /// Planning times of all runs, s; of those without a path infinite.
+  /// Planning times of all runs, s; infinite for those without a path.
   [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> times() const;
 };
 
@@ -115,12 +115,12 @@ struct CampaignComparison {
   double adjusted_p = 1.0;  ///< Holm, over all comparisons on the problem.
 };
 
-/// A cell for each problem and planner, problem by problem; those without runs too.
+/// Returns a cell for each problem and planner, problem by problem, also for those without runs.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<CampaignCell> campaign_cells(
     const Campaign& campaign, std::span<const RunRecord> records);
 
-/// All pairs of planners that have runs, problem by problem. A run without a path takes
-/// longer than all that found one.
+/// Compares all pairs of planners that have runs, problem by problem. A run without a path counts
+/// as longer than all with one.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<CampaignComparison> compare_planners(
     std::span<const CampaignCell> cells);
 

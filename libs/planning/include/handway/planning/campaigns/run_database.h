@@ -18,8 +18,8 @@ namespace handway::planning {
 /// parameters as JSON) and `run`, one row per run with the fields of RunRecord, problem and planner
 /// by id; a view `runs` has names instead. docs/campaigns.md shows them.
 ///
-/// For one thread at a time. One object a file: a lock beside it keeps a second
-/// program out while this one is at work.
+/// For one thread at a time, one object per file: a lock beside it keeps other programs out
+/// meanwhile.
 class HANDWAY_PLANNING_EXPORT RunDatabase {
  public:
   enum class Opening {
@@ -39,14 +39,14 @@ class HANDWAY_PLANNING_EXPORT RunDatabase {
   RunDatabase(const RunDatabase&) = delete;
   RunDatabase& operator=(const RunDatabase&) = delete;
 
-  /// The campaign's runs that are not there yet, in the campaign's order.
+  /// The campaign's missing runs, in the campaign's order.
   [[nodiscard]] std::vector<RunSpec> pending() const;
 
   /// Adds runs in one transaction: all or none. Existing runs stay as they are.
-  /// @throws InputError if it can't be written (a full disk); nothing is added then.
+  /// @throws InputError if it can't be written (a full disk); nothing is then added.
   void add(std::span<const RunRecord> records);
 
-  /// The campaign's runs that are there, in the campaign's order, without their paths.
+  /// The campaign's runs in the file, in the campaign's order, without their paths.
   [[nodiscard]] std::vector<RunRecord> records() const;
 
   /// The versions of the program that made them.
@@ -59,17 +59,17 @@ class HANDWAY_PLANNING_EXPORT RunDatabase {
   std::string version_;
 };
 
-/// A run with all that it takes to carry it out again.
+/// A run with all data to carry it out again.
 struct ArchivedRun {
   std::string problem;  ///< Its name in the campaign.
   std::filesystem::path file;
   CampaignPlanner planner;
-  RunRecord record;  ///< Without its path; of its spec the seed alone has a meaning.
+  RunRecord record;  ///< Without its path; only the seed of its spec is valid.
 };
 
 /// All runs of a run database, in the order of problems, planners and seeds. Another program may be
-/// adding to it.
-/// @throws InputError if it can't be read or is no run database.
+/// adding runs.
+/// @throws InputError if it can't be read or is another file.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<ArchivedRun> read_runs(
     const std::filesystem::path& file);
 

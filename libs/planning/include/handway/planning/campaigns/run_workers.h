@@ -21,7 +21,7 @@ class HANDWAY_PLANNING_EXPORT RunExecutor {
   /// @throws InputError if one can't be read or has no start or goal.
   RunExecutor(Campaign campaign, const PluginManager& plugins);
 
-  /// Plans with checkers that remember nothing of other runs.
+  /// Plans with checkers without caches from other runs.
   /// @returns nothing if it was cancelled.
   [[nodiscard]] std::optional<RunRecord> run(const RunSpec& spec, std::stop_token stop = {}) const;
 
@@ -49,7 +49,7 @@ class HANDWAY_PLANNING_EXPORT RunWorkers {
   /// Carries out `runs`, dealt out one by one, and passes every record on as soon as it is
   /// finished. Returns when all are done or, after a request by `stop`, when the last run that was
   /// not cancelled has been passed on.
-  /// @throws what `take` throws or a run fails with, once no worker is busy any more.
+  /// @throws exceptions of `take` or of a run, once no worker is busy any more.
   virtual void carry_out(const RunExecutor& executor, std::span<const RunSpec> runs,
                          const TakeRecords& take, std::stop_token stop) = 0;
 };
@@ -78,8 +78,8 @@ class HANDWAY_PLANNING_EXPORT ProcessTeam : public RunWorkers {
   virtual void decline(const std::string& reason) = 0;
 };
 
-/// The team of processes that this one was started in by `mpirun`; null if it was not.
-/// @throws InputError if it was, but the library for it is not there.
+/// The team of processes in which `mpirun` started this one; null without mpirun.
+/// @throws InputError if the library for the team is missing.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<ProcessTeam> join_process_team();
 
 }  // namespace handway::planning

@@ -59,7 +59,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   /// Outcome of `count` independent configurations, the first free one in order.
   struct FirstFree {
     std::optional<int> index;          ///< Empty: none is free.
-    std::vector<int> rejecting_pairs;  ///< One for each of those before it, in order.
+    std::vector<int> rejecting_pairs;  ///< One for each one before it, in order.
   };
   /// Tests `candidate(i)` for i = 0, 1, … on all threads and stops at the first free one; the
   /// result is that of testing one after the other.
@@ -86,7 +86,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   [[nodiscard]] std::optional<int> collision_among(std::span<const int> pairs,
                                                    const Configuration& q);
 
-  /// Are configurations evenly spread over an edge free of collision? At least
+  /// Returns whether configurations evenly spread over an edge are free of collision: at least
   /// `count` of them, 2^n - 1. Quick, and no proof; an edge that fails is not free.
   [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count) {
     return !edge_probe(from, to, count);
@@ -95,8 +95,8 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   [[nodiscard]] std::optional<int> edge_probe(const Configuration& from, const Configuration& to,
                                               int count);
 
-  /// The smallest clearance along `path` and what it took to know it; the resolution
-  /// at most if the run had to end before it was known. @pre its edges are free.
+  /// The smallest clearance along `path` and its cost in checks; at most the resolution if the run
+  /// had to end before it was known. @pre its edges are free.
   [[nodiscard]] Certificate certify(const Path& path);
 
  private:

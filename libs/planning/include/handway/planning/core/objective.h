@@ -16,7 +16,7 @@ namespace handway::planning {
 struct ObjectiveWeights {
   double length = 1.0;          ///< Per length in joints normalised to [0, 1].
   double human_likeness = 0.0;  ///< Per mean distance of the hand from the PMD subspace.
-  double clearance = 0.0;       ///< Per mean share of kFarClearance that is missing.
+  double clearance = 0.0;       ///< Per mean missing share of kFarClearance.
   double duration = 0.0;        ///< Per second.
 
   friend bool operator==(const ObjectiveWeights&, const ObjectiveWeights&) = default;
@@ -40,7 +40,7 @@ struct ObjectiveSettings {
   weights(const PlanningProblem& problem) const;
 };
 
-/// A joint without a velocity limit is taken to allow this, rad/s or m/s.
+/// Default of a missing velocity limit, rad/s or m/s.
 inline constexpr double kDefaultVelocity = 1.0;
 
 /// Time of the straight motion from `from` to `to` with one joint at its velocity limit, s.
@@ -52,7 +52,7 @@ inline constexpr double kDefaultVelocity = 1.0;
 struct MotionSums {
   double length = 0.0;             ///< In joints normalised to [0, 1].
   double outside = 0.0;            ///< Distance of the hand from the PMD subspace, times length.
-  double missing_clearance = 0.0;  ///< Share of kFarClearance that is missing, times length.
+  double missing_clearance = 0.0;  ///< Missing share of kFarClearance, times length.
   double duration = 0.0;           ///< See least_duration(), s.
 
   /// @param times how often it counts: -1 takes it away again.
@@ -79,7 +79,7 @@ class HANDWAY_PLANNING_EXPORT Objective {
     }
   };
 
-  /// @param problem outlives this. Without a basis `human_likeness` counts nothing.
+  /// @param problem outlives this. Without a basis `human_likeness` has no effect.
   Objective(const PlanningProblem& problem, const ObjectiveWeights& weights);
 
   [[nodiscard]] const ObjectiveWeights& weights() const { return weights_; }
@@ -93,25 +93,25 @@ class HANDWAY_PLANNING_EXPORT Objective {
   [[nodiscard]] double cost(const MotionSums& path) const;
   [[nodiscard]] double cost(const Path& path);
 
-  /// `at` with this share of the distance between its hand and the closest posture of the PMD
-  /// subspace gone; the arm as it is. @pre the problem has a basis.
+  /// Returns `at` with its hand moved by this share of the distance to the closest posture of the
+  /// PMD subspace; the arm as it is. @pre the problem has a basis.
   [[nodiscard]] Point towards_subspace(const Point& at, double share) const;
 
-  /// `at` with its hand moved inside the subspace, or in parallel to it, joints clamped to their
-  /// limits. @param step shape [basis dimension], in half-sides λ of the axes. @pre there is a
-  /// basis.
+  /// Returns `at` with its hand moved inside the subspace, or in parallel to it, joints clamped to
+  /// their limits. @param step shape [basis dimension], in half-sides λ of the axes. @pre the
+  /// problem has a basis.
   [[nodiscard]] Point moved_along_subspace(const Point& at, const Eigen::VectorXd& step) const;
-  /// Axes of the subspace. @pre there is a basis.
+  /// Axes of the subspace. @pre the problem has a basis.
   [[nodiscard]] int subspace_dimension() const { return problem_.basis->dimension(); }
 
-  /// `at` with the hand as in `hand`.
+  /// Returns `at` with the hand as in `hand`.
   [[nodiscard]] Point with_hand(const Point& at, const Point& hand) const;
 
   /// MotionSums::outside of a path on which the hand goes straight from the start to the subspace,
   /// stays in it and leaves it straight for the goal: the least of all paths between these ends.
   [[nodiscard]] static double forced_outside(const Point& start, const Point& goal);
 
-  /// Distance queries for clearance since this was made.
+  /// Number of distance queries for clearance so far.
   [[nodiscard]] std::uint64_t distance_queries() const { return distance_queries_; }
 
  private:
@@ -122,7 +122,7 @@ class HANDWAY_PLANNING_EXPORT Objective {
   ObjectiveWeights weights_;
   std::optional<sampling::PostureSubspace> subspace_;
   Eigen::MatrixXd axes_;  ///< Subspace's axes times half-sides, shape [joints, dimension].
-  std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: clearance counts nothing.
+  std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: clearance has no weight.
   std::uint64_t distance_queries_ = 0;
 };
 
@@ -134,8 +134,8 @@ struct PathQuality {
     double largest = 0.0;  ///< Largest distance, the ends' stretches excepted.
     /// Share of the length beyond kNearSubspace, the ends' stretches excepted.
     double share_beyond = 0.0;
-    /// The mean if the hand went straight to the subspace, stayed in it and left it for the goal,
-    /// in a path of this length: less is not possible with these ends.
+    /// The mean of a path of this length on which the hand goes straight to the subspace, stays in
+    /// it and leaves it for the goal: the least mean with these ends.
     double forced = 0.0;
     double mahalanobis_mean = 0.0;  ///< Mean Mahalanobis distance from recordings.
     double mahalanobis_largest = 0.0;
@@ -143,7 +143,7 @@ struct PathQuality {
 
   double length = 0.0;                          ///< Joints normalised to [0, 1].
   std::optional<HumanLikeness> human_likeness;  ///< Empty without a basis.
-  /// From all but the robot itself, m; kFarClearance: that or more.
+  /// Clearance from all but the robot itself, m; kFarClearance: that or more.
   double least_clearance = 0.0;
   double mean_clearance = 0.0;  ///< Mean over the length, each at most kFarClearance.
   double duration = 0.0;        ///< s, as least_duration().

@@ -7,13 +7,13 @@
 
 namespace handway::planning {
 
-/// A roadmap or tree node as an observer sees it.
+/// A roadmap or tree node for an observer.
 struct NodeEvent {
   int id = 0;
   const geometric::Configuration& q;
   int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.
   double step = 0.0;   ///< Place on the arm segment, [0, 1]: its hypercube or arm_progress().
-  double rho_a = 0.0;  ///< Half-side of the hypercube it was drawn from.
+  double rho_a = 0.0;  ///< Half-side of the hypercube it was sampled from.
   int search = 0;      ///< Number of the search that found it, if several run in parallel.
 };
 
@@ -28,9 +28,9 @@ class Observer {
   virtual void on_edge(int /*from*/, int /*to*/) {}
   /// The search among several whose path is the planner's.
   virtual void on_winner(int /*search*/) {}
-  /// The stretch of the arm segment that is still being searched.
+  /// Called with the stretch of the arm segment that is still being searched.
   virtual void on_search_range(double /*d_ini*/, double /*d_goal*/) {}
-  /// A free path from start to goal that is being optimised.
+  /// Called with a free path from start to goal that is being optimised.
   virtual void on_path(const Path& /*path*/) {}
   /// `fraction` of the sample budget that is spent, in [0, 1], and the present activity.
   virtual void on_progress(double /*fraction*/, std::string_view /*activity*/) {}
@@ -50,10 +50,10 @@ struct AlgorithmLine {
 
 /// Lines of the algorithms at which a planner reports something.
 namespace algorithm_lines {
-inline constexpr AlgorithmLine kArmFree{1, 4};         ///< Is the arm's sample free of itself?
-inline constexpr AlgorithmLine kNoArm{1, 9};           ///< All draws for the arm are spent.
-inline constexpr AlgorithmLine kHandFreeOfSelf{2, 6};  ///< Does the sample touch itself?
-inline constexpr AlgorithmLine kHandFree{2, 7};        ///< Does it touch an object?
+inline constexpr AlgorithmLine kArmFree{1, 4};         ///< Is the arm's sample self-collision-free?
+inline constexpr AlgorithmLine kNoArm{1, 9};           ///< All samples for the arm are used up.
+inline constexpr AlgorithmLine kHandFreeOfSelf{2, 6};  ///< Is the sample in self-collision?
+inline constexpr AlgorithmLine kHandFree{2, 7};        ///< Does it collide with an object?
 inline constexpr AlgorithmLine kAddNode{3, 1};
 inline constexpr AlgorithmLine kNeighbours{3, 2};
 inline constexpr AlgorithmLine kSameComponent{3, 4};  ///< Are the two joined already?
@@ -76,14 +76,14 @@ struct AlgorithmStep {
   int to = -1;
   int pair = -1;          ///< Colliding pair of the checker's world, if the answer is no.
   int count = 0;          ///< Neighbours found, or axes of the hand's subspace.
-  double position = 0.0;  ///< Along the arm segment; of a range: its beginning.
+  double position = 0.0;  ///< Along the arm segment; start of a range.
   double range_end = 0.0;
   double rho_a = 0.0;
 };
 
-/// An Observer that is notified of every step of pmd-prm and full-prm, on the planner's own thread
-/// and in the same order on every run. Planners that are given a plain Observer spend nothing on
-/// it.
+/// An Observer that is notified of every step of pmd-prm and full-prm, on the planner's own
+/// thread and in the same order on every run. With a plain Observer, planners skip these
+/// events.
 class AlgorithmObserver : public Observer {
  public:
   [[nodiscard]] AlgorithmObserver* algorithm() final { return this; }

@@ -28,18 +28,18 @@ struct BasicParameter {
   Value value;
   double lower = 0.0;  ///< Least number, inclusive.
   double upper = 0.0;  ///< Largest number, inclusive.
-  /// The value that follows the published algorithm as printed, where others depart from it.
+  /// The value of the published algorithm as printed, if the default departs from it.
   std::string as_printed = {};
 };
 
 /// A setting with its value.
 using Parameter = BasicParameter<std::variant<bool, int, double, Choice>>;
-/// A setting with the member of the planner's that holds its value: for planners alone.
+/// A setting with a pointer to the planner's member for its value: for planners alone.
 using BoundParameter = BasicParameter<std::variant<bool*, int*, double*, BoundChoice>>;
 
-/// The setting with the value that its member has now.
+/// The setting with the present value of its member.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter value_of(const BoundParameter& parameter);
-/// Gives the member the value of `parameter`, which is of the same kind.
+/// Sets the member to the value of `parameter`, which is of the same kind.
 HANDWAY_PLANNING_EXPORT void assign(const BoundParameter& member, const Parameter& parameter);
 
 /// Sets the value from text ("0.01", "true", "joint").
@@ -58,7 +58,7 @@ HANDWAY_PLANNING_EXPORT void set_from_text(Parameter& parameter, std::string_vie
     const std::vector<Parameter>& parameters, std::string_view key);
 
 /// Returns the parameter called `key`. @pre it exists.
-/// @throws InputError naming the keys there are.
+/// @throws InputError naming the valid keys.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter& find_parameter(
     const std::vector<Parameter>& parameters, std::string_view key);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter& find_parameter(std::vector<Parameter>& parameters,

@@ -45,7 +45,7 @@ inline constexpr double kFarClearance = 0.05;
 /// Certificate of a path: every configuration on it has at least this clearance, in every checked
 /// pair.
 struct Certificate {
-  double resolution_mm = 0.0;  ///< Along edges, pairs that move keep at least this; …
+  double resolution_mm = 0.0;  ///< Along edges, moving pairs keep at least this; …
   /// … but next to an end with less, half of the distance there; see
   /// ContinuousCollisionChecker.
   double resolution_at_start_mm = 0.0;
@@ -56,7 +56,7 @@ struct Certificate {
 
 /// Counts of a planner's work.
 struct HANDWAY_PLANNING_EXPORT PlanStatistics {
-  std::uint64_t samples = 0;  ///< Hand trials in pmd-prm (numSamples); draws elsewhere.
+  std::uint64_t samples = 0;  ///< Hand trials in pmd-prm (numSamples); samples elsewhere.
   std::uint64_t nodes = 0;    ///< Roadmap or tree nodes, with start and goal.
   std::uint64_t edges = 0;
   std::uint64_t passes = 0;      ///< Sweeps of the corridor.
@@ -68,16 +68,16 @@ struct HANDWAY_PLANNING_EXPORT PlanStatistics {
   std::uint64_t edges_tested = 0;
   double sampling_s = 0.0;
   double connection_s = 0.0;
-  /// Rejected samples by pair or constraint of the checker's world; of a planner's result …
+  /// Rejected samples by pair or constraint of the checker's world; for a planner's result …
   std::vector<std::uint64_t> rejections_per_pair;
-  /// … by the names of those, of a constraint with an empty second one.
+  /// … by their names, for a constraint with an empty second one.
   std::map<std::pair<std::string, std::string>, std::uint64_t> rejections;
   std::vector<std::uint64_t> rejections_per_tenth;  ///< Counts per tenth of the arm segment.
 
-  /// Adds what another search did: counts and times are summed, of the rest the most is kept.
+  /// Adds another search's statistics: sums counts and times, and takes the largest of the rest.
   PlanStatistics& operator+=(const PlanStatistics& other);
 
-  /// "1 sample", "20 samples".
+  /// Formats "1 sample", "20 samples".
   [[nodiscard]] std::string samples_text() const;
   /// Configurations checked while planning and smoothing.
   [[nodiscard]] std::uint64_t checks() const { return node_checks + edge_checks; }
@@ -112,7 +112,7 @@ struct SearchReach {
   double from_goal = 1.0;         ///< The nearest to the start that is connected to the goal.
   std::uint64_t start_nodes = 0;  ///< Free configurations that are connected to the start.
   std::uint64_t goal_nodes = 0;   ///< Free configurations connected to the goal.
-  std::uint64_t nodes = 0;        ///< All that were found.
+  std::uint64_t nodes = 0;        ///< All nodes found.
   geometric::Configuration farthest_from_start = {};  ///< The one at `from_start`.
   geometric::Configuration farthest_from_goal = {};   ///< The one at `from_goal`.
 };
@@ -137,14 +137,14 @@ struct PlanResult {
   std::optional<SearchReach> reach;  ///< Without a path; nothing if the planner shows no nodes.
   double time_s = 0.0;               ///< Planning alone, wall clock.
   double smoothing_s = 0.0;          ///< Smoothing and optimising, wall clock.
-  /// Checks that were allowed for optimising, in whole rounds; as the parameter of this name they
-  /// give the same path again.
+  /// Checks allowed for optimising, in whole rounds; as the parameter of this name they give the
+  /// same path again.
   std::uint64_t optimize_checks = 0;
 
   [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
 };
 
-/// "solved", "start invalid", …: the word in reports.
+/// Word in reports: "solved", "start invalid", …
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(PlanStatus status);
 
 /// Explains why a search found no path, one sentence each, as far as it is known: its progress from
@@ -165,7 +165,7 @@ struct Revision {
   friend bool operator==(const Revision&, const Revision&) = default;
 };
 
-/// A result, and the revision that it was made from: out of date once that is not the document's.
+/// A result, with its revision: out of date once the document has another one.
 template <typename T>
 struct Derived {
   T value;

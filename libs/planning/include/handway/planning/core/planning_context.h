@@ -19,7 +19,7 @@ namespace handway::planning {
 /// Environment of a planner during one run: the problem, the validator of motions, samplers,
 /// statistics, time and cancellation, and threads.
 ///
-/// For the planner's own thread, apart from the functions handed to run_on_threads().
+/// For the planner's own thread, apart from the functions passed to run_on_threads().
 class HANDWAY_PLANNING_EXPORT PlanningContext {
  public:
   PlanningContext(const PlanningProblem& problem, const PlanRequest& request, std::stop_token stop,
@@ -47,7 +47,7 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
       int dimension, std::uint64_t seed, sampling::ValidityPredicate valid) const;
 
   /// A context for a search that runs beside others, or between other ends in the same scene: with
-  /// one thread and statistics of its own, and this context's clock, time limit and cancellation.
+  /// one thread and its own statistics, and this context's clock, time limit and cancellation.
   /// @param stop ends it alone. All must outlive it, and so must this context.
   [[nodiscard]] std::unique_ptr<PlanningContext> make_child(const PlanningProblem& problem,
                                                             Observer& observer,
@@ -56,9 +56,9 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   /// Calls `work(0)` … `work(count - 1)` on all threads; one after the other on a single one.
   void run_on_threads(int count, const std::function<void(int)>& work);
 
-  /// Counters that every planner shares; the planner adds its own.
+  /// Counters shared by all planners; the planner adds its own.
   [[nodiscard]] PlanStatistics& statistics() { return statistics_; }
-  /// Notes a rejected sample drawn at `step` of the arm segment.
+  /// Records a rejected sample at `step` of the arm segment.
   void count_rejection(int pair, double step);
 
  private:

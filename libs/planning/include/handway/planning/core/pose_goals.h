@@ -10,8 +10,8 @@
 
 namespace handway::planning {
 
-/// A configuration in which the robot keeps one of the scene's goal poses, and that a path can end
-/// at.
+/// A configuration in which the robot reaches one of the scene's goal poses, and in which a path
+/// can end.
 struct GoalCandidate {
   geometric::Configuration q;  ///< Configuration of the whole robot.
   std::size_t pose = 0;        ///< Index into Scene::goal_poses.
@@ -23,7 +23,7 @@ struct PoseGoalSolutions {
   /// Reason if there are no candidates, as a sentence: the distance from the poses, or the bodies
   /// that collide in all configurations that reach them. Empty otherwise.
   std::string fault;
-  geometric::Configuration nearest;  ///< The first candidate, or else what comes nearest to a pose.
+  geometric::Configuration nearest;  ///< The first candidate, or else the nearest configuration.
 };
 
 /// Finds configurations at the scene's goal poses, several for each, by numeric inverse kinematics
@@ -39,11 +39,11 @@ solve_pose_goals(const geometric::Scene& scene, const geometric::CollisionChecke
 
 /// Describes the goal poses that the robot misses in `q`, to within rounding (1 µm, 1 µrad); empty
 /// if it reaches one of them.
-/// @returns how far the nearest is, as "misses goal pose 2 of link tool by 3 mm and 1 degrees".
+/// @returns the distance of the nearest: "misses goal pose 2 of link tool by 3 mm and 1 degrees".
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string pose_goal_miss(const geometric::Scene& scene,
                                                                  const geometric::Configuration& q);
 
-/// "goal pose 2 of link tool"; without the number if it is the only one.
+/// Text "goal pose 2 of link tool"; without the number if it is the only one.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string name_of_pose_goal(const geometric::Scene& scene,
                                                                     std::size_t pose);
 

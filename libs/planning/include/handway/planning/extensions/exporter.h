@@ -10,9 +10,9 @@
 
 namespace handway::planning {
 
-/// A file that an exporter makes.
+/// A file made by an exporter.
 struct ExportedFile {
-  std::filesystem::path name;  ///< Relative to the folder that is exported to.
+  std::filesystem::path name;  ///< Relative to the destination folder.
   std::string content;
 };
 
@@ -23,21 +23,21 @@ struct ExportOptions {
 
 /// Writes motions in the format of a controller or another program.
 ///
-/// The public functions check; derived classes make the files' content.
+/// The public functions check; derived classes make the files' contents.
 class HANDWAY_PLANNING_EXPORT Exporter {
  public:
   virtual ~Exporter() = default;
-  /// The word on the command line: "csv".
+  /// Its word on the command line: "csv".
   [[nodiscard]] virtual std::string name() const = 0;
   /// One line for display.
   [[nodiscard]] virtual std::string description() const = 0;
-  /// True if what executes the files stops at every waypoint, so that the motion has to be
-  /// timed without arcs.
+  /// Returns whether the program that executes the files stops at every waypoint, so that the
+  /// motion has to be timed without arcs.
   [[nodiscard]] virtual bool stops_at_waypoints() const { return false; }
   /// Robots that the format is for, if the motion's robot seems to be another one; else empty.
   [[nodiscard]] virtual std::string robot_objection(const Motion& /*motion*/) const { return {}; }
 
-  /// The files for a motion, none of them written.
+  /// Makes the files for a motion without writing them.
   /// @throws InputError naming joint, time and value if the motion can't run (see
   /// check_trajectory()), or the data that the format needs and the motion lacks, the right robot
   /// included.
@@ -45,18 +45,18 @@ class HANDWAY_PLANNING_EXPORT Exporter {
                                                 const ExportOptions& options = {}) const;
 
   /// Makes all files first, then writes each as a whole; creates a missing `folder`.
-  /// @returns what has been written.
+  /// @returns the files written.
   /// @throws InputError as files(), or if a file can't be written.
   [[nodiscard]] std::vector<std::filesystem::path> write(const Motion& motion,
                                                          const std::filesystem::path& folder,
                                                          const ExportOptions& options = {}) const;
 
  protected:
-  /// The derived class's part; the motion is checked.
+  /// The derived class's files; the motion is checked.
   [[nodiscard]] virtual std::vector<ExportedFile> do_export(const Motion& motion) const = 0;
 };
 
-/// Throws what Exporter::files() throws for a motion that no format can hold.
+/// Throws the errors of Exporter::files() for a motion that no format can hold.
 HANDWAY_PLANNING_EXPORT void check_motion(const Motion& motion);
 
 /// Writes scenes in the format of another program.
@@ -65,21 +65,21 @@ HANDWAY_PLANNING_EXPORT void check_motion(const Motion& motion);
 class HANDWAY_PLANNING_EXPORT SceneExporter {
  public:
   virtual ~SceneExporter() = default;
-  /// The word on the command line: "gltf".
+  /// Its word on the command line: "gltf".
   [[nodiscard]] virtual std::string name() const = 0;
   /// One line for display.
   [[nodiscard]] virtual std::string description() const = 0;
 
   /// Writes the scene into `folder`, which is created if missing; each file is replaced whole.
-  /// @returns what has been written.
-  /// @throws InputError for a scene without a robot, what the format can't hold, or a file that
-  /// can't be written.
+  /// @returns the files written.
+  /// @throws InputError for a scene without a robot, contents that the format can't hold, or a file
+  /// that can't be written.
   [[nodiscard]] std::vector<std::filesystem::path> write(const geometric::Scene& scene,
                                                          const std::filesystem::path& folder) const;
 
  protected:
-  /// The derived class's part. @param stem for names of files: that of the scene's file, or of its
-  /// name.
+  /// The derived class's writer. @param stem for names of files: that of the scene's file, or of
+  /// its name.
   [[nodiscard]] virtual std::vector<std::filesystem::path> do_write(
       const geometric::Scene& scene, const std::filesystem::path& folder,
       const std::string& stem) const = 0;

@@ -23,7 +23,7 @@ struct LoadedScene {
   std::shared_ptr<const sampling::PmdBasis> basis;  ///< Null: none.
 };
 
-/// Reads problems or robots of a foreign format.
+/// Reads problems or robots of a third-party format.
 class HANDWAY_PLANNING_EXPORT Importer {
  public:
   virtual ~Importer() = default;
@@ -65,7 +65,7 @@ struct Plugin {
   std::uint64_t layout = kPluginLayout;
 };
 
-/// Defines `handway_plugin()`, once in a library, handing over the Plugin `{…}`. Weak, so that a
+/// Defines `handway_plugin()`, once in a library, which returns the Plugin `{…}`. Weak, so that a
 /// program can link the code of several.
 #define HANDWAY_PLUGIN(...)                                                                \
   extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin* \
@@ -75,20 +75,20 @@ struct Plugin {
   }                                                                                        \
   static_assert(true)
 
-/// A plugin that was taken.
+/// A loaded plugin.
 struct LoadedPlugin {
   std::filesystem::path file;
   std::string name;
   std::string version;
 };
 
-/// A plugin file that was not taken, and why.
+/// A refused plugin file, with the reason.
 struct RefusedPlugin {
   std::filesystem::path file;
   std::string reason;
 };
 
-/// The plugins that a program has loaded, and the planners it knows.
+/// The plugins that a program has loaded, and its planners.
 class HANDWAY_PLANNING_EXPORT PluginManager {
  public:
   PluginManager() = default;
@@ -112,7 +112,7 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
   }
   /// Returns the exporter of that name, or null.
   [[nodiscard]] const SceneExporter* find_scene_exporter(const std::string& name) const;
-  /// @throws InputError with the names there are, if none is called `name`.
+  /// @throws InputError with the valid names, if none is called `name`.
   [[nodiscard]] const Exporter& exporter(const std::string& name) const;
   [[nodiscard]] const std::vector<LoadedPlugin>& loaded() const { return loaded_; }
   [[nodiscard]] const std::vector<RefusedPlugin>& refused() const { return refused_; }
@@ -128,13 +128,13 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
   std::vector<RefusedPlugin> refused_;
 };
 
-/// $HANDWAY_PLUGIN_DIR, or lib/handway-plugins beside the program's bin/, or, where
-/// that is not, handway-plugins beside this library.
+/// $HANDWAY_PLUGIN_DIR, or lib/handway-plugins beside the program's bin/, or, if that is missing,
+/// handway-plugins beside this library.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::filesystem::path plugin_directory();
 
 /// Opens a scene file: Handway's own YAML, a robot, or any format of an importer; or a robot of the
 /// library by its name. A basis that the scene names is loaded too.
-/// @throws InputError if the file can't be read or is of no known format.
+/// @throws InputError if the file can't be read or is of an unknown format.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT LoadedScene load_scene(const std::filesystem::path& file,
                                                              const PluginManager& plugins);
 

@@ -51,14 +51,14 @@ struct PathCheckResult {
 
 /// The first place where a polyline of configurations is not free.
 struct PathConflict {
-  std::size_t waypoint = 0;  ///< The last waypoint up to there, from 0.
-  double share = 0.0;        ///< In [0, 1]: how far it is from there to the next one.
+  std::size_t waypoint = 0;  ///< The last waypoint before it, from 0.
+  double share = 0.0;        ///< In [0, 1]: the place between there and the next waypoint.
   /// "A and B collide", "A comes closer than 0.05 mm to B", or "The motion violates constraint C".
   std::string text;
 };
 
-/// A sentence without its end, as PathConflict::text. @param pair or constraint; nothing: it is not
-/// known. @param resolution (m) what a pair does not keep; 0: it collides.
+/// A sentence without its end, as PathConflict::text. @param pair or constraint; nothing: unknown.
+/// @param resolution (m) that a pair does not keep; 0: it collides.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string conflict_text(
     const geometric::CollisionWorld& world, std::optional<int> pair, double resolution = 0.0);
 
@@ -66,7 +66,7 @@ struct PathConflict {
 /// which it is followed, as time_path() and preflight() do.
 class HANDWAY_PLANNING_EXPORT PathConflictSearch {
  public:
-  /// @param resolution (m) that the motion was planned with: it may be any piece of that.
+  /// @param resolution (m) with which the path was planned: the motion may be any piece of it.
   explicit PathConflictSearch(const PlanningProblem& problem, double resolution = 5e-5);
 
   /// @param stop called now and then; once it returns true, the search ends without a conflict.

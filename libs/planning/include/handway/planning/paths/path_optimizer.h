@@ -14,8 +14,8 @@
 
 namespace handway::planning {
 
-/// Lowers the cost of a free path, as an Objective measures it; every motion of the result is
-/// certified like a planner's.
+/// Lowers the cost of a free path under an Objective; every motion of the result is certified like
+/// a planner's.
 ///
 /// A path of many waypoints is pruned first. Then, in rounds, replacements of stretches are
 /// sampled: straight motions, straight motions of the arm, the hand or a joint alone, the same
@@ -23,15 +23,15 @@ namespace handway::planning {
 /// single waypoints. Costs are known without a check of the motion, so that each round applies the
 /// free replacement that saves most.
 ///
-/// Any-time and deterministic: what it has after a number of checks depends on the path, the
-/// weights and the seed alone.
+/// Any-time and deterministic: the result after a number of checks depends on the path, the weights
+/// and the seed alone.
 ///
 /// Sources: Geraerts, Overmars, "Creating high-quality paths for motion planning", IJRR 26(8),
 /// 2007, section 4 (shortcuts, partial shortcuts).
 class HANDWAY_PLANNING_EXPORT PathOptimizer {
  public:
   /// @param context outlives this. @param path all its motions are free.
-  /// @param patience replacements in a row without use that end it.
+  /// @param patience number of useless replacements in a row that ends it.
   PathOptimizer(PlanningContext& context, const ObjectiveWeights& weights, const Path& path,
                 std::uint64_t seed, int patience = 200);
 
@@ -39,7 +39,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   /// until converged() or until the run has to end.
   void advance(std::uint64_t checks);
 
-  /// `patience` for going on after planning.
+  /// Value of `patience` for optimising after planning.
   static constexpr int kThorough = 2000;
   /// Continues in rounds of 1000 checks until converged() or until the run has to end: the same
   /// number of rounds gives the same path, whether a number or a time was requested.
@@ -56,7 +56,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
     return checks;
   }
 
-  /// So many replacements in a row were of no use that another one is not expected to be.
+  /// Returns whether another replacement is unlikely to help, after so many useless ones.
   [[nodiscard]] bool converged() const;
 
   /// Sets the patience, see the constructor.
@@ -80,7 +80,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
 
   /// Replacement of the path between two waypoints.
   struct Replacement {
-    std::size_t first = 0;  ///< The waypoints that stay.
+    std::size_t first = 0;  ///< The waypoints at its ends, which stay.
     std::size_t last = 0;
     std::vector<Point> chain;         ///< The new path between them, both included; …
     std::size_t first_changed = 0;    ///< … new from this one of its points …
@@ -93,7 +93,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
       return std::span(chain).subspan(first_changed, last_changed - first_changed + 1);
     }
 
-    /// Does it take a single waypoint out?
+    /// Returns whether it removes a single waypoint.
     [[nodiscard]] bool is_removal() const { return chain.size() == 2 && last == first + 2; }
   };
 
@@ -130,13 +130,13 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   MotionSums sum_;                   ///< Sum of all motions.
   std::uint64_t last_check_ = 0;
   int patience_;
-  int fruitless_ = 0;  ///< Replacements since one was of use.
+  int fruitless_ = 0;  ///< Replacements since the last useful one.
   bool begun_ = false;
 };
 
-/// Makes `found`, as a PathOptimizer leaves it, the path of `result`; the time it takes is added to
-/// the result's smoothing time.
-/// @param checks configurations to spend on it for every 16 waypoints.
+/// Makes `found`, optimised by a PathOptimizer, the path of `result`; its time is added to the
+/// result's smoothing time.
+/// @param checks number of configurations for every 16 waypoints.
 /// @param most_rounds largest number of rounds of `checks` for a path whose hand is farther from
 /// the PMD subspace than its ends require, and as many again for a path with a long detour. If
 /// above 1, half a round suffices for other paths if the length alone counts.

@@ -40,7 +40,7 @@ struct ClearanceShortfall {
   double following_error = 0.0;  ///< rad or m, the largest of a joint there.
 
   [[nodiscard]] double needed_mm() const { return following_mm + margin_mm; }
-  /// The margin to plan with, whole mm.
+  /// Margin to plan with, in whole mm.
   [[nodiscard]] HANDWAY_PLANNING_EXPORT double suggested_margin_mm() const;
 };
 
@@ -73,13 +73,13 @@ class HANDWAY_PLANNING_EXPORT SafetyClearance {
   double share_ = 1.0;  ///< Share of the needed clearance at the worst place.
 };
 
-/// Looks along a path that is not timed, at rest everywhere. Places are waypoints, from 1.
+/// Evaluates a path that is not timed, at rest everywhere. Places are waypoints, from 1.
 /// @param margin m.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<ClearanceShortfall> path_shortfall(
     const PlanningProblem& problem, const Path& path, double margin);
 
-/// "a with b: 0.080 mm clearance where 3.2 mm are needed (2.2 mm for joints that are up to 0.57°
-/// off, 1.0 mm margin)".
+/// Text "a with b: 0.080 mm clearance where 3.2 mm are needed (2.2 mm for joints that are up to
+/// 0.57° off, 1.0 mm margin)".
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_string(const ClearanceShortfall& shortfall);
 
 }  // namespace handway::planning

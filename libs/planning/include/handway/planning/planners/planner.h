@@ -29,8 +29,8 @@ struct PlannerCapabilities {
 
 /// Finds a collision-free path from a problem's start to its goal.
 ///
-/// Public functions check; derived classes compute. A planner object is for one
-/// run at a time and may be used again.
+/// Public functions check; derived classes compute. A planner object is for one run at a time and
+/// may be reused.
 class HANDWAY_PLANNING_EXPORT Planner {
  public:
   virtual ~Planner() = default;
@@ -41,8 +41,8 @@ class HANDWAY_PLANNING_EXPORT Planner {
   /// The settings with their values: first the planner's own, then those of the objective and of
   /// optimising that all planners share.
   [[nodiscard]] std::vector<Parameter> parameters();
-  /// Sets one of them from text, as set_from_text().
-  /// @throws InputError naming the keys there are, or what the setting takes.
+  /// Sets one setting from text, as set_from_text().
+  /// @throws InputError naming the valid keys, or the setting's values.
   void set_parameter(std::string_view key, std::string_view text);
 
   /// Objective of path optimisation.
@@ -58,10 +58,10 @@ class HANDWAY_PLANNING_EXPORT Planner {
   [[nodiscard]] PlanResult plan(const PlanningProblem& problem, const PlanRequest& request,
                                 std::stop_token stop = {}, Observer* observer = nullptr);
 
-  /// The search alone, as a part of another planner's: without checking the ends and
-  /// without a certificate. Sets what do_plan() sets.
-  /// @pre start and goal are free, within limits and not the same; there is a basis if
-  /// capabilities() ask for one.
+  /// The search alone, as a part of another planner's: without checking the ends and without a
+  /// certificate. Sets the results of do_plan().
+  /// @pre start and goal are free, within limits and different; the problem has a basis if
+  /// capabilities() need one.
   void plan_within(PlanningContext& context, PlanResult& result) { do_plan(context, result); }
 
  protected:
@@ -84,14 +84,14 @@ class HANDWAY_PLANNING_EXPORT Planner {
   int sampler_ = 0;  ///< A sampling::SamplerKind.
 };
 
-/// Descriptions of the parameters that several planners have.
+/// Descriptions of common parameters of planners.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter max_samples_parameter(int& value);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter smoothing_checks_parameter(int& value);
 
 using PlannerFactory = std::function<std::unique_ptr<Planner>()>;
 
-/// The planners that a program knows, by name. Built-in ones are there from the
-/// start; plugins add theirs.
+/// The planners of a program, by name. Built-in ones are always there; plugins add
+/// theirs.
 class HANDWAY_PLANNING_EXPORT PlannerRegistry {
  public:
   PlannerRegistry();
@@ -100,10 +100,10 @@ class HANDWAY_PLANNING_EXPORT PlannerRegistry {
   void add(std::string name, PlannerFactory factory);
 
   /// @param name or another name that a planner had before.
-  /// @throws InputError naming the planners there are.
+  /// @throws InputError naming the valid planners.
   [[nodiscard]] std::unique_ptr<Planner> create(std::string_view name) const;
 
-  /// `name`, or of a name that a planner had before the one it has now.
+  /// Returns `name`, or the present name for a former name of a planner.
   [[nodiscard]] static std::string_view current_name(std::string_view name);
 
   /// In order of registration; the first is the default.

@@ -37,7 +37,7 @@ class HANDWAY_PLANNING_EXPORT HandArmChart {
   const PlanningProblem& problem_;
   std::vector<Axis> axes_;
   Eigen::VectorXd arm_start_;                          ///< Normalised.
-  Eigen::VectorXd arm_motion_;                         ///< From there to the goal.
+  Eigen::VectorXd arm_motion_;                         ///< Vector from there to the goal.
   std::optional<sampling::PostureSubspace> subspace_;  ///< Empty: no basis.
 };
 

@@ -15,10 +15,10 @@ namespace handway::planning {
 /// human as can be.
 struct HandLikeness {
   double to_subspace = 0.0;           ///< See sampling::PostureSubspace.
-  std::optional<double> to_recorded;  ///< To the nearest recorded posture; nothing without any.
+  std::optional<double> to_recorded;  ///< Distance to the nearest recorded posture, if any.
 };
 
-/// Measures how human a robot's hand looks in any configuration.
+/// Measures how human-like a robot's hand is in any configuration.
 class HANDWAY_PLANNING_EXPORT HumanLikeness {
  public:
   /// @param model outlives this. @param hand variables of the basis' joints, in its order.

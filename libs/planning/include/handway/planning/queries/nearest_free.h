@@ -24,7 +24,7 @@ struct NearestFreeOptions {
 /// Result of a search for a free configuration.
 struct NearestFree {
   std::optional<Configuration> q;  ///< Free and within limits; nothing if none was found.
-  double distance = 0.0;           ///< From where the search began, as in the options.
+  double distance = 0.0;           ///< From the search's centre, as in the options.
   int checks = 0;                  ///< Configurations checked.
 };
 

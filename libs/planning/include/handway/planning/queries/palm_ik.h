@@ -17,11 +17,11 @@ namespace handway::planning {
 /// Result of moving the palm of an arm to a pose.
 struct PalmMove {
   Configuration q;       ///< Whole robot, within limits.
-  bool reached = false;  ///< Up to 0.1 mm and 0.01°; of an arm of few joints the place alone.
+  bool reached = false;  ///< Within 0.1 mm and 0.01°; for few joints the place alone.
 };
 
-/// Moves an arm so that the palm goes to a pose, the fingers staying as they are: in closed form
-/// where the arm has one, by iteration otherwise. Const and for any number of threads.
+/// Moves an arm so that the palm goes to a pose, with the fingers unchanged: in closed form if the
+/// arm has one, otherwise iteratively. Const and for any number of threads.
 class HANDWAY_PLANNING_EXPORT PalmIk {
  public:
   /// @param palm a link that the arm moves. @param arm its variables, at least one.
@@ -31,29 +31,29 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
   PalmIk(PalmIk&&) noexcept;
 
   [[nodiscard]] int palm() const { return palm_; }
-  /// X_BP of the palm in the robot's base.
+  /// Pose X_BP of the palm in the robot's base.
   [[nodiscard]] geometric::Pose pose(const Configuration& q) const;
 
-  /// The arm posture nearest to `q` that brings the palm to X_BP. Out of reach: one whose palm is
-  /// as near as iterations from `q` get it.
-  /// @throws InputError if X_BP is no rigid transform or `q` no configuration.
+  /// The arm posture nearest to `q` that brings the palm to X_BP. If out of reach: one with the
+  /// palm as near as iterations from `q` get it.
+  /// @throws InputError if X_BP is no rigid transform or `q` not a configuration.
   [[nodiscard]] PalmMove moved(const Configuration& q, const geometric::Pose& X_BP) const;
 
-  /// Arm postures that reach X_BP, nearest to `q` first: one for each branch, or of an arm without
-  /// closed form up to four that iterations from several starts find. Same arguments, same bits.
+  /// Arm postures that reach X_BP, nearest to `q` first: one for each branch, or, without a closed
+  /// form, up to four from iterations with several starts. Same arguments, same bits.
   [[nodiscard]] std::vector<Configuration> all(const Configuration& q,
                                                const geometric::Pose& X_BP) const;
 
-  /// Has the arm more joints than the palm's pose needs, so that it can move with the palm fixed?
+  /// Returns whether the arm has a null space: more joints than the palm's pose needs.
   [[nodiscard]] bool is_redundant() const;
 
-  /// Moves a redundant arm in its null space, the palm staying at X_BP: its elbow swings. Ends
-  /// where a limit ends it.
-  /// @param X_BP where the palm is in `q`. @param by length of the joints' motion, rad; its sign is
+  /// Moves a redundant arm in its null space, with the palm at X_BP: its elbow swings. Ends at the
+  /// first limit.
+  /// @param X_BP pose of the palm in `q`. @param by length of the joints' motion, rad; its sign is
   /// the direction.
   /// @param direction shape [joints that move the palm]; empty at first. Set to the final
   /// direction, for calls that continue from there.
-  /// @returns `q` itself of an arm that is not redundant.
+  /// @returns `q` itself for an arm that is not redundant.
   [[nodiscard]] Configuration swung(const Configuration& q, const geometric::Pose& X_BP, double by,
                                     Eigen::VectorXd& direction) const;
 
@@ -67,17 +67,17 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
   int palm_;
   std::vector<int> arm_;
   std::unique_ptr<geometric::InverseKinematics> closed_form_;       ///< Null: not available.
-  std::unique_ptr<geometric::NumericInverseKinematics> iterative_;  ///< From where the arm is.
+  std::unique_ptr<geometric::NumericInverseKinematics> iterative_;  ///< Starts at the posture.
   std::unique_ptr<geometric::NumericInverseKinematics> searching_;  ///< From other starts, too.
 };
 
 /// Manipulability and reach of an arm that holds a link.
 struct ReachFigures {
   /// Yoshikawa's measure for the link's origin, of metres per radian (geometric::manipulability()):
-  /// 0 where the arm can't move it in some direction.
+  /// 0 if the arm can't move it in some direction.
   double manipulability = 0.0;
-  /// Distance of the link's origin from the arm's first joint, as a share of the most that the
-  /// links between would allow (geometric::reach_ball()); 1 is not always reached.
+  /// Distance of the link's origin from the arm's first joint, as a share of the bound by the links
+  /// between (geometric::reach_ball()); 1 is not always reached.
   double reach = 0.0;
 };
 

@@ -12,7 +12,7 @@
 
 namespace handway::planning {
 
-/// The region that a planner draws from (paper, section 5.1): the arm's corridor around its
+/// The region from which a planner samples (paper, section 5.1): the arm's corridor around its
 /// straight motion, and a part of the hand's box B^h.
 struct SamplingRegion {
   CorridorForm corridor = CorridorForm::kJoint;
@@ -33,19 +33,19 @@ struct SamplingRegion {
 
 /// Palms and fingertips in configurations sampled from a region; in the world, m.
 struct RegionDraws {
-  std::vector<Eigen::Vector3d> palms;       ///< One a configuration that the arm reaches.
-  std::vector<Eigen::Vector3d> fingertips;  ///< One a finger and configuration.
+  std::vector<Eigen::Vector3d> palms;       ///< One for each configuration that the arm reaches.
+  std::vector<Eigen::Vector3d> fingertips;  ///< One for each finger and configuration.
   std::vector<Eigen::Vector3d> motion;      ///< The palm on the straight motion, start to goal.
   std::vector<Eigen::Vector3d> centres;     ///< The palm in the hypercubes' middles; empty if many.
   int hypercubes = 0;                       ///< Hypercubes of the corridor.
-  double palm_reach = 0.0;  ///< Nine tenths of the palms are no farther from where the straight
-                            ///< motion has them, m.
+  double palm_reach = 0.0;  ///< Distance from the straight motion's palm that nine tenths of the
+                            ///< palms don't exceed, m.
 };
 
 /// Samples configurations from a region of a problem, free or not, to show the effect of a
 /// parameter.
-/// @param palm link of the robot. @param configurations to draw, the same for the same arguments;
-/// those of a region are those of a smaller one, moved outwards.
+/// @param palm link of the robot. @param configurations number of samples, the same for the same
+/// arguments; samples of a region are those of a smaller one, moved outwards.
 /// @param stop gives what there is by then.
 /// @throws InputError if a corridor of tool poses is requested and the arm has fewer than six
 /// joints, or principal directions without a basis.
@@ -67,7 +67,7 @@ struct PalmBox {
 /// joints, and the palm three: a box holds the palm's places in all corners and in the middle of
 /// its hypercube, and so nearly all in between. Axes are those of the corners' spread. Hypercubes
 /// none of whose corners the arm reaches have no box.
-/// @param palm link of the robot. @param most boxes: of more hypercubes every n-th has one.
+/// @param palm link of the robot. @param most boxes: with more hypercubes every n-th has one.
 /// @param stop gives what there is by then.
 /// @throws InputError if a corridor of tool poses is requested and the arm has fewer than six
 /// joints.

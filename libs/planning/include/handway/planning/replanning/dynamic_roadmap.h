@@ -13,13 +13,13 @@ namespace handway::planning {
 /// Source of a path, from the cheapest to the most expensive.
 enum class ReplanSource {
   kNone,      ///< No path.
-  kLastPath,  ///< The path of the time before; it is still free.
+  kLastPath,  ///< The last path; it is still free.
   kRoadmap,   ///< Over the valid part of the roadmap.
-  kRepair,    ///< The last path with a detour around what cuts it.
+  kRepair,    ///< The last path with a detour around the obstacle.
   kPlanner,   ///< Planned from scratch.
 };
 
-/// Plans again and again in a scene that changes little from one time to the next.
+/// Plans repeatedly in a scene that changes little from one time to the next.
 ///
 /// It keeps a roadmap of earlier checks. A node or edge that was free stays free of
 /// all unchanged objects, so that only pairs with changed objects are checked again,
@@ -38,13 +38,13 @@ enum class ReplanSource {
 /// dynamically changing environments", IROS 2004, doi:10.1109/IROS.2004.1389625.
 class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
  public:
-  /// @param planner plans the first path, and others from scratch where repair fails; null: auto.
-  /// @param max_nodes when there are more, all but those of the last path are forgotten.
+  /// @param planner plans the first path, and others from scratch if repair fails; null: auto.
+  /// @param max_nodes limit beyond which all but the last path's nodes are removed.
   explicit DynamicRoadmap(PlanningProblem problem, std::unique_ptr<Planner> planner = nullptr,
                           int max_nodes = 3000);
   ~DynamicRoadmap();
 
-  /// The problem as it is now. After a change, this or plan() makes a new checker.
+  /// The present problem. After a change, this or plan() makes a new checker.
   [[nodiscard]] const PlanningProblem& problem();
 
   /// Applies the changes of objects that lead to another scene, and takes its start and goal, which

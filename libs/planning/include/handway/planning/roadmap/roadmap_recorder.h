@@ -13,13 +13,13 @@
 
 namespace handway::planning {
 
-/// The nodes and edges that a run found, apart from the planner that found them.
+/// The nodes and edges that a run found, independent of the planner.
 struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
   struct Node {
     geometric::Configuration q;
     int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.
     double step = 0.0;   ///< Value of NodeEvent::step.
-    double rho_a = 0.0;  ///< Half-side of the region it was drawn from.
+    double rho_a = 0.0;  ///< Half-side of the region it was sampled from.
     int search = 0;      ///< Number of the search that found it.
   };
   using Edge = std::pair<int, int>;  ///< Indices of nodes.
@@ -28,7 +28,7 @@ struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
   std::vector<Edge> edges;
   std::optional<int> winner;                         ///< The search that gave the path, of several.
   std::pair<double, double> search_range{0.0, 1.0};  ///< [d_ini, d_goal], the last one reported.
-  std::uint64_t left_out = 0;                        ///< Nodes beyond what the recorder keeps.
+  std::uint64_t left_out = 0;                        ///< Nodes beyond the recorder's limit.
 
   /// The winner's nodes and edges alone; all without a winner.
   [[nodiscard]] RecordedRoadmap of_winner() const;
@@ -39,7 +39,7 @@ struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
 /// belongs to another search's node from then on.
 class HANDWAY_PLANNING_EXPORT RoadmapRecorder : public Observer {
  public:
-  /// @param most_nodes that are kept. @param next may be null; outlives this.
+  /// @param most_nodes limit of the nodes. @param next may be null; outlives this.
   explicit RoadmapRecorder(std::size_t most_nodes, Observer* next = nullptr);
 
   [[nodiscard]] const RecordedRoadmap& roadmap() const { return roadmap_; }

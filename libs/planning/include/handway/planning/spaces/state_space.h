@@ -12,9 +12,9 @@
 
 namespace handway::planning {
 
-/// Coordinates in which a planner draws configurations, measures distances and moves: a box of real
-/// numbers, Euclidean distances, straight lines; those of continuous joints come round again. It
-/// knows no obstacles.
+/// Coordinates in which a planner samples configurations, measures distances and moves: a box of
+/// real numbers, Euclidean distances, straight lines; those of continuous joints are periodic. It
+/// ignores obstacles.
 class HANDWAY_PLANNING_EXPORT StateSpace {
  public:
   virtual ~StateSpace();
@@ -29,7 +29,7 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
   [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
   [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
 
-  /// Shape [dimension()]; within the box but for roundings.
+  /// Shape [dimension()]; within the box up to rounding.
   [[nodiscard]] virtual Eigen::VectorXd coordinates(const Configuration& q) const = 0;
 
   /// The configuration at `x`, nearest to `reference` if there are several; joints that have no
@@ -41,8 +41,8 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
   /// @param problem must outlive this object.
   explicit StateSpace(const PlanningProblem& problem);
 
-  /// Variables of the arm, and those of neither arm nor hand that start and goal have apart: they
-  /// have to move, too.
+  /// Variables of the arm, and those of neither arm nor hand whose values at start and goal differ:
+  /// they have to move, too.
   [[nodiscard]] const std::vector<int>& arm() const { return arm_; }
 
   /// To be called by the derived constructor.
@@ -56,7 +56,7 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
   geometric::Periods periods_;
 };
 
-/// In which space the arm's sampling region lies along the straight motion.
+/// Space of the arm's sampling region along the straight motion.
 enum class CorridorForm {
   kJoint,      ///< Arm joints, as printed (paper, section 5.1).
   kCartesian,  ///< Poses of the arm's tool.
@@ -78,7 +78,7 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
   /// Size of the points that corridor_point() takes.
   [[nodiscard]] virtual int corridor_dimension() const = 0;
   /// The arm's coordinates in the hypercube of half side `rho` at `step` (0: start, 1: goal).
-  /// @param u in [0,1]^corridor_dimension(): where in the hypercube (Algorithm 1's draw).
+  /// @param u in [0,1]^corridor_dimension(): place in the hypercube (Algorithm 1's sample).
   [[nodiscard]] virtual Eigen::VectorXd corridor_point(double step, double rho,
                                                        const Eigen::VectorXd& u) const = 0;
 
@@ -86,21 +86,21 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
   using StateSpace::StateSpace;
 
   /// To be called by the derived constructor. @param arm_variables whose normalised joints are the
-  /// arm's coordinates; -1 of a coordinate without limits.
+  /// arm's coordinates; -1 for a coordinate without limits.
   void set_arm_coordinates(const std::vector<int>& arm_variables);
 
   /// Length of the straight motion, in the arm's coordinates.
   [[nodiscard]] virtual double corridor_length() const = 0;
   [[nodiscard]] virtual Eigen::VectorXd arm_coordinates(const Configuration& q) const = 0;
-  /// `q`, with its hand posture, with the arm at `x`.
+  /// Returns `q`, with its hand posture, with the arm at `x`.
   [[nodiscard]] virtual std::optional<Configuration> with_arm(const Configuration& q,
                                                               const Eigen::VectorXd& x) const = 0;
 };
 
 /// Arm joints normalised to [0, 1], or the pose of the last arm link: its position and rotation
-/// vector in units of 1 m and 3 rad.
-/// In a Cartesian corridor the arm's inverse kinematics is solved in closed form or by iteration;
-/// of a redundant arm the configuration at a pose then depends on the reference.
+/// vector in units of 1 m and 3 rad. In a Cartesian corridor the arm's inverse kinematics is solved
+/// in closed form or iteratively; for a redundant arm the configuration at a pose then depends on
+/// the reference.
 /// @throws InputError if a Cartesian corridor is requested and the arm has fewer than six joints,
 /// or some that do not move its last link.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<CorridorSpace> make_corridor_space(
@@ -117,8 +117,8 @@ enum class HandSpace {
   kAllJoints,            ///< C^h: every joint over its range (its comparison, section 6.2).
 };
 
-/// Fails if a hand has principal motion directions to choose and the problem has no basis that
-/// names them. A hand that holds an object has none to choose.
+/// Throws if a hand needs principal motion directions and the problem has no basis with them. A
+/// hand that holds an object needs none.
 /// @param user of the basis, for the message, as "planner pmd-prm".
 /// @throws InputError
 HANDWAY_PLANNING_EXPORT void require_directions(const PlanningProblem& problem,
@@ -132,10 +132,10 @@ HANDWAY_PLANNING_EXPORT void require_directions(const PlanningProblem& problem,
 /// The controls of the paper's method: along the arm's straight motion and across it up to
 /// `half_width` (section 5.1), the hand's free joints and principal motion directions (section
 /// 4.2). Two more coordinates lead from the subspace of the hand to the postures at start and goal,
-/// which seldom lie in it: how much of the start's and of the goal's deviation is kept.
+/// which are seldom in it: the shares of the start's and of the goal's deviation.
 ///
 /// Coordinates are lengths in joints normalised to [0, 1], so that distances are nearly those of
-/// the joints; joints that get beyond their limits are moved onto them.
+/// the joints; joints beyond their limits are clamped.
 /// @param most_pmds principal directions that are used.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<StateSpace> make_control_space(
     const PlanningProblem& problem, int most_pmds, double half_width);
@@ -152,9 +152,9 @@ class HANDWAY_PLANNING_EXPORT HandArmRegion {
   [[nodiscard]] const CorridorSpace& space() const { return *space_; }
   [[nodiscard]] const sampling::PmdBasis& basis() const { return basis_; }
 
-  /// c_a from the hypercube at `step`, with the hand as at the start; nothing if
-  /// the chosen tool pose is out of reach. Among several arm postures the one
-  /// nearest to the straight motion is taken. @param u as CorridorSpace::corridor_point().
+  /// Samples c_a from the hypercube at `step`, with the hand as at the start; nothing if the chosen
+  /// tool pose is out of reach. Of several arm postures the one nearest to the straight motion is
+  /// taken. @param u as CorridorSpace::corridor_point().
   [[nodiscard]] std::optional<Configuration> arm_at(double step, double rho,
                                                     const Eigen::VectorXd& u) const;
 

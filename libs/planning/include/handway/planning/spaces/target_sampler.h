@@ -31,8 +31,8 @@ struct TargetRegion {
   int max_pmds = std::numeric_limits<int>::max();  ///< Most principal directions used together.
 };
 
-/// Draws what a search goes for next: over all joints anywhere, with PMDs from the paper's regions
-/// (sections 4.2 and 5.1). The points of the unit cube that regions are entered with come from the
+/// Samples the next targets of a search: over all joints anywhere, with PMDs from the paper's
+/// regions (sections 4.2 and 5.1). The points of the unit cube for the regions come from the
 /// sampler that the planner's parameter names.
 class HANDWAY_PLANNING_EXPORT TargetSampler {
  public:
@@ -54,22 +54,22 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
 
   struct Target {
     Eigen::VectorXd coordinates;  ///< In space().
-    int pmds = 0;                 ///< Principal directions it was drawn from.
+    int pmds = 0;                 ///< Principal directions it was sampled from.
     double rho = 0.0;             ///< Half-width of the arm's region.
   };
   /// Sample number `sample`, for the search from an end (0: start, 1: goal).
-  /// @param failures draws before this one, since the last that was of use: the
-  /// hand is drawn from its free joints and one direction first, and from one
-  /// more with every failure (Algorithm 4).
+  /// @param failures samples since the last useful one: the hand is sampled from its
+  /// free joints and one direction first, and from one more with every failure
+  /// (Algorithm 4).
   [[nodiscard]] Target draw(std::uint64_t sample, int end, int failures);
 
-  /// `target` with the arm or the hand as at `from`, in this share of the samples: to
-  /// open around an object and to draw back from it are hard to find as one motion.
+  /// Returns `target` with the arm or the hand as at `from`, in this share of the samples: opening
+  /// around an object and retreating from it are hard to find as one motion.
   [[nodiscard]] Eigen::VectorXd held(Eigen::VectorXd target, const Eigen::VectorXd& from,
                                      std::uint64_t sample, double share) const;
 
-  /// A target near the node at `from`, wherever that is: in a random direction of the arm or
-  /// of the hand; or further along the edge from its parent, with a deviation.
+  /// A target near the node at `from`, wherever that is: in a random direction of the arm or of the
+  /// hand; or further along the edge from its parent, with a deviation.
   [[nodiscard]] Target draw_near_node(std::uint64_t sample, const Eigen::VectorXd& from,
                                       const Eigen::VectorXd& parent) const;
 

@@ -18,7 +18,7 @@ namespace handway::planning {
 /// velocity is modest for arms of that size.
 inline constexpr double kDefaultRampTime = 0.25;
 
-/// A joint without a jerk limit is taken to reach its acceleration limit in this time, s.
+/// A joint without a jerk limit is assumed to reach its acceleration limit in this time, s.
 inline constexpr double kDefaultJerkTime = 0.1;
 
 enum class Rate { kVelocity, kAcceleration, kJerk };
@@ -26,7 +26,7 @@ enum class Rate { kVelocity, kAcceleration, kJerk };
 /// "velocity", "acceleration" or "jerk".
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const char* rate_name(Rate rate);
 
-/// A limit that no file has, and that one of the defaults above stands in for.
+/// A limit that is missing in all files and replaced by one of the defaults above.
 struct AssumedLimit {
   std::string joint;  ///< The variable's.
   Rate rate = Rate::kAcceleration;
@@ -62,17 +62,17 @@ struct JointKinematicLimits {
 };
 
 /// Text for display: a line for each rate with assumed limits.
-/// @param most joints that are named in a line; of more the rest is counted.
+/// @param most joints to name in a line; the rest is counted.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> assumption_lines(
     const std::vector<AssumedLimit>& assumed,
     std::size_t most = std::numeric_limits<std::size_t>::max());
 
-/// The limits of the robot's joints, with the defaults above. A variable keeps the
-/// limits of the joints that are coupled to it too.
+/// The limits of the robot's joints, with the defaults above. A variable also keeps the limits of
+/// the joints that are coupled to it.
 ///
-/// If `joint_limits.yaml` stands beside the robot's file it is read on top, as by
+/// If `joint_limits.yaml` exists beside the robot's file its limits are added, as by
 /// read_joint_kinematic_limits().
-/// @throws InputError if that file is wrong.
+/// @throws InputError if that file is invalid.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT JointKinematicLimits
 rate_limits(const geometric::RobotModel& model);
 

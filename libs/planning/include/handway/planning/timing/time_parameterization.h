@@ -47,8 +47,8 @@ time_optimal(const BlendedPath& path, const JointKinematicLimits& limits);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization
 align_stops(const TimeParameterization& law, double period);
 
-/// A fast motion along `path` that keeps the limits, jerk included, from rest to rest, stopping
-/// at corners that have no arc. The path is the same to the bit: only its times are other ones.
+/// A fast motion along `path` that keeps the limits, jerk included, from rest to rest, stopping at
+/// corners that have no arc. The path is bitwise the same: only its times differ.
 ///
 /// From stop to stop time_optimal() is averaged over a window of time: its acceleration, which
 /// jumps, becomes one that changes evenly, by at most its jumps in the window's length. Then the

@@ -15,23 +15,23 @@
 
 namespace handway::planning {
 
-/// A timed motion, ready to become files.
+/// A timed motion, ready for export.
 struct Motion {
   std::string name;  ///< Letters, digits and "_"; the first a letter: for files and programs.
   std::shared_ptr<const geometric::RobotModel> model;
   std::vector<int> arm;                ///< Variables of the arm, in order.
   std::vector<int> hand;               ///< Variables of the hand, in order.
   JointKinematicLimits limits;         ///< The robot's, at full speed.
-  double speed = 1.0;                  ///< In (0, 1]: at what share of it the motion was timed.
+  double speed = 1.0;                  ///< Share of full speed in (0, 1] of the timing.
   Path path;                           ///< The waypoints, …
-  std::vector<double> waypoint_times;  ///< … and when they are passed, s; shape [waypoints].
+  std::vector<double> waypoint_times;  ///< … and their times, s; shape [waypoints].
   Trajectory trajectory;               ///< At a fixed period.
 };
 
 struct TimingOptions {
-  double speed = 1.0;     ///< In (0, 1]: the same motion, this much slower.
+  double speed = 1.0;     ///< In (0, 1]: slows the whole motion down.
   double period = 0.004;  ///< s between points; 4 ms is the cycle of a CS8 controller.
-  BlendOptions blends;    ///< Their shape is of no account: it follows from limit_jerk.
+  BlendOptions blends;    ///< Their shape is ignored: it follows from limit_jerk.
   bool limit_jerk = false;
   JointKinematicLimits limits;    ///< If of size 0: those of the robot.
   Configuration measured_start;   ///< If of size 0: the start is not compared.
@@ -40,7 +40,7 @@ struct TimingOptions {
   SafetyMargin safety;            ///< Required clearance.
 };
 
-/// Largest share that a motion takes of a limit, and where.
+/// Largest share of a limit that a motion uses, and its place.
 struct LimitShare {
   std::string joint;
   double time = 0.0;   ///< s
@@ -59,7 +59,7 @@ struct PreflightReport {
   double min_clearance_mm = 0.0;      ///< At the points; more than 50 mm is not distinguished.
   double min_clearance_time = 0.0;    ///< s
   std::string closest_pair;           ///< "A with B"
-  std::vector<AssumedLimit> assumed;  ///< Limits that it was checked against and no file has.
+  std::vector<AssumedLimit> assumed;  ///< Assumed limits that it was checked against.
   /// Place where the clearance is least compared with following errors and the margin; empty:
   /// sufficient everywhere. Its `place` is a time, s.
   std::optional<ClearanceShortfall> shortfall;
@@ -81,8 +81,8 @@ struct PreflightReport {
 /// fails check_trajectory() is not checked further. The clearance of a cleared one is compared
 /// with options.safety: a joint's following error is in proportion to its velocity, and decays
 /// after it.
-/// @param options limits (not of size 0), measured start, the resolution of blends and safety
-/// count.
+/// @param options only limits (not of size 0), measured start, the resolution of blends and safety
+/// are used.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PreflightReport preflight(const PlanningProblem& problem,
                                                                 const Trajectory& trajectory,
                                                                 const TimingOptions& options);
@@ -99,7 +99,7 @@ struct PreflightReport {
 /// `assumed_following_error`. What is no finite number is null.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_json(const PreflightReport& report);
 
-/// A path made into a motion, and all that is known about it.
+/// A path made into a motion, with the results of its checks.
 struct TimedPath {
   Motion motion;       ///< Only to be used if cleared().
   BlendResult blends;  ///< Its fault, if the path itself is not free.
@@ -109,11 +109,11 @@ struct TimedPath {
   [[nodiscard]] bool cleared() const { return blends.path && preflight.cleared(); }
 };
 
-/// From a path to a motion: certified_blends(), time_optimal() or jerk_limited(), align_stops(),
-/// sample(), and preflight() on what comes out. Neither arcs nor straight parts leave free space.
+/// Makes a motion from a path: certified_blends(), time_optimal() or jerk_limited(), align_stops(),
+/// sample(), and preflight() of the result. Neither arcs nor straight parts leave free space.
 /// @param name of the motion, see Motion::name.
-/// @throws InputError for waypoints that are no configurations of the robot within its limits,
-/// and for options out of their ranges; PreparationStopped where the options ask for it.
+/// @throws InputError for waypoints that are not configurations of the robot within its limits, and
+/// for options out of their ranges; PreparationStopped if the options' stop is requested.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimedPath time_path(const PlanningProblem& problem,
                                                           const Path& path, const std::string& name,
                                                           const TimingOptions& options = {});

@@ -36,16 +36,16 @@ struct Trajectory {
                                                                const TimeParameterization& law,
                                                                double time);
 
-/// Samples at 0, period, 2 period, … up to the end, which is the path's to the bit. A law
-/// that does not end at a multiple of the period ends with a shorter step. A path
-/// without length gives two points in the same place.
-/// @throws std::invalid_argument if period is not above 0 or there would be more than
-/// 10 million points.
+/// Samples at 0, period, 2 period, … up to the end, which is bitwise the path's. A law that does
+/// not end at a multiple of the period ends with a shorter step. A path without length gives two
+/// points in the same place.
+/// @throws std::invalid_argument if period is not above 0 or for more than 10 million
+/// points.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Trajectory sample(const BlendedPath& path,
                                                         const TimeParameterization& law,
                                                         double period);
 
-/// When the motion passes each waypoint of the path (the middle of its arc), s; shape
+/// Time at which the motion passes each waypoint of the path (the middle of its arc), s; shape
 /// [waypoints].
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> waypoint_times(
     const BlendedPath& path, const TimeParameterization& law);
@@ -58,10 +58,10 @@ struct Trajectory {
 
 /// Reason why a trajectory must not run.
 struct TrajectoryFault {
-  std::string joint;   ///< Empty: not of a joint.
-  double time = 0.0;   ///< s, of the first point that is at fault.
+  std::string joint;   ///< Empty: not about a joint.
+  double time = 0.0;   ///< Time of the first faulty point, s.
   double value = 0.0;  ///< Actual value: rad, rad/s, rad/s² (or m), s.
-  std::string text;    ///< A sentence with all of this.
+  std::string text;    ///< A sentence with all these data.
 };
 
 /// Finds faults that a controller would refuse: no points, points of another size, numbers that are
@@ -69,7 +69,7 @@ struct TrajectoryFault {
 /// beyond their limits, coupled ones included; velocities and accelerations beyond `limits`, both
 /// the given ones and those between consecutive points; jerk, if it is limited, by the
 /// accelerations. Of each kind the first for each joint.
-/// @param fixed variables whose positions do not count, as of geometric::limit_violations().
+/// @param fixed variables whose positions are ignored, as in geometric::limit_violations().
 /// @pre limits are of the model's shape.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<TrajectoryFault> check_trajectory(
     const geometric::RobotModel& model, const Trajectory& trajectory,
