@@ -50,7 +50,7 @@ class Mesh {
   std::array<float, 4> color = {0.7F, 0.7F, 0.7F, 1.0F};
   bool includes_files = false;
   double largest =
-      0.0;  ///< Coordinate that was handled in single precision, as add_vertex() returns it.
+      0.0;  ///< Coordinate that was handled in single precision, in add_vertex()'s units.
   std::string warnings;  ///< One a line.
 
   /// Writes the whole reply. @returns false if the pipe is closed.

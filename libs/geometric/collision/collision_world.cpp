@@ -39,8 +39,8 @@ std::shared_ptr<const BodySolids> with_origin_at(const Eigen::Vector3d& p,
   return moved;
 }
 
-// Single precision, in which much is reckoned, has digits for coordinates that are no larger than
-// the mesh: where its frame is far away, the body gets a frame in the middle of the mesh.
+// Single precision, used in many places, has enough digits for coordinates that are no larger than
+// the mesh: if its frame is far away, the body gets a frame in the middle of the mesh.
 CollisionBody centred(CollisionBody body, const std::filesystem::path& file) {
   const Aabb box = bounding_box(*body.mesh);
   for (const Eigen::Vector3d& p :

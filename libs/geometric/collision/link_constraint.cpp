@@ -35,7 +35,7 @@ Carrier carrier_of(const PathConstraint& constraint, const Scene& scene) {
                            : advise_name(constraint.body, constrainable_bodies(scene))});
 }
 
-// Unit vector; any across `axis` if the other is parallel.
+// Unit vector; any normal of `axis` if the other is parallel.
 Eigen::Vector3d across(const Eigen::Vector3d& axis, const Eigen::Vector3d& other) {
   const Eigen::Vector3d normal = axis.cross(other);
   return normal.norm() > 1e-9 ? normal.normalized() : axis.unitOrthogonal();

@@ -37,7 +37,7 @@ bool is_denied(const YamlElement& joint, const std::string& flag) {
   return element && !element->flag();
 }
 
-// The limit of a rate, if the joint's map has one that counts.
+// The limit of a rate, if the joint's map has a valid one.
 std::optional<double> rate(const YamlElement& joint, const std::string& name) {
   const auto element = joint.find("max_" + name);
   if (!element || is_denied(joint, "has_" + name + "_limits")) {

@@ -56,7 +56,7 @@ bool is_no_position(std::string_view column) {
   });
 }
 
-// Without a unit in brackets behind it: "pan [deg]".
+// Removes a unit in brackets at the end: "pan [deg]".
 std::string_view without_brackets(std::string_view name) {
   if (name.empty() || (name.back() != ']' && name.back() != ')')) {
     return name;
@@ -113,7 +113,7 @@ bool has_joint_messages(std::string_view head) {
   if (head.find("position") == std::string_view::npos) {
     return false;  // most files: soon known
   }
-  // Landmarks have names and positions, too, but not as lists side by side.
+  // Landmarks have names and positions, too, but not as parallel lists.
   static const std::regex kNames(R"re((^|\n)name:|"name"\s*:\s*\[)re");
   static const std::regex kPositions(R"re((^|\n)position:|"position"\s*:\s*\[)re");
   static const std::regex kJointNames(R"re(joint_names"?\s*:)re");
@@ -205,7 +205,7 @@ class TableOfJoints {
     }
   }
 
-  // A header, or a row that holds names and numbers.
+  // Reads a header, or a row with names and numbers.
   void begin(const TextLine& line) {
     const std::vector<std::string_view> row = cells(line.text, separator_of(line.text));
     const auto names = std::ranges::count_if(
@@ -276,7 +276,7 @@ class TableOfJoints {
     }
   }
 
-  // The column of lists whose name ends so.
+  // The column of lists whose name ends with this.
   [[nodiscard]] std::optional<std::size_t> list_column(
       std::initializer_list<std::string_view> names,
       const std::vector<std::string_view>& row) const {
@@ -375,7 +375,7 @@ class TableOfJoints {
            line);
   }
 
-  // sec, nanosec, frame, then all names, then as many positions, velocities, efforts.
+  // Layout: sec, nanosec, frame, then all names, then as many positions, velocities, efforts.
   void append_named_row(const TextLine& line) {
     const std::vector<std::string_view> row = cells(line.text, separator_);
     const auto is_number = [](std::string_view cell) { return parse_cell(cell).has_value(); };
@@ -503,7 +503,7 @@ class Messages {
     }
   }
 
-  // {sec, nanosec} of ROS 2, {secs, nsecs} of ROS 1, or a number.
+  // Reads {sec, nanosec} of ROS 2, {secs, nsecs} of ROS 1, or a number.
   double time_of(const YamlElement& stamp) {
     const auto part = [&](const char* key) {
       const auto found = stamp.find(key);

@@ -50,7 +50,7 @@ struct Limits {
     request.seconds = 0.8 + 0.8 * megabytes;
     request.memory = 768 * kMegabyte + 64 * file_size;
     request.most_vertices = 1'000'000 + file_size;
-    // A process that waits takes no time of the processor; a busy machine gives it little.
+    // A waiting process uses no processor time; a busy machine gives it little.
     wall_seconds = 10.0 + 10.0 * request.seconds;
   }
 
@@ -58,7 +58,7 @@ struct Limits {
   double wall_seconds = 0.0;
 };
 
-// Other people's text as a part of a message of ours.
+// Quotes another program's text in a message.
 std::string readable(std::string_view text) {
   constexpr std::size_t kLongest = 300;
   std::string result;
@@ -198,7 +198,7 @@ class Reading {
     }
   }
 
-  // @returns nothing if the program has gone, or there is no time left.
+  // @returns nothing if the program has ended, or no time is left.
   [[nodiscard]] std::optional<MeshReadingEnd> ask(MeshReaderProcess& process,
                                                   const fs::path& absolute) {
     try {
@@ -210,7 +210,7 @@ class Reading {
     return process.wait_for_end(seconds_left());
   }
 
-  // @returns whether a whole answer came, as far as its form shows.
+  // @returns whether a complete answer came, as far as its form shows.
   [[nodiscard]] bool receive(const OwnedDescriptor& pipe) {
     if (pipe.get() < 0 || !read(pipe, std::span(&reply_, 1)) || reply_.mark != kMeshStreamMark ||
         reply_.text_bytes > kLongestMeshText ||

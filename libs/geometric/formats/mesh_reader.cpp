@@ -39,8 +39,8 @@ bool has_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
   return ab.cross(ac).norm() > 1e-12 * std::max(ab.squaredNorm(), ac.squaredNorm());
 }
 
-/// `mesh` with equal vertices joined, triangles without area dropped, and
-/// vertices that no triangle uses left out. Order is kept.
+/// `mesh` with equal vertices joined, and without triangles without area and unused vertices. Order
+/// is kept.
 TriangleMesh cleaned(const TriangleMesh& mesh) {
   VertexTable places;
   TriangleMesh result;
@@ -89,7 +89,7 @@ class MeshCache {
   std::map<FileKey, std::weak_ptr<const TriangleMesh>> meshes_;
 };
 
-/// Triangles as their file has them, m.
+/// Triangles exactly as in their file, m.
 struct ReadMesh {
   TriangleMesh triangles;
   double largest = 0.0;  ///< See ImportedMesh.
@@ -98,7 +98,7 @@ struct ReadMesh {
 constexpr int kRevision = 1;                     // to change with what is made of a file
 constexpr std::uintmax_t kLargeFile = 1U << 20;  // bytes: smaller ones are soon read
 
-// The content of a large file that refers to no other.
+// The content of a large file that refers to no other file.
 std::optional<std::string> worth_remembering(const fs::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
@@ -207,7 +207,7 @@ class MeshSource {
     }
   }
 
-  // Cleaned. A large file that needs no other is read once for all scales that are uniform.
+  // Cleaned mesh. A large file that needs no other is read once for all uniform scales.
   [[nodiscard]] ReadMesh read_or_remember() const {
     const std::optional<std::string> content = worth_remembering(file_);
     if (!content) {

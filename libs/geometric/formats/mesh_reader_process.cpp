@@ -91,7 +91,7 @@ class Surroundings {
   [[nodiscard]] pid_t start(const fs::path& program) const {
     std::string name = program.string();
     std::array<char*, 2> arguments{name.data(), nullptr};
-    // Libraries that ask for large buffers for small files get them in large pages.
+    // Libraries that request large buffers for small files get them in large pages.
     std::string tunables = "GLIBC_TUNABLES=glibc.malloc.hugetlb=1";
     std::vector<char*> environment{tunables.data()};
     for (char** variable = environ; *variable != nullptr; ++variable) {

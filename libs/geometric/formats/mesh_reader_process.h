@@ -46,10 +46,10 @@ class MeshReaderProcess {
   [[nodiscard]] const std::filesystem::path& program() const { return program_; }
   /// Returns whether the process runs and has sent everything.
   [[nodiscard]] bool idle() const;
-  /// Has it reported before how a reading ended?
+  /// Returns whether it has reported the end of a reading before.
   [[nodiscard]] bool has_served() const { return has_served_; }
 
-  /// @returns the pipe that the answer comes through; invalid if the program is gone.
+  /// @returns the pipe of the answer; invalid if the program has ended.
   [[nodiscard]] OwnedDescriptor ask(const MeshRequest& request, const std::filesystem::path& file);
 
   /// Returns the end of the reading. Nothing if the program died or is silent for `seconds`.
@@ -62,21 +62,21 @@ class MeshReaderProcess {
   bool has_served_ = false;
 };
 
-/// Waits for bytes until `seconds` are over. @returns false if there is nothing more to come or no
-/// time left.
+/// Waits for bytes until `seconds` are over. @returns false at the end of the bytes or of the
+/// time.
 [[nodiscard]] bool read_whole(int descriptor, std::span<std::byte> bytes, double seconds);
 
 /// The program: in the folder handway beside this library, or $HANDWAY_MESH_READER.
 [[nodiscard]] std::filesystem::path mesh_reader_program();
 
-/// Programs that wait for work, for all threads: each has one for itself while it reads.
+/// Idle programs, for all threads: each thread has one for itself while it reads.
 class MeshReaderPool {
  public:
   static MeshReaderPool& instance();
 
   /// @throws std::runtime_error if none can be started.
   [[nodiscard]] std::unique_ptr<MeshReaderProcess> take();
-  /// A program that is done and well.
+  /// Returns a program that has finished without errors.
   void give_back(std::unique_ptr<MeshReaderProcess> process);
 
  private:

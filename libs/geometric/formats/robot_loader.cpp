@@ -46,8 +46,8 @@ fs::path new_folder(const fs::path& xacro) {
   return name;
 }
 
-// Starts `xacro FILE` with its output and messages in files. @returns 0 if there is no such
-// program.
+// Starts `xacro FILE` with its output and messages in files. @returns 0 if the program does not
+// exist.
 pid_t start(const fs::path& xacro, const fs::path& out, const fs::path& messages) {
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
@@ -90,8 +90,8 @@ std::string last_words(const fs::path& messages) {
   return text.size() > kMostMessage ? text.substr(text.size() - kMostMessage) : text;
 }
 
-/// The URDF that the program `xacro` makes of a file, without arguments: a file of its own for as
-/// long as this is there.
+/// The URDF that the program `xacro` makes of a file, without arguments: a temporary file during
+/// the lifetime of this object.
 class ExpandedXacro {
  public:
   /// @throws InputError if there is no such program, or with its output if it fails or takes longer
@@ -159,7 +159,7 @@ void find_allowed_collisions(RobotDescription& robot) {
                                          : fmt::format("{} pairs that overlap", overlapping))));
 }
 
-// An SRDF may call its groups otherwise: MoveIt has no names for them.
+// An SRDF may have other group names: MoveIt prescribes none.
 void find_groups(RobotDescription& robot) {
   if (has_group(robot, "arm") && has_group(robot, "hand")) {
     return;

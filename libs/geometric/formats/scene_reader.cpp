@@ -18,8 +18,8 @@
 namespace handway::geometric {
 namespace {
 
-/// A map of joint names to values (rad, m), as configuration_of() takes it.
-/// @returns the values of the variables that it gives; without a group.
+/// A map of joint names to values (rad, m), as for configuration_of().
+/// @returns the values of the variables in it; without a group.
 /// @throws InputError as configuration_of().
 NamedPosture posture_of(const YamlElement& element, const RobotModel& model,
                         const std::string& name) {
@@ -86,7 +86,7 @@ PositionConstraint position_of(const YamlElement& element) {
 }
 
 /// One entry of a scene file's `constraints`.
-/// @param scene with its robots and objects, which the constraint may be about.
+/// @param scene with its robots and objects, to which the constraint may refer.
 PathConstraint constraint_of(const YamlElement& element, const Scene& scene) {
   element.allow_keys({"name", "body", "upright", "region"});
   PathConstraint constraint;
@@ -160,7 +160,7 @@ std::vector<std::string> names_of_bodies(const Scene& scene) {
   return names;
 }
 
-// `{allowed: [[a, b], …], checked: [[a, b], …]}`
+// Reads `{allowed: [[a, b], …], checked: [[a, b], …]}`.
 void read_collisions(const YamlElement& element, Scene& scene) {
   element.allow_keys({"allowed", "checked"});
   const std::vector<std::string> bodies = names_of_bodies(scene);
@@ -215,7 +215,7 @@ Configuration goal_defaults(const Scene& scene) {
 }
 
 // One name or a list of them, see Scene::group. @param robots elements of the scene's robots, in
-// order; those of robots that the group makes one with the first go.
+// order; those of robots that the group merges with the first are removed.
 void read_group(const YamlElement& element, std::vector<YamlElement>& robots, Scene& scene) {
   std::vector<std::string> group;
   for (const YamlElement& name :

@@ -32,7 +32,7 @@ struct Entry {
   std::vector<std::size_t> mounted = {};  ///< Entries that it carries, in order.
 };
 
-// `{J: {of: {K: 1, L: 0.5}, offset: 0}}`
+// Reads `{J: {of: {K: 1, L: 0.5}, offset: 0}}`.
 std::shared_ptr<const RobotModel> with_couplings(const YamlElement& robot,
                                                  std::shared_ptr<const RobotModel> model) {
   const std::optional<YamlElement> list = robot.find("couplings");
@@ -97,7 +97,7 @@ std::string link_of(const YamlElement& element, const RobotPart& carrier) {
   return name;
 }
 
-// On the end of the carrier, where no link is named.
+// Placed on the end of the carrier, if no link is named.
 void sit_down(const YamlElement& mount, const RobotPart& carrier, RobotPart& part) {
   const std::optional<Seat> seat = find_seat(*carrier.model, *part.model);
   if (!seat) {
@@ -142,7 +142,7 @@ void read_mount(std::vector<Entry>& entries, std::size_t index) {
   }
 }
 
-// The entry that stands in the world and carries this one, by others or not.
+// The entry that is fixed to the world and carries this one, directly or not.
 std::size_t root_of(const std::vector<Entry>& entries, std::size_t index) {
   std::size_t root = index;
   std::string chain = entries[index].part.name;

@@ -113,7 +113,7 @@ void add_robot(const RobotInstance& robot, const Configuration& q, Points& point
   }
 }
 
-// Corners in the world of all that is in the scene.
+// Corners in the world of all bodies in the scene.
 Points corners_of(const Scene& scene) {
   Points points;
   for (const SceneObject& object : scene.objects) {
@@ -223,7 +223,7 @@ std::string moved_link_of(const YamlElement& element, const RobotModel& model) {
   return name;
 }
 
-// One number for all axes, or three.
+// Reads one number for all axes, or three.
 Eigen::Vector3d tolerance_of(const YamlElement& element) {
   const Eigen::Vector3d tolerance = element.is_list() ? Eigen::Vector3d(element.numbers(3))
                                                       : Eigen::Vector3d::Constant(element.number());

@@ -17,9 +17,9 @@ namespace handway::geometric {
 [[nodiscard]] std::shared_ptr<const RobotModel> with_bases(
     const YamlElement& robot, const std::shared_ptr<const RobotModel>& model);
 
-/// Gives slides of bases that the robot's "bounds" do not name those of the scene: the box around
-/// objects, robots, start, goal and goal poses, larger by kAroundScene each way.
-/// @param robots the elements of the scene's robots, in which bounds are looked up.
+/// Sets bounds of base slides missing in the robot's "bounds": the box around objects, robots,
+/// start, goal and goal poses, larger by kAroundScene each way.
+/// @param robots the elements of the scene's robots, with their bounds.
 void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 
 /// A scene file's `goal_pose`: one goal, or a list of them.
@@ -33,12 +33,12 @@ void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 /// `{xyz: […], rpy_deg: […]}`, both optional.
 [[nodiscard]] Pose pose_of(const YamlElement& element);
 
-/// find_resource(), and a warning if the file has other letters than the scene.
+/// Calls find_resource(), and warns if the file's name differs in case from the scene's.
 [[nodiscard]] std::filesystem::path find_noted(ResourceKind kind, const YamlElement& reference,
                                                const std::filesystem::path& folder, Scene& scene);
 
 /// One entry of a scene file's `objects`.
-/// @param scene with its robots, which the object may be attached to.
+/// @param scene with its robots, to which the object may be attached.
 /// @param folder of the scene file.
 [[nodiscard]] SceneObject object_of(const YamlElement& element, const Scene& scene,
                                     const std::filesystem::path& folder);
@@ -48,18 +48,18 @@ void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 
 /// Reads the list `robots` of a scene file, and mounts robots on each other.
 /// @param folder of the scene file.
-/// @returns the elements of the robots that stand in the world, in the order of scene.robots: that
-/// of the list, what carries a robot in the place of that robot.
+/// @returns the elements of the robots that are fixed to the world, in the order of scene.robots:
+/// that of the list, with a carrier in the place of the robot that it carries.
 /// @throws InputError naming the line.
 [[nodiscard]] std::vector<YamlElement> read_robots(const YamlElement& list,
                                                    const std::filesystem::path& folder,
                                                    Scene& scene);
 
-/// A map of joint names to values (rad, m), laid over `defaults`. A coupled
-/// joint may be named too: it then gives its leader's value, or must agree with
-/// it (within 1e-6).
+/// A map of joint names to values (rad, m), laid over `defaults`. A coupled joint may be
+/// named too: it then determines its leader's value, or must agree with it (within
+/// 1e-6).
 /// @param defaults shape [variable_count].
-/// @param part of a composed robot: its joints may go by their own names; nullptr: none may.
+/// @param part of a composed robot: its joints may have their own names; nullptr: none may.
 /// @throws InputError naming the line, for unknown and fixed joints and for
 /// coupled joints that contradict each other.
 [[nodiscard]] Configuration configuration_of(const YamlElement& element, const RobotModel& model,
@@ -70,7 +70,7 @@ void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 [[nodiscard]] int carried_link(const YamlElement& element, const RobotModel& model,
                                const std::string& name);
 
-/// @throws InputError, always: robots and objects have names of their own.
+/// @throws InputError, always: names of robots and objects must be unique.
 [[noreturn]] void refuse_second_name(const YamlElement& element, const std::string& name);
 
 }  // namespace handway::geometric

@@ -310,7 +310,7 @@ bool has_mesh_file(const Mesh& mesh) { return !mesh.file.empty() && is_mesh_file
 
 fs::path folder_of(const fs::path& file) { return fs::absolute(file).parent_path(); }
 
-// `reference`, as a scene in folder `from` names a file, for a scene in folder `to`.
+// `reference`, as a file is named in a scene in folder `from`, for a scene in folder `to`.
 fs::path moved_reference(ResourceKind kind, const fs::path& reference, const fs::path& from,
                          const fs::path& to) {
   fs::path file;
@@ -360,7 +360,7 @@ class SceneFileWriter {
   }
 
  private:
-  // A robot that comes from no robot file (an importer made it) is saved as one.
+  // A robot without a robot file (an importer made it) is saved as one.
   RobotReference robot_reference(const std::string& name, const fs::path& known,
                                  const RobotModel& model) const {
     const fs::path& file = known.empty() ? model.description().file : known;
@@ -389,7 +389,7 @@ class SceneFileWriter {
     }
   }
 
-  // Comments and blank lines at the top of the file that is there now.
+  // Comments and blank lines at the top of the existing file.
   [[nodiscard]] std::string leading_comments() const {
     std::string text;
     try {

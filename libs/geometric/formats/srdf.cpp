@@ -21,8 +21,8 @@ namespace {
 
 constexpr const char* kWhat = "a semantic robot file (SRDF)";
 
-/// Lines of an SRDF file about links, joints or groups that are not there: those of another
-/// variant of the robot, mostly. They are passed over, and reported in one warning.
+/// Lines of an SRDF file about unknown links, joints or groups: mostly those of another variant of
+/// the robot. They are skipped, and reported in one warning.
 class UnknownNames {
  public:
   void add(const XmlDocument& document, const pugi::xml_node& node, const std::string& kind,
@@ -202,7 +202,7 @@ std::string UnknownNames::summary() const {
 }
 
 /// The groups of an SRDF document with all their joints, in the order of the file.
-/// @throws InputError naming the line of a chain or ring that makes no group.
+/// @throws InputError naming the line of an invalid chain or of a ring.
 std::vector<JointGroup> srdf_groups(const XmlDocument& document, const RobotDescription& robot,
                                     UnknownNames& unknown) {
   return GroupReader(document, robot, unknown).read();
@@ -390,7 +390,8 @@ class SrdfReader {
 
 namespace {
 
-// `<coupling joint="J" offset="0"><follows joint="K" multiplier="1"/>…</coupling>`, of our own.
+// Handway's element `<coupling joint="J" offset="0"><follows joint="K"
+// multiplier="1"/>…</coupling>`.
 void couple_joints(const XmlDocument& document, RobotDescription& robot) {
   const auto number = [&](const pugi::xml_node& node, const char* attribute, double usual) {
     const std::string text = node.attribute(attribute).value();
@@ -503,7 +504,7 @@ void remove_if(pugi::xml_node robot, const char* element, const auto& condition)
   }
 }
 
-// In its place, since other groups may name it.
+// Replaced in place, since other groups may name it.
 void replace_group(pugi::xml_node root, const RobotDescription& robot, const std::string& name) {
   pugi::xml_node element = root.find_child_by_attribute("group", "name", name.c_str());
   const auto group = std::ranges::find(robot.groups, name, &JointGroup::name);

@@ -76,7 +76,7 @@ Joint joint_of(const urdf::Joint& joint) {
   return result;
 }
 
-// Follows `mimic` to a joint that has none; q = m1 * (m2 * q2 + o2) + o1.
+// Follows `mimic` to an independent joint; q = m1 * (m2 * q2 + o2) + o1.
 void resolve_mimic(Joint& joint, const std::vector<Joint>& joints, const std::string& where) {
   for (std::size_t steps = 0; joint.mimic; ++steps) {
     const auto leader = std::ranges::find(joints, joint.mimic->joint, &Joint::name);
@@ -248,8 +248,8 @@ void note_links_without_collision(const XmlDocument& document, RobotDescription&
   }
 }
 
-// Narrows joints to the limits within which a <safety_controller> keeps them. Exporters that know
-// none write zeros.
+// Narrows joints to the limits of a <safety_controller>. Exporters without such limits write
+// zeros.
 void keep_soft_limits(const XmlDocument& document, RobotDescription& robot) {
   for (const pugi::xml_node& node : document.root("robot").children("joint")) {
     const pugi::xml_node safety = node.child("safety_controller");

@@ -379,7 +379,7 @@ class ElementReader {
     }
   }
 
-  // Materials: nothing about them is worth a refusal.
+  // Reads materials: errors in them are no reason for a refusal.
 
   [[nodiscard]] static std::optional<std::string> rgba_of(const pugi::xml_node& material) {
     std::string text = material.child("color").attribute("rgba").value();
@@ -411,7 +411,7 @@ class ElementReader {
     }
   }
 
-  // The colours that the file defines by name, on top or where they are first used.
+  // The colours that the file defines by name, at the top or where they are first used.
   void read_materials(const pugi::xml_node& robot) {
     const auto define = [&](const pugi::xml_node& material) {
       const std::string name = material.attribute("name").value();

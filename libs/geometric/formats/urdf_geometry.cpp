@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "Write filename="…" if there is such a file nearby, else `otherwise`.
+// Returns "Write filename="…"" if such a file is nearby, else `otherwise`.
 std::string mesh_advice(const std::string& filename, const fs::path& folder,
                         const std::string& otherwise) {
   const fs::path file = with_slashes(filename);
@@ -52,7 +52,7 @@ std::optional<fs::path> find_nearby(const std::string& filename, const fs::path&
   return std::nullopt;
 }
 
-/// The file that a robot file means by a mesh's `filename` (see read_urdf()).
+/// Resolves a mesh's `filename` in a robot file (see read_urdf()).
 /// @param folder of the robot file, absolute.
 /// @param referenced_by "FILE:LINE", for messages.
 /// @throws InputError if a package is not found or the scheme is unknown.

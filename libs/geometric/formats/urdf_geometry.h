@@ -18,7 +18,7 @@ namespace handway::geometric {
 /// strippath="…"/></mujoco>`.
 struct MujocoCompiler {
   std::filesystem::path mesh_folder;  ///< From the robot's folder.
-  bool strips_path = true;            ///< Folders in names of files do not count.
+  bool strips_path = true;            ///< Folders in names of files are ignored.
 };
 
 /// Notes about the files that links name.
@@ -26,9 +26,9 @@ struct LinkFiles {
   std::optional<MujocoCompiler> compiler;  ///< Settings of MuJoCo in the file.
   std::set<std::string> by_compiler;       ///< Meshes found by its settings.
   DrawingFaults drawing;                   ///< Elements that can't be drawn.
-  std::set<std::string> renamed;  ///< Mesh files whose names have other letters than written.
-  std::set<std::string> found;    ///< Meshes that were not there, with the files taken instead.
-  MissingMeshes missing;          ///< Collision meshes that are nowhere.
+  std::set<std::string> renamed;           ///< Mesh files whose names differ in case.
+  std::set<std::string> found;             ///< Missing meshes, with the files taken instead.
+  MissingMeshes missing;                   ///< Collision meshes that were not found.
 
   /// Text "meshes that are not where the file says were looked for: …"; empty without any.
   [[nodiscard]] std::string found_elsewhere() const;
@@ -40,8 +40,8 @@ struct LinkFiles {
 /// The link with its shapes; mesh files are read. A visual mesh that can't be read is left
 /// out and noted.
 /// @param folder of the URDF file, absolute.
-/// @param referenced_by "FILE:LINE" of the link, for messages.
-/// A collision mesh that is nowhere is left out and noted, too, to be refused with all others.
+/// @param referenced_by "FILE:LINE" of the link, for messages. A collision mesh that is not found
+/// is left out and noted, too, to be refused with all others.
 /// @throws InputError if a size is not positive or a collision mesh can't be read.
 [[nodiscard]] Link link_of(const urdf::Link& link, const std::filesystem::path& folder,
                            const std::string& referenced_by, LinkFiles& files);

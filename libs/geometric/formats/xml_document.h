@@ -14,21 +14,21 @@ namespace handway::geometric {
 /// at most 100 deep, with at most 200 attributes an element.
 class XmlDocument {
  public:
-  /// @param what what the file should be, for messages: "a robot file (URDF)".
-  /// @throws InputError if the file can't be read, or is no XML (naming the line).
+  /// @param what expected kind of the file, for messages: "a robot file (URDF)".
+  /// @throws InputError if the file can't be read, or is not XML (naming the line).
   XmlDocument(const std::filesystem::path& file, const std::string& what);
 
-  /// The top element. @throws InputError if it is not called `name`.
+  /// The top element. @throws InputError if its name is not `name`.
   [[nodiscard]] pugi::xml_node root(const std::string& name) const;
 
   [[nodiscard]] pugi::xml_document& nodes() { return nodes_; }
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
-  /// "FILE:LINE" of a node; "FILE" of none.
+  /// "FILE:LINE" of a node; "FILE" for a null node.
   [[nodiscard]] std::string where(const pugi::xml_node& node) const;
 
-  /// An attribute that must be there and not be empty.
+  /// A mandatory attribute that must not be empty.
   /// @throws InputError otherwise.
   [[nodiscard]] std::string need(const pugi::xml_node& node, const char* attribute) const;
 
@@ -50,11 +50,11 @@ struct XmlElementKind {
   std::vector<std::string> attributes = {};  ///< Empty: any.
 };
 
-/// The elements of a format by name. An element has the same children wherever it stands;
-/// those that are not listed are not looked into.
+/// The elements of a format by name. An element has the same children in every place; those that
+/// are not listed are not searched.
 using XmlVocabulary = std::map<std::string, XmlElementKind, std::less<>>;
 
-/// Finds what a reader would pass over without a word, below the top element.
+/// Finds elements and attributes that a reader would ignore silently, below the top element.
 ///
 /// A name within two letters of an allowed one is a misspelling: refused, unless the intended
 /// attribute is there, too. Unexpanded xacro elements and misplaced elements of `needed` are

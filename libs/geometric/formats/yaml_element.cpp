@@ -235,7 +235,7 @@ constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 constexpr std::size_t kMostElements = 1'000'000;
 constexpr std::size_t kDeepest = 500;
 
-/// Follows a document without keeping it, and refuses it as soon as it exceeds a limit.
+/// Parses a document without storing it, and refuses it as soon as it exceeds a limit.
 class LimitCheck final : public YAML::EventHandler {
  public:
   LimitCheck(const std::string& source, const std::string& what) : source_(source), what_(what) {}
@@ -266,7 +266,7 @@ class LimitCheck final : public YAML::EventHandler {
   void OnMapEnd() override { end(); }
 
  private:
-  /// A part of the document, aliases counted as what they stand for.
+  /// Counts a part of the document, aliases by their targets.
   struct Extent {
     std::size_t elements = 1;
     std::size_t levels = 1;
@@ -339,7 +339,7 @@ void check_yaml(const std::string& text, const std::string& source, const std::s
   }
 }
 
-// Without the mark after each message that `rostopic echo` prints.
+// Removes the mark after each message that `rostopic echo` prints.
 std::string text_of(const std::filesystem::path& file, const std::string& what) {
   std::string text = read_text_file(file, what, kLargestFile);
   text.erase(text.find_last_not_of(" \r\n") + 1);

@@ -48,8 +48,8 @@ std::string quoted(std::string_view text) {
 
 }  // namespace
 
-// The conversion from a matrix costs a few of the last bits. Rounding beyond
-// them lets 90 stay 90, and any angle what it is, however often a scene is saved.
+// The conversion from a matrix loses a few of the last bits. Rounding beyond them keeps 90 at 90,
+// and any angle unchanged, however often a scene is saved.
 double rounded_degrees(double radians) {
   constexpr double kDigits = 1e12;
   return std::round(degrees(radians) * kDigits) / kDigits;

@@ -10,8 +10,8 @@
 /// Pieces of YAML text.
 namespace handway::geometric {
 
-/// `text` plain where YAML reads it back as it is, in double quotes otherwise;
-/// valid in block and flow style.
+/// `text` plain if YAML reads it back unchanged, in double quotes otherwise; valid in block and
+/// flow style.
 [[nodiscard]] std::string yaml_scalar(std::string_view text);
 
 /// "[1, 2.5, 3]".

@@ -107,7 +107,7 @@ std::optional<fs::path> find_near(const std::string& name, const fs::path& folde
   return std::nullopt;
 }
 
-/// Folders that were added while the program runs.
+/// Folders added while the program runs.
 struct AddedFolders {
   std::mutex mutex;
   std::vector<fs::path> folders;
@@ -200,7 +200,7 @@ std::optional<fs::path> find_file_below(const fs::path& top, const fs::path& fil
     }
     const auto ends_alike = best ? common_end(*best, file) : 0;
     const auto alike = common_end(path, file);
-    // The order of a folder's entries is the file system's.
+    // The file system determines the order of a folder's entries.
     if (alike > ends_alike || (alike == ends_alike && path < *best)) {
       best = path;
     }

@@ -49,7 +49,7 @@ std::string_view trimmed(std::string_view text) {
 
 namespace {
 
-/// The end of the cell that begins at `begin`: behind its closing quote if it is quoted whole.
+/// The end of the cell that begins at `begin`: behind its closing quote if it is fully quoted.
 std::size_t end_of_cell(std::string_view line, std::size_t begin, std::string_view separators) {
   const std::size_t first = line.find_first_not_of(" ", begin);
   if (first != std::string_view::npos && line[first] == '"') {

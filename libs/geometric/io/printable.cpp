@@ -7,7 +7,7 @@
 namespace handway::geometric {
 namespace {
 
-/// A character and how many bytes it takes; 0xFFFD for a byte that is no part of one.
+/// A character and its number of bytes; 0xFFFD for an invalid byte.
 struct Character {
   char32_t code = 0;
   std::size_t size = 1;

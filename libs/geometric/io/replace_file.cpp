@@ -61,7 +61,7 @@ class Descriptor {
   int descriptor_;
 };
 
-// Temporary files of this machine; on disks that several share, each knows its own.
+// Temporary files of this machine; on shared disks, each machine handles its own.
 const std::string& start_of_name() {
   static const std::string kStart = [] {
     std::array<char, 256> host{};
@@ -77,7 +77,8 @@ std::string temporary_in(const fs::path& folder) {
       .string();
 }
 
-// Was the file left by a program that has ended? Our own number then belonged to another program.
+// Returns whether a program that has ended left the file. This program's number then belonged to
+// another one.
 bool is_leftover(const fs::directory_entry& file) {
   const std::string name = file.path().filename().string();
   std::error_code error;
@@ -94,7 +95,7 @@ bool is_leftover(const fs::directory_entry& file) {
   return program == ::getpid() || (::kill(program, 0) != 0 && errno == ESRCH);
 }
 
-// Removes what killed programs have left in a folder, before this program first writes there.
+// Removes files left by killed programs in a folder, before this program first writes there.
 void remove_leftovers(const fs::path& folder) {
   static std::mutex mutex;
   static std::set<std::pair<pid_t, fs::path>> seen;
@@ -110,7 +111,7 @@ void remove_leftovers(const fs::path& folder) {
   }
 }
 
-// Writes the new content and gives it the permissions of the old file, if there is one.
+// Writes the new content and gives it the permissions of the old file, if any.
 void write_temporary(const std::string& temporary, const fs::path& file, std::string_view content) {
   const Descriptor descriptor(
       ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));

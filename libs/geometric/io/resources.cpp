@@ -21,7 +21,7 @@ bool is_library(const fs::path& folder) {
   return fs::is_directory(folder / "robots", ignored);
 }
 
-// The binary that this code is in: programs that are not ours, such as Python, load it.
+// The binary that contains this code: other programs, such as Python, load it.
 fs::path own_binary() {
   Dl_info info{};
   const bool found = dladdr(reinterpret_cast<const void*>(&is_library), &info) != 0;

@@ -78,8 +78,8 @@ std::optional<double> seconds_of(int year, int month, int day) {
              : std::nullopt;
 }
 
-/// 2024-03-01, 2024/03/01, 01.03.2024 (day first), 03/01/2024 and 03-01-2024 (month first, unless
-/// it can't be).
+/// Reads 2024-03-01, 2024/03/01, 01.03.2024 (day first), 03/01/2024 and 03-01-2024 (month first,
+/// unless impossible).
 std::optional<double> read_date(TextParts& text) {
   const std::optional<int> first = text.digits(1, 4);
   const std::optional<char> separator = first ? text.one_of("-/.") : std::nullopt;
@@ -101,7 +101,7 @@ std::optional<double> read_date(TextParts& text) {
   return day_first ? seconds_of(*third, *second, *first) : seconds_of(*third, *first, *second);
 }
 
-/// 12:00, 12:00:00, 12:00:00.5, 1:00:00 PM.
+/// Reads 12:00, 12:00:00, 12:00:00.5, 1:00:00 PM.
 std::optional<double> read_clock(TextParts& text) {
   const std::optional<int> hour = text.digits(1, 2);
   const std::optional<int> minute = hour && text.one_of(":") ? text.digits(2, 2) : std::nullopt;
@@ -129,7 +129,7 @@ std::optional<double> read_clock(TextParts& text) {
   return seconds;
 }
 
-/// "Z", "+01:00", "+0100", " UTC": what to add to have UTC, s.
+/// Reads "Z", "+01:00", "+0100", " UTC". @returns the offset to UTC, s.
 std::optional<double> read_zone(TextParts& text) {
   text.skip_blanks();
   if (text.empty() || text.one_of("Zz")) {
@@ -219,7 +219,7 @@ bool names_time(const std::string& word) {
                           "tempo", "orario", "hora", "tijd"});
 }
 
-/// "timems", "timestampns": a word that ends in a unit.
+/// Finds "timems", "timestampns": a word that ends in a unit.
 std::optional<double> joined_unit(const std::string& word) {
   for (const char* begin : {"timestamp", "time", "zeit"}) {
     if (word.starts_with(begin) && word.size() > std::string_view(begin).size()) {
@@ -423,7 +423,7 @@ class Breaks {
   Breaks(std::vector<double>& times, std::span<const std::size_t> lines)
       : times_(times), lines_(lines) {}
 
-  /// Makes times that never fall.
+  /// Makes the times non-decreasing.
   [[nodiscard]] std::vector<std::string> mend() {
     const double step = sizes_of(times_).step.value_or(0.0);
     double offset = 0.0;

@@ -39,7 +39,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Text as Windows' shells and spreadsheets write it: UTF-16 behind a byte-order mark, in UTF-8.
+// Converts text of Windows' shells and spreadsheets, UTF-16 behind a byte-order mark, to UTF-8.
 std::string from_utf16(const std::string& bytes) {
   const bool little = bytes.starts_with("\xFF\xFE");
   std::u16string units;
@@ -74,8 +74,9 @@ std::size_t sequence_length(const std::string& text, std::size_t at) {
   return length;
 }
 
-// The text with each byte beyond ASCII that is no UTF-8 taken for the Latin-1 of older editors.
-// @throws InputError if there are bytes that are in no text.
+// The text with each byte beyond ASCII that is not UTF-8 interpreted as the Latin-1 of older
+// editors.
+// @throws InputError for bytes that are not in any text.
 std::string checked_text(const fs::path& file, std::string text, const std::string& what) {
   std::string result;
   std::size_t copied = 0;

@@ -62,7 +62,7 @@ class Hull {
     return static_cast<std::uint32_t>(most - points_.begin());
   }
 
-  // Four points with a volume, as faces that look outwards.
+  // Four points with a volume, as outward faces.
   [[nodiscard]] std::optional<std::array<Corners, 4>> tetrahedron() {
     if (points_.size() < 4) {
       return std::nullopt;

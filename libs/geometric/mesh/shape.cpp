@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kFewestSegments = 32;
 constexpr std::uint32_t kMostSegments = 1024;  // reached by a ball of 10 m and a cylinder of 21 m
 
-// The least number of segments, a multiple of four, of which each spans at most `half_angle` (rad)
+// The least number of segments, a multiple of four, so that each spans at most `half_angle` (rad)
 // to either side of its middle.
 std::uint32_t segments_within(double half_angle) {
   const double segments = std::numbers::pi / half_angle;
@@ -25,12 +25,12 @@ std::uint32_t segments_within(double half_angle) {
   return std::clamp(4 * fours, kFewestSegments, kMostSegments);
 }
 
-// The regular polygon around a circle leaves it by radius (1/cos(π/n) - 1) at its corners.
+// The regular polygon around a circle is outside by radius (1/cos(π/n) - 1) at its corners.
 std::uint32_t circle_segments(double radius) {
   return segments_within(std::acos(radius / (radius + kRoundTolerance)));
 }
 
-// A polyhedron of twice as many segments around as rings from pole to pole leaves the ball by
+// A polyhedron of twice as many segments around as rings from pole to pole is outside the ball by
 // radius tan²(π/n).
 std::uint32_t ball_segments(double radius) {
   return segments_within(std::atan(std::sqrt(kRoundTolerance / radius)));

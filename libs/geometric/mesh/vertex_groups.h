@@ -12,11 +12,11 @@
 
 namespace handway::geometric {
 
-/// Items in groups, one a vertex: in time that grows with their number alone.
+/// Items grouped by vertex: in time proportional to their number.
 template <typename Item>
 class VertexGroups {
  public:
-  /// @param visit calls its argument with the vertex and the item of each, the same at every call.
+  /// @param visit calls its argument with each item and its vertex, the same way at every call.
   template <typename Visit>
   VertexGroups(std::size_t vertex_count, const Visit& visit) : ends_(vertex_count + 1) {
     visit([this](std::uint32_t vertex, const Item&) { ++ends_[vertex + 1]; });
@@ -29,7 +29,7 @@ class VertexGroups {
   }
 
   [[nodiscard]] std::size_t size() const { return ends_.size() - 1; }
-  /// In the order in which they came.
+  /// Vertices in the order of their first occurrence.
   [[nodiscard]] std::span<Item> operator[](std::size_t vertex) {
     return {items_.data() + ends_[vertex], items_.data() + ends_[vertex + 1]};
   }
@@ -43,7 +43,7 @@ class VertexGroups {
 /// An open-addressing table, since meshes have millions of vertices.
 class VertexTable {
  public:
-  /// The place's number; a new one is appended to vertices().
+  /// Returns the place's number; a new one is appended to vertices().
   std::uint32_t number_of(const Eigen::Vector3d& p) {
     if (2 * vertices_.size() >= slots_.size()) {
       grow();

@@ -19,7 +19,7 @@ bool is_of_arm(const RobotModel& model, const std::vector<int>& arm, int link) {
                     "no arm joint that moves it", "at least one", ""});
 }
 
-// The farthest that the joint slides, m; 0 if it turns or is fixed.
+// Largest slide of the joint, m; 0 if it turns or is fixed.
 double travel(const RobotModel& model, int link) {
   const RobotModel::MimicMapping& drive = model.drive(link);
   if (model.joint(link).type != JointType::kPrismatic || drive.variable < 0) {

@@ -13,7 +13,7 @@
 namespace handway::geometric {
 namespace {
 
-/// Names of one kind of thing in all parts: those that several parts share need their part's name.
+/// Names of one kind of thing in all parts: shared names get their part's name.
 class PartNames {
  public:
   template <typename ItemsOf>

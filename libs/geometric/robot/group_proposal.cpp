@@ -78,7 +78,7 @@ class GroupFinder {
     return reach_[static_cast<std::size_t>(first)] - beyond_palm <= kCompactWrist;
   }
 
-  // From `link` to where the tree branches, or ends.
+  // The links from `link` to where the tree branches, or ends.
   void follow(int link) {
     if (link > 0 && !is_of_base(link)) {
       add(proposal_.arm, link);
@@ -166,7 +166,7 @@ class GroupFinder {
     return false;
   }
 
-  // m, from the joint of `link` to the farthest that it, or what it carries, gets.
+  // Largest distance that `link` and the links on it reach from its joint, m.
   [[nodiscard]] double sweep(int link) const {
     const Joint& joint = model_.joint(link);
     double farthest = 0.0;
@@ -214,7 +214,7 @@ class GroupFinder {
                                [&](int child) { return has_shape(child); });
   }
 
-  // It ends where the last shape is: frames beyond, as of the jaw on the other side, are no tips.
+  // The tip is at the last shape: frames beyond, as of the opposite jaw, are not tips.
   void add_finger(int link, bool grasps) {
     add(proposal_.hand, link);
     const bool is_drawn = has_shape(link);
@@ -263,7 +263,7 @@ class GroupFinder {
     }
   }
 
-  // The end of a chain of fixed joints; where it branches, of the one that goes farthest.
+  // The end of a chain of fixed joints; if it branches, the farthest one.
   [[nodiscard]] std::string last_link(int link) const {
     std::vector<int> children = children_[static_cast<std::size_t>(link)];
     std::erase_if(children, [&](int child) { return moves_[static_cast<std::size_t>(child)]; });

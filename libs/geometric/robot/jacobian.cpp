@@ -14,7 +14,7 @@ Jacobian point_jacobian(const RobotModel& model, std::span<const Pose> X_BL, int
     if (drive.variable < 0) {
       continue;
     }
-    // The joint's own motion leaves its axis, and so the axis in the child, in place.
+    // The joint's own motion does not move its axis, and so the axis is fixed in the child.
     const Pose& X_BC = X_BL[static_cast<std::size_t>(i)];
     const Joint& joint = model.joint(i);
     const Eigen::Vector3d axis_B = drive.multiplier * (X_BC.linear() * joint.axis);

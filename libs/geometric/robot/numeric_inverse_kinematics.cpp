@@ -20,8 +20,8 @@
 namespace handway::geometric {
 namespace {
 
-/// One descent of the numeric inverse kinematics, from a start to where the
-/// pose error stops falling. Holds scratch memory: one per thread and call.
+/// One descent of the numeric inverse kinematics, from a start until the pose error stops falling.
+/// Holds scratch memory: one per thread and call.
 class DampedLeastSquares {
  public:
   DampedLeastSquares(const RobotModel& model, int tip_link, const std::vector<int>& variables,
@@ -42,8 +42,8 @@ class DampedLeastSquares {
   [[nodiscard]] Miss descend(Configuration& q, int& iterations,
                              const std::function<bool()>& expired);
 
-  /// Moves a solution through the null space to where it is nearest to the reference.
-  /// @param[in,out] q within the tolerances; stays so. @param[in,out] miss of q.
+  /// Moves a solution through the null space to the point nearest to the reference.
+  /// @param[in,out] q within the tolerances, before and after. @param[in,out] miss of q.
   void draw_near(const Configuration& reference, Configuration& q, Miss& miss, int& iterations,
                  const std::function<bool()>& expired);
 
@@ -167,7 +167,7 @@ bool DampedLeastSquares::within_tolerance(const Miss& miss) const {
          miss.orientation <= options_.orientation_tolerance;
 }
 
-/// `error` less the slack each way, and where something is left.
+/// `error` minus the slack each way, and whether a rest remains.
 Eigen::Vector3d beyond(const Eigen::Vector3d& error, const Eigen::Vector3d& slack) {
   return error - error.cwiseMax(-slack).cwiseMin(slack);
 }
@@ -348,8 +348,8 @@ std::vector<int> turning_variables(const RobotModel& model, const std::vector<in
   return turning;
 }
 
-/// `q` with `turning` variables moved by whole turns to where they are nearest to the reference
-/// within their limits.
+/// `q` with `turning` variables moved by whole turns to the values nearest to the reference within
+/// their limits.
 Configuration with_nearest_turns(const RobotModel& model, const std::vector<int>& turning,
                                  const Configuration& reference, Configuration q) {
   for (const int v : turning) {

@@ -94,7 +94,7 @@ std::pair<double, double> most_added(const RobotDescription& robot, const JointC
   return most;
 }
 
-// Narrows the joints that are followed so that the sum keeps the limits of the joint.
+// Narrows the leading joints so that the sum keeps the limits of the joint.
 void narrow_leaders(RobotDescription& robot, const JointCoupling& coupling,
                     const JointLimits& limits, const Place& place) {
   double neutral = coupling.offset;
@@ -225,7 +225,7 @@ namespace {
 
 const Eigen::Vector3d kMirror(1.0, -1.0, 1.0);
 
-/// The frame's mirror image, with its y axis turned round so that it is right-handed again.
+/// The frame's mirror image, with its y axis reversed so that it is right-handed again.
 Pose mirrored(const Pose& X) {
   Pose result = Pose::Identity();
   result.linear() = kMirror.asDiagonal() * X.linear() * kMirror.asDiagonal();
@@ -271,7 +271,7 @@ RobotDescription mirrored(RobotDescription robot) {
   }
   for (Joint& joint : robot.joints) {
     joint.X_PJ = mirrored(joint.X_PJ);
-    // A turn's mirror image goes round the other way.
+    // The mirror image of a rotation has the reverse direction.
     const double sense = joint.type == JointType::kRevolute ? -1.0 : 1.0;
     joint.axis = sense * kMirror.cwiseProduct(joint.axis);
   }

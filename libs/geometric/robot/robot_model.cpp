@@ -130,7 +130,7 @@ std::string shown(const Joint& joint, const JointLimits& limits) {
                            millimetres(limits.upper));
 }
 
-// A coupled joint keeps its own limits: its leader may go only as far as they let it.
+// A coupled joint keeps its own limits: they bound its leader.
 void narrow_leader(RobotDescription& robot, int leading_link, int coupled_link,
                    const RobotModel::MimicMapping& drive) {
   Joint& leader = robot.joints[static_cast<std::size_t>(leading_link - 1)];
@@ -138,7 +138,7 @@ void narrow_leader(RobotDescription& robot, int leading_link, int coupled_link,
   const Range allowed = allowed_by(coupled, drive);
   const double tolerance = kLimitTolerance / std::max(1.0, std::abs(drive.multiplier));
   JointLimits narrowed = leader.limits;
-  // Not for a rounding: the limits of a file stay as they are.
+  // Differences by rounding are ignored: the limits of a file stay as they are.
   if (allowed.lower > narrowed.lower + tolerance) {
     narrowed.lower = allowed.lower;
   }

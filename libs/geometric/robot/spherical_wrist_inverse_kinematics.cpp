@@ -210,8 +210,8 @@ Tx90Geometry tx90_geometry(const RobotModel& model, const Tx90Chain& chain, int 
 /// Values of the arm's six joints from the base on, rad.
 using Tx90Joints = std::array<double, 6>;
 
-/// One posture that reaches a pose. Joints are up to full turns and without
-/// regard to limits.
+/// One posture that reaches a pose. Joints are up to full turns, regardless of
+/// limits.
 struct Tx90Posture {
   Tx90Joints q;
   ArmBranch branch;
@@ -233,7 +233,7 @@ constexpr double kReachTolerance = 1e-11;
 constexpr double kWristSingularity = 1e-10;
 /// Lengths (m) below which a direction counts as undefined.
 constexpr double kNoDirection = 1e-9;
-/// Branches nearer than this (rad) in every joint are one.
+/// Branches nearer than this (rad) in every joint are merged.
 constexpr double kSameJoint = 1e-9;
 
 bool same_posture(const Tx90Joints& a, const Tx90Joints& b) {
@@ -356,7 +356,7 @@ class Search {
 };
 
 /// All postures that bring the tip to X_BT (in the base frame).
-/// @param reference keeps the joints that the pose leaves free.
+/// @param reference values of joints that the pose leaves free.
 Tx90Postures tx90_postures(const Tx90Geometry& geometry, const Pose& X_BT,
                            const Tx90Joints& reference) {
   return Search(geometry, X_BT, reference).solve();
@@ -385,7 +385,7 @@ struct Turns {
   JointLimits limits;
 
   [[nodiscard]] bool empty() const { return first > last; }
-  /// A value that is over the limit by rounding is put on it.
+  /// A value that exceeds a limit by rounding is clamped to it.
   [[nodiscard]] double value(double k) const {
     return std::clamp(angle + k * kFullTurn, limits.lower, limits.upper);
   }

@@ -22,7 +22,7 @@ namespace {
 constexpr int kSamples = 200;
 constexpr std::uint64_t kSeed = 1;
 
-// The parts of a robot; of one that has none, itself.
+// The parts of a robot; without parts, itself.
 std::vector<RobotPart> parts_of(const RobotInstance& robot) {
   if (!robot.parts.empty()) {
     return robot.parts;
@@ -40,7 +40,7 @@ std::vector<RobotPart> parts_of(const RobotInstance& robot) {
   return {part};
 }
 
-/// Values of joints by part and own name: what stays when the composed names change.
+/// Values of joints by part and own name, which stay when the composed names change.
 using PartValues = std::map<std::pair<std::string, std::string>, double>;
 
 PartValues values_of(const RobotInstance& robot, const Configuration& q) {
@@ -299,7 +299,7 @@ RobotInstance mounted(const RobotInstance& carrier, const std::string& part,
   return whole;
 }
 
-// Some parts of a robot as a robot of their own, the others of which they hang left out.
+// Some parts of a robot as a robot of their own, without the parts that carry them.
 // @pre the first of `parts` carries all others of them.
 RobotInstance of_parts(const RobotInstance& whole, const std::vector<std::size_t>& parts) {
   const RobotPart& first = whole.parts[parts.front()];
@@ -326,7 +326,7 @@ RobotInstance of_parts(const RobotInstance& whole, const std::vector<std::size_t
   return robot;
 }
 
-/// A robot in two: what stays, and a part with all that it carries.
+/// A robot in two: the rest, and a part with all that it carries.
 struct Split {
   std::size_t index = 0;  ///< In the scene.
   RobotInstance rest;
@@ -370,7 +370,7 @@ void go_on_with(Scene& scene, const RobotInstance& before, const RobotInstance& 
   rename_in_query(scene, before, after);
 }
 
-// Objects on the robot stay where they are, fixed to the world.
+// Objects on the robot stay in place, fixed to the world.
 void release_objects(Scene& scene, const RobotInstance& robot) {
   RobotState state(robot.model);
   state.set_configuration(robot.configuration);
@@ -383,7 +383,7 @@ void release_objects(Scene& scene, const RobotInstance& robot) {
   }
 }
 
-// Start, goal and all else that is about the first robot.
+// Removes start, goal and all other settings of the first robot.
 void forget_query(Scene& scene) {
   scene.start.reset();
   scene.goal.reset();

@@ -49,7 +49,7 @@ std::vector<int> of_part(const RobotModel& whole, const RobotPart& part) {
   return variables;
 }
 
-// By the part's own name; else a group of the whole robot, as far as the part has it.
+// Finds by the part's own name; else a group of the whole robot, restricted to the part.
 std::vector<int> in_part(const RobotModel& whole, const RobotPart& part, std::string_view name) {
   std::vector<int> named;
   for (const int variable : of_group_or_joint(*part.model, name)) {
@@ -79,7 +79,7 @@ const RobotInstance* find_owner(const Scene& scene, std::string_view name) {
   return owner == scene.robots.end() ? nullptr : &*owner;
 }
 
-// The robot becomes a part of the first one, where it stands.
+// The robot becomes a part of the first one, in its place.
 void join(Scene& scene, const RobotInstance& robot) {
   const RobotInstance& first = scene.robots.front();
   if (!robot.model->description().base_joints.empty()) {

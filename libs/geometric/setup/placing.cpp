@@ -298,7 +298,7 @@ bool is_below(const Vector3d& point, const Corners& triangle) {
   return normal.z() != 0.0 && normal.dot(a) / normal.z() > 0.0;
 }
 
-// A point in the box, but not where faces of other boxes have their diagonals.
+// A point in the box, but not on the diagonals of other boxes' faces.
 Vector3d off_the_middle(const Aabb& box) {
   return box.lower + Vector3d(0.487, 0.521, 0.5).cwiseProduct(box.size());
 }
@@ -413,21 +413,21 @@ class FreeFoot {
   }
 
  private:
-  // The place, or the one below it where it comes to rest, if both are free.
+  // The place, or its place after dropping, if both are free.
   [[nodiscard]] std::optional<Vector3d> standing_at(Vector3d foot) const {
     foot.z() += falls_ ? kRestingGap : 0.0;
     if (!is_free(foot) || !falls_) {
       return is_free(foot) ? std::optional(foot) : std::nullopt;
     }
     const double fall = height_above_support(foot, size_);
-    // On a corner alone nothing stands.
+    // A corner alone is no support.
     if (std::abs(height_above_support(foot, kMiddlePart * size_) - fall) > kOnSupport) {
       return std::nullopt;
     }
     foot.z() -= fall;
     return is_free(foot) ? std::optional(foot) : std::nullopt;
   }
-  /// From where a box comes to rest, m; kRestingGap where there is nothing below it, nor the floor.
+  /// Drop of a box until it comes to rest, m; kRestingGap without a body or the floor below.
   [[nodiscard]] double height_above_support(const Vector3d& foot, const Vector3d& size) const {
     SceneObject stand_in;
     stand_in.shape = Box{size};

@@ -36,7 +36,7 @@ struct Posed {
   }
 };
 
-// From the root's side on.
+// Links in order from the root.
 std::vector<int> moving_links_above(const RobotModel& model, int link) {
   std::vector<int> moving;
   for (; link > 0; link = model.parent(link)) {

@@ -89,14 +89,15 @@ void StaticBodies::append_near(int body, const Eigen::Vector3f& centre, float re
 
 namespace {
 
-// More than single precision can be off, m: at coordinates up to kNear, and for each metre beyond.
+// Upper bound of the error of single precision, m: at coordinates up to kNear, and for each metre
+// beyond.
 constexpr float kRootRounding = 2e-5F;
 constexpr float kRoundingBeyond = 2e-6F;
 constexpr float kNoPair = -1e30F;    // a radius that nothing is within
 constexpr double kEverywhere = 1e9;  // m
 constexpr std::size_t kLanes = 16;
 
-// With fewer pairs, to bound the distances of all takes less time than to look for the near ones.
+// With fewer pairs, computing bounds of all distances is faster than searching the near ones.
 constexpr std::size_t kMany = 600;
 
 std::size_t full_lanes(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
@@ -126,8 +127,8 @@ float rounding_beyond(double coordinate) {
          std::max(0.0F, static_cast<float>(coordinate) - static_cast<float>(kNear));
 }
 
-// The world's origin, or one nearer to a robot that is far from it; in whole steps, so that going
-// from the one to the other loses nothing.
+// The world's origin, or one nearer to a robot that is far from it; in whole steps, so that the
+// change of origin is exact.
 Eigen::Vector3d origin_near(const Eigen::Vector3d& p_WRobot) {
   return kNear * (p_WRobot / kNear).array().round().matrix();
 }

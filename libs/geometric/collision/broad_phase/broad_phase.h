@@ -29,7 +29,7 @@ class StaticBodies {
 
  private:
   Eigen::KdBVH<float, 3, int> tree_;       ///< Leaves are numbers of fixed bodies.
-  std::vector<std::vector<int>> pair_of_;  ///< Per body and still body: the pair; -1: none.
+  std::vector<std::vector<int>> pair_of_;  ///< Pair of each body and fixed body; -1: none.
 };
 
 /// Lower bounds of the distances of all pairs of a world from one volume per body: the sphere
@@ -41,7 +41,7 @@ class BroadPhase {
   /// Positions of the spheres in one configuration.
   struct Placement {
     std::vector<float> x, y, z;       ///< m, from O; shape [moving bodies, to full lanes].
-    float rounding = 0.0F;            ///< m: of coordinates that are far from O.
+    float rounding = 0.0F;            ///< Rounding of coordinates far from O, m.
     std::vector<std::uint32_t> near;  ///< Buffer for results.
     std::vector<int> candidates;
   };
@@ -77,7 +77,7 @@ class BroadPhase {
 
     std::size_t rows;
     std::size_t width;         ///< Columns, to full lanes.
-    std::vector<float> radii;  ///< Shape [rows, width]: of the spheres, with room for roundings.
+    std::vector<float> radii;  ///< Shape [rows, width]: radii with rounding.
     std::vector<int> pairs;    ///< Shape [rows, width].
   };
   /// @param column shape [bodies].
@@ -95,14 +95,14 @@ class BroadPhase {
   std::vector<int> bodies_;       ///< The moving bodies.
   std::vector<Cell> cells_;       ///< Cell of each pair in either table.
   float most_padding_ = 0.0F;     ///< m, of all pairs.
-  std::size_t moving_pairs_ = 0;  ///< So many pairs come first in which both move.
+  std::size_t moving_pairs_ = 0;  ///< Number of pairs, at the front, of moving bodies.
   Table moving_;                  ///< Pairs of two moving bodies.
   Table still_;                   ///< Pairs of a moving and a fixed body.
   /// Boxes of the fixed bodies: R and p of X_BoxO, row by row, half the edges, and the rounding.
   std::array<std::vector<float>, 12> X_BoxO_;
   std::array<std::vector<float>, 3> half_;
   std::vector<float> box_rounding_;
-  std::optional<StaticBodies> many_;  ///< If there are many.
+  std::optional<StaticBodies> many_;  ///< Used for many bodies.
 };
 
 }  // namespace handway::geometric

@@ -14,7 +14,7 @@ struct PlacedBox {
   const Eigen::Vector3d& half;
 };
 
-// Along an axis of the first box, with the other one's centre `between` (m, world) away.
+// Gap along an axis of the first box; the other's centre is at `between` (m, world).
 double gap(const PlacedBox& box, const PlacedBox& other, const Eigen::Vector3d& between, int axis) {
   const Eigen::Vector3d normal = box.X_WBody.linear().col(axis);
   const Eigen::Vector3d along = other.X_WBody.linear().transpose() * normal;

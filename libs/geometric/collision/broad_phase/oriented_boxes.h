@@ -9,8 +9,8 @@
 
 namespace handway::geometric {
 
-/// A box around each body of a world, along the axes of its mesh's frame: long and slim
-/// bodies side by side, as fingers are, whose spheres overlap.
+/// A box around each body of a world, along the axes of its mesh's frame: for long and slim bodies
+/// side by side, such as fingers, whose spheres overlap.
 ///
 /// Two boxes are separated if the axis of a face separates them. Axes of pairs of edges are not
 /// tested: they add hardly anything (Gottschalk, Lin and Manocha, "OBBTree", 1996).

@@ -24,8 +24,8 @@ class DistanceTable {
   /// The exact distance (m) of the pair in a configuration.
   using Distance = std::function<double(const Configuration&)>;
 
-  /// A table for `pair` (of two links of the robot), or nothing if none or more
-  /// than two variables move it.
+  /// A table for `pair` (of two links of the robot), or nothing unless one or two variables move
+  /// it.
   [[nodiscard]] static std::unique_ptr<DistanceTable> make(const RobotModel& model, int link_a,
                                                            int link_b, int pair,
                                                            const MotionBound& motion);
@@ -46,7 +46,7 @@ class DistanceTable {
     int variable;
     double lower;
     double cell;   ///< rad or m
-    double turn;   ///< rad, after which it comes round again; 0: it does not.
+    double turn;   ///< Period, rad; 0: not periodic.
     double reach;  ///< m per rad, or m per m
   };
 
@@ -56,7 +56,7 @@ class DistanceTable {
   Configuration rest_;
   std::size_t cells_per_axis_;
   mutable std::atomic<bool> learned_ = false;
-  mutable std::vector<std::atomic<float>> cells_;  ///< Negative: not known yet.
+  mutable std::vector<std::atomic<float>> cells_;  ///< Negative: unknown so far.
 };
 
 /// Poses of the robot's links and attached objects in its base, shape [bodies]; fixed

@@ -130,7 +130,7 @@ double leaf_radius(const TriangleMesh& mesh) {
   return std::max(kSmallestLeaf, std::sqrt(area / (2.0 * kMostLeaves)));
 }
 
-/// The surfaces that something in this process holds.
+/// The surfaces in use in this process.
 class LivingSurfaces {
  public:
   std::shared_ptr<const Surface> find(const CacheKey& key) {
@@ -209,7 +209,7 @@ Surface surface_of_primitive(const CacheKey& key, const std::shared_ptr<const Tr
       tree_of(mesh), OnDemand<ConvexCover>([mesh, margin] { return ConvexCover(*mesh, margin); })};
 }
 
-// Its hull is the box around it: to find it takes long.
+// Its hull is the box around it: a better one takes long.
 Surface surface_of_large_mesh(const CacheKey& key,
                               const std::shared_ptr<const TriangleMesh>& mesh) {
   const OnDemand<TriangleTree> triangles = tree_of(mesh);

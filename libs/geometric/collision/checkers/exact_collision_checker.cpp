@@ -44,7 +44,7 @@ struct ExactCollisionChecker::Volumes {
     distances.emplace(world, surfaces, preparation.keeps_volumes);
   }
 
-  // Before the first question about containment, which would wait for it.
+  // Done before the first containment query, which would wait for it.
   static void prepare_solids(const CollisionWorld& world) {
     tbb::parallel_for(std::size_t{0}, world.bodies().size(), [&](std::size_t body) {
       for (const BodySolids::Part& part : world.bodies()[body].solids->parts) {
@@ -53,9 +53,9 @@ struct ExactCollisionChecker::Volumes {
     });
   }
 
-  // Spheres of a mesh around a primitive, whose distance is exact everywhere. Else those of the
-  // smaller body in the field of the larger; but the field of a much plainer mesh has larger
-  // cells, and serves better if the body is not tiny.
+  // A mesh's spheres are tested against a primitive, whose distance is exact everywhere. Otherwise
+  // the smaller body's spheres are tested in the larger one's field. But the field of a much
+  // simpler mesh has larger cells, and is better if the body is not tiny.
   [[nodiscard]] BodyPair spheres_first(const BodyPair& pair) const {
     const Surface& a = *surfaces[static_cast<std::size_t>(pair.a)];
     const Surface& b = *surfaces[static_cast<std::size_t>(pair.b)];
@@ -88,7 +88,7 @@ struct ExactCollisionChecker::Volumes {
   std::vector<BodyPair> pairs;  ///< In the world's order; a gives the spheres.
 };
 
-/// A pair that the quick test does not settle; the deeper, the likelier it touches.
+/// A pair that the quick test leaves undecided; deeper pairs are more likely to touch.
 struct ExactCollisionChecker::UndecidedPair {
   float relative_distance;
   int pair;

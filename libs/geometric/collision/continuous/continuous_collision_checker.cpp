@@ -7,8 +7,8 @@
 namespace handway::geometric {
 namespace {
 
-// While a pair can move farther than this (m) on a stretch, a cheap bound must do:
-// an exact distance would be thrown away with the next halving.
+// While a pair can move farther than this (m) on a stretch, a cheap bound is used: the next halving
+// would make an exact distance useless.
 constexpr double kWorthExact = 0.0005;
 
 // Likely gain of a distance query over the bound of enclosing spheres, as a share of the bodies'
@@ -30,7 +30,7 @@ void add_constraints(const CollisionWorld& world, std::vector<int>& pairs) {
 
 constexpr std::uint64_t kStopPeriod = 16;  // configurations between looks at the stop condition
 
-// The robot's own links are as near to each other as it is built.
+// The distance between the robot's own links is given by its design.
 bool keeps_margin(const CollisionChecker& checker, int pair) {
   const CollisionWorld& world = checker.world();
   return !world.constraint(pair) &&
@@ -221,9 +221,9 @@ Closeness ContinuousCollisionChecker::closeness_within(int pair, double need, do
 
 struct ContinuousCollisionChecker::Clearance {
   double tolerance;  ///< m, or …
-  double share;      ///< … of the least distance: how far below it the answer may be.
+  double share;      ///< … of the least distance: tolerance of the answer.
   double at_most;    ///< m: a distance found so far, or the limit requested.
-  double at_least;   ///< m, of all that has been settled.
+  double at_least;   ///< m, of all pairs settled so far.
   std::optional<int> pair = std::nullopt;
 
   /// Half of the answer's tolerance below the least distance: motion takes the other half.

@@ -58,8 +58,8 @@ Carried carried(const LinkConstraint& constraint) {
           constraint.held().norm()};
 }
 
-// The farthest that a point can be from the axis of the joint of `link`, an ancestor of the points'
-// link (or that link itself).
+// Largest distance of a point from the axis of the joint of `link`, an ancestor of the points' link
+// (or that link itself).
 double reach(const RobotModel& model, const Carried& carried, int link) {
   if (carried.is_direction) {
     return 1.0;
@@ -226,7 +226,7 @@ double EdgeMotion::within(int pair, double half) const {
   return std::min(coarse, fine);
 }
 
-// The velocity in the middle, of the point that is fastest, and what it can gain.
+// The velocity of the fastest point in the middle, and its largest change.
 double EdgeMotion::displacement(int body, int frame, double half) const {
   const RobotModel& model = motion_->model();
   const MotionBound::Ball& ball = motion_->ball(body);

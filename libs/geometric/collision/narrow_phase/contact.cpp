@@ -64,14 +64,14 @@ struct PlacedBody {
   Pose X_WB;
 };
 
-// Two bodies in their places, one of which can be shifted.
+// Two placed bodies, one of which can be shifted.
 class PlacedPair {
  public:
   // @param padding m: bodies nearer to each other than that are in contact.
   PlacedPair(const PlacedBody& a, const PlacedBody& b, double padding)
       : a_(a), b_(b), padding_(padding) {}
 
-  // Middle and mean normal (from a to b) of where the surfaces cross, if they do.
+  // Middle and mean normal (from a to b) of the surfaces' intersection, if any.
   struct Crossing {
     Eigen::Vector3d middle;
     Eigen::Vector3d normal;
@@ -92,7 +92,7 @@ class PlacedPair {
     return crossing;
   }
 
-  // Is body a, shifted, neither crossing body b nor inside it, or around it?
+  // Returns whether the shifted body a neither crosses body b nor contains it or is in it.
   [[nodiscard]] bool is_clear(const Eigen::Vector3d& shift) const {
     const Pose X_WA = Eigen::Translation3d(shift) * a_.X_WB;
     const fcl::CollisionRequestd request;
@@ -117,7 +117,7 @@ class PlacedPair {
     return std::nullopt;
   }
 
-  // The middle between the surfaces, which do not cross, if they are nearer than the padding.
+  // The middle between surfaces that do not cross, if they are nearer than the padding.
   [[nodiscard]] std::optional<Crossing> approach() const {
     if (padding_ <= 0.0) {
       return std::nullopt;
@@ -145,8 +145,8 @@ class PlacedPair {
   double padding_;
 };
 
-// The mean normal and the 26 directions to a cube's faces, edges and corners, the cube turned
-// as body b: boxes and walls are left straight.
+// The mean normal and the 26 directions to a cube's faces, edges and corners, the cube rotated as
+// body b: contacts of boxes and walls separate along their normals.
 std::vector<Eigen::Vector3d> separation_directions(const Eigen::Vector3d& normal,
                                                    const Pose& X_WB) {
   std::vector<Eigen::Vector3d> directions;

@@ -33,7 +33,7 @@ class FclTrees {
   std::map<const TriangleMesh*, std::shared_ptr<FclTree>> made_;
 };
 
-/// FCL's trees of all bodies of a world, shared by the checkers that end in FCL.
+/// FCL's trees of all bodies of a world, shared by the checkers that use FCL.
 class FclBodies {
  public:
   explicit FclBodies(const CollisionWorld& world);
@@ -43,7 +43,7 @@ class FclBodies {
 
   [[nodiscard]] bool collide(int a, const Pose& X_WA, int b, const Pose& X_WB) const;
 
-  /// Distance (m) where below `enough`, else something from `enough` up; 0 if they touch.
+  /// Distance (m) if below `enough`, else any value from `enough` up; 0 if they touch.
   [[nodiscard]] double distance(int a, const Pose& X_WA, int b, const Pose& X_WB,
                                 double enough) const;
 

@@ -19,7 +19,7 @@ double triangle_distance(const TriangleCorners& s, const TriangleCorners& t) {
   return fcl::detail::TriangleDistance<double>::triDistance(s.data(), t.data(), p, q);
 }
 
-// Takes out the sphere with the least bound.
+// Removes the sphere with the least bound.
 std::size_t take_nearest(SphereBounds& bounds) {
   std::size_t nearest = 0;
   float least = INFINITY;
@@ -206,7 +206,7 @@ void NarrowPhaseQuery::compare_triangle(const TriangleCorners& s) {
   for (const std::uint32_t other : near_) {
     const TriangleCorners t = corners(*b_.mesh, other);
     if (!plane.is_beside(t, reach_) && !TrianglePlane(t).is_beside(s, reach_)) {
-      // Looking for a touch, most that planes leave cross; else hardly any does.
+      // In a search for contact, most pairs left by planes cross; otherwise hardly any.
       const bool touch = ends_at_ > 0.0 && surely_cross(s, t);
       found(touch ? 0.0 : triangle_distance(s, t));
       if (least_ < ends_at_ || least_ <= 0.0) {

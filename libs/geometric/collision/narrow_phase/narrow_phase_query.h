@@ -11,12 +11,12 @@
 
 namespace handway::geometric {
 
-/// Questions about two surfaces in one position: spheres of A in the clearance
-/// field of B leave a few triangles, and those are compared one by one.
+/// Queries about two surfaces in one position: spheres of A in the distance field of B leave a few
+/// triangles, which are compared one by one.
 class NarrowPhaseQuery {
  public:
   /// @param X_WA,X_WB must outlive this object.
-  /// @param near room for triangles that are compared; must outlive this object.
+  /// @param near buffer for triangles to compare; must outlive this object.
   NarrowPhaseQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
                    std::vector<std::uint32_t>& near);
 
@@ -35,7 +35,7 @@ class NarrowPhaseQuery {
   /// may_be_nearer_than()
   [[nodiscard]] float relative_distance() const { return relative_distance_; }
 
-  /// Are the surfaces closer than `tolerance` (m)? "Touching" below kTouch.
+  /// Returns whether the surfaces are closer than `tolerance` (m). "Touching" below kTouch.
   [[nodiscard]] Closeness closeness(double tolerance);
 
   /// Returns whether the hulls are known to be separated, so that neither body is in the other.
@@ -61,9 +61,9 @@ class NarrowPhaseQuery {
   /// Returns whether the hulls keep `reach_`, searching for a separating plane only once.
   [[nodiscard]] bool hulls_keep_apart();
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
-  /// Is a triangle, in B's frame, at least `reach_` away for all that the field knows?
+  /// Returns whether the field shows that a triangle, in B's frame, is at least `reach_` away.
   [[nodiscard]] bool field_keeps_apart(const TriangleCorners& s) const;
-  /// With the triangles in `near_`.
+  /// Compares with the triangles in `near_`.
   void compare_triangle(const TriangleCorners& s);
 
   const Surface& a_;
@@ -76,7 +76,7 @@ class NarrowPhaseQuery {
   double least_ = 0.0;    ///< The least distance known so far, or the limit.
   double reach_ = 0.0;    ///< Distances from here up are ignored.
   double keep_ = 1.0;     ///< Share of the least distance found: its precision.
-  double ends_at_ = 0.0;  ///< No need to look further below this.
+  double ends_at_ = 0.0;  ///< The search ends below this.
   int effort_ = 0;
   int patience_ = 0;
   bool exact_ = false;

@@ -21,7 +21,7 @@ BoxTree::BoxTree(const TriangleMesh& mesh) {
   build(triangles, 0);
 }
 
-// A tree over n triangles takes 2 n - 1 nodes, so that both halves know their places.
+// A tree over n triangles takes 2 n - 1 nodes, so that both halves know their positions.
 void BoxTree::build(std::span<Triangle> triangles, std::size_t index) {
   constexpr std::size_t kWorthAThread = 10000;
   Node& node = nodes_[index];

@@ -70,7 +70,7 @@ struct NearestPoint {
 [[nodiscard]] Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& triangle,
                                                   const Eigen::Vector3d& p);
 
-/// @param hint a triangle to begin with: the nearer it is, the sooner it ends.
+/// @param hint first triangle: a nearer one makes the search faster.
 [[nodiscard]] NearestPoint nearest_point(const TriangleMesh& mesh, const BoxTree& boxes,
                                          const Eigen::Vector3d& p, std::uint32_t hint = 0);
 

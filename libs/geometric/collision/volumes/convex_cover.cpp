@@ -32,8 +32,8 @@ bool contains(const Simplex& base, const Eigen::Vector3d& top, const Eigen::Vect
   return shares.allFinite() && shares.minCoeff() >= 0.0 && shares.sum() <= 1.0;
 }
 
-/// The vector from the hull of `points` to `p`: from its nearest point or, where the search ends
-/// early, from one near that. Zero where p is within `margin` (m) of the hull.
+/// The vector from the hull of `points` to `p`: from its nearest point or, if the search ends
+/// early, from a point near that. Zero if p is within `margin` (m) of the hull.
 ///
 /// Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance
 /// between complex objects in three-dimensional space", 1988.

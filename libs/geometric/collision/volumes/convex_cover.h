@@ -16,18 +16,18 @@ class ConvexCover {
  public:
   ConvexCover() = default;
 
-  /// @param margin (m) more than a hundredth of the size leaves out more vertices.
+  /// @param margin (m) above a hundredth of the size leaves out more vertices.
   /// @pre the mesh has a triangle.
   ConvexCover(const TriangleMesh& mesh, double margin);
 
   /// The hull's point that is farthest along `direction`.
   [[nodiscard]] Eigen::Vector3f support(const Eigen::Vector3f& direction) const;
 
-  /// Somewhere within the hull, m.
+  /// A point within the hull, m.
   [[nodiscard]] const Eigen::Vector3f& middle() const { return middle_; }
   [[nodiscard]] float margin() const { return margin_; }
   [[nodiscard]] std::size_t point_count() const { return count_; }
-  /// The hull's corners, and perhaps some within it, m.
+  /// The hull's corners, and possibly inner points, m.
   [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
 
  private:

@@ -45,7 +45,7 @@ class CellMaker {
   CellMaker(const TriangleMesh& mesh, const BoxTree& boxes, const TriangleTree& triangles)
       : mesh_(mesh), boxes_(boxes), triangles_(triangles) {}
 
-  // Cells of the grid are laid out in float and a little apart from these cubes.
+  // Cells of the grid are stored in float and slightly apart from these cubes.
   [[nodiscard]] Bound bound_in(Cube cube, std::uint32_t hint) const {
     cube.half += 1e-6 * (cube.half + cube.centre.cwiseAbs().maxCoeff());
     const NearestPoint nearest = nearest_point(mesh_, boxes_, cube.centre, hint);
@@ -63,8 +63,8 @@ class CellMaker {
     return {cell, worth_of_refining(cube, cell, nearest), nearest.distance, nearest.triangle};
   }
 
-  // The triangles that may be the nearest of some point of the cube; one more than
-  // a block can hold if there are too many. `distance` is that of its centre.
+  // The triangles that may be nearest to a point of the cube; one more than a block can hold if
+  // there are too many. `distance` is that of its centre.
   [[nodiscard]] std::vector<TriangleCorners> nearest_somewhere(const Cube& cube,
                                                                double distance) const {
     const double reach = distance + 2.0 * std::sqrt(3.0) * cube.half * 1.00001 + 1e-6;
@@ -127,8 +127,8 @@ class CellMaker {
     return worth;
   }
 
-  // The largest a, up to `value`, with a + slope · (p - centre) nowhere in the
-  // cube above the distance of p from the surface.
+  // The largest a, up to `value`, so that a + slope · (p - centre) is at most the distance of p
+  // from the surface everywhere in the cube.
   [[nodiscard]] double lowest_value(const Cube& cube, const Eigen::Vector3d& slope,
                                     double value) const {
     const double slack = kSlack * cube.half;
@@ -176,8 +176,8 @@ class CellMaker {
     return std::max(beyond, of_tangent(cube, slope, apart));
   }
 
-  // From the tangent, in the cube's centre, of the distance from a convex piece
-  // whose nearest point is `apart` from there.
+  // Bound by the tangent, in the cube's centre, of the distance from a convex piece whose nearest
+  // point is at `apart` from there.
   static double of_tangent(const Cube& cube, const Eigen::Vector3d& slope,
                            const Eigen::Vector3d& apart) {
     const double distance = apart.norm();
@@ -244,7 +244,7 @@ class DistanceFieldBuilder {
     return bound.nearest;
   }
 
-  // Cells, and as many as a block of triangles takes the room of.
+  // Counts cells, a block of triangles as the cells of its size.
   [[nodiscard]] std::size_t spent() const {
     constexpr std::size_t kCellsOfBlock = sizeof(TriangleBlock) / sizeof(DistanceField::Cell);
     return field_.cells_.size() + kCellsOfBlock * field_.blocks_.size();

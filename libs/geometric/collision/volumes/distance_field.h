@@ -68,7 +68,7 @@ class DistanceField {
 
   DistanceField() = default;
 
-  /// @param triangles of the mesh. @param budget about how many cells to spend.
+  /// @param triangles of the mesh. @param budget approximate number of cells.
   /// @pre the mesh has a triangle.
   /// @throws PreparationStopped once `stop` is requested.
   DistanceField(const TriangleMesh& mesh, const TriangleTree& triangles, std::size_t budget,
@@ -85,7 +85,7 @@ class DistanceField {
   /// Distance function of a primitive; nothing for other meshes.
   [[nodiscard]] const std::optional<PrimitiveDistance>& primitive() const { return primitive_; }
 
-  /// The cell that a point is in, null if it is outside the grid.
+  /// The cell of a point, null if it is outside the grid.
   struct Place {
     const Cell* cell;
     float room;  ///< m: the ball of this radius is in the cell, too.
@@ -99,7 +99,7 @@ class DistanceField {
   [[nodiscard]] float bound(const Eigen::Vector3f& p, const Place& place) const;
 
   /// A lower bound (m) of a triangle's distance, if it lies in one cell; else
-  /// nothing useful: -1e30.
+  /// -1e30.
   [[nodiscard]] float bound(const std::array<Eigen::Vector3f, 3>& triangle) const;
 
   /// Box of all vertices: outside the grid, the distance from it is the bound.
@@ -139,7 +139,7 @@ class DistanceField {
   std::vector<Cell> cells_;
   std::vector<TriangleBlock> blocks_;
   std::optional<PrimitiveDistance> primitive_;
-  std::shared_ptr<DistanceFieldGrowth> growth_;  ///< Null: all cells are there.
+  std::shared_ptr<DistanceFieldGrowth> growth_;  ///< Null: all cells exist.
 };
 
 inline DistanceField::Place DistanceField::find(const Eigen::Vector3f& p) const {

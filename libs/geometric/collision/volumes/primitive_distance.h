@@ -11,19 +11,19 @@
 
 namespace handway::geometric {
 
-/// Distances from the surface of a primitive in closed form, in its mesh's frame: nothing has to be
-/// prepared. A box is exact. The polyhedron that stands for a round primitive lies between two
-/// primitives, one around it and one within it; what it gives is the distance from the nearer one.
+/// Distances from the surface of a primitive in closed form, in its mesh's frame, without any
+/// preparation. A box is exact. The polyhedron of a round primitive lies between two primitives,
+/// one around it and one within it; the result is the distance from the nearer one.
 class PrimitiveDistance {
  public:
-  /// @returns nothing if the mesh is neither a box along the axes of its frame nor what
-  /// tessellate() makes of a round primitive.
+  /// @returns nothing if the mesh is neither a box along the axes of its frame nor a result of
+  /// tessellate() for a round primitive.
   [[nodiscard]] static std::optional<PrimitiveDistance> of(const TriangleMesh& mesh);
 
   /// The box around the surface, m.
   [[nodiscard]] const Aabb& box() const { return box_; }
 
-  /// A lower bound (m) of the distance of `p` from the surface, inside of it or outside.
+  /// A lower bound (m) of the distance of `p` from the surface, inside or outside.
   [[nodiscard]] float bound(const Eigen::Vector3f& p) const {
     return kind_ == Kind::kBox ? std::abs(box_distance(p)) : round_bound(p);
   }
@@ -46,17 +46,17 @@ class PrimitiveDistance {
 
   PrimitiveDistance(Kind kind, const Aabb& box) : kind_(kind), box_(box) {}
 
-  /// Returns nothing if the mesh is no round_mesh(). @param box around the mesh.
+  /// Returns nothing if the mesh is not a round_mesh(). @param box around the mesh.
   [[nodiscard]] static std::optional<PrimitiveDistance> round_primitive(const TriangleMesh& mesh,
                                                                         const Aabb& box);
-  /// Kinds and numbers of segments of a round_mesh() with as many vertices as `mesh`.
+  /// Kinds and numbers of segments of a round_mesh() with the number of vertices of `mesh`.
   [[nodiscard]] static std::vector<std::pair<Kind, std::uint32_t>> possible_segments(
       const TriangleMesh& mesh);
 
   /// Negative inside.
   [[nodiscard]] float box_distance(const Eigen::Vector3f& p) const;
   [[nodiscard]] float round_bound(const Eigen::Vector3f& p) const;
-  /// From the primitive around a round one to `p`, both outside of it and seen in the section.
+  /// Distance from the primitive around a round one to `p`, both outside of it and in the section.
   [[nodiscard]] Section offset_from_outer(const Section& p) const;
   /// Depth (m) of `p` in the primitive within a round one; negative outside of that.
   [[nodiscard]] float depth_in_inner(const Section& p) const;

@@ -52,11 +52,11 @@ class Solid {
   /// Around the surface.
   [[nodiscard]] const Aabb& box() const { return box_; }
 
-  /// @param p m, in the surface's frame; either answer may come where it lies on the surface to
-  /// within roundings.
+  /// @param p m, in the surface's frame; the result is arbitrary for a point on the surface to
+  /// within rounding.
   [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
 
-  /// Makes what contains() needs of a mesh that isn't large; else the first point does.
+  /// Prepares contains() for a mesh that isn't large; else the first point does.
   void prepare() const;
 
  private:

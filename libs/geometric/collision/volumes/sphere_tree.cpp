@@ -107,7 +107,7 @@ Plane plane_through(const Eigen::Vector3f& centre, std::span<const Piece> pieces
   return {normal, std::nextafter(static_cast<float>(thickness), 1e30F)};
 }
 
-// Centres are rounded to float; the radius makes up for that.
+// Centres are rounded to float; the radius compensates for that.
 BoundingSphere rounded(const Ball& ball) {
   const Eigen::Vector3f centre = ball.centre.cast<float>();
   const double radius = ball.radius + (centre.cast<double>() - ball.centre).norm();
@@ -119,7 +119,7 @@ double longest_edge(const Piece& piece) {
   return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
 }
 
-// Cut until no edge is longer, or there are more than `most` pieces.
+// Cuts until no edge is longer, or there are more than `most` pieces.
 void cut(const Piece& piece, double longest_edge, std::size_t most, std::vector<Piece>& pieces) {
   const auto& [a, b, c] = piece.corners;
   const double ab = (b - a).norm();
@@ -130,7 +130,7 @@ void cut(const Piece& piece, double longest_edge, std::size_t most, std::vector<
     pieces.push_back(piece);
     return;
   }
-  // Turn the triangle so that its longest edge comes first, and halve that.
+  // Turns the triangle so that its longest edge comes first, and halves that.
   const std::size_t first = bc == longest ? 1 : ca == longest ? 2 : 0;
   const Eigen::Vector3d& p = piece.corners[first];
   const Eigen::Vector3d& q = piece.corners[(first + 1) % 3];
@@ -140,7 +140,7 @@ void cut(const Piece& piece, double longest_edge, std::size_t most, std::vector<
   cut({{middle, q, r}, piece.triangle}, longest_edge, most, pieces);
 }
 
-// All triangles cut so; with more than `most` pieces it is not complete.
+// Cuts all triangles; with more than `most` pieces the result is incomplete.
 std::vector<Piece> cut(const TriangleMesh& mesh, double longest_edge, std::size_t most) {
   std::vector<Piece> pieces;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -245,7 +245,7 @@ class SphereTreeGrowth {
     return node;
   }
 
-  // Large triangles into pieces that sixteen spheres can share.
+  // Cuts large triangles into pieces that sixteen spheres can share.
   void cut_for_node(Pieces& pieces) const {
     const double longest =
         std::max(kEdge * leaf_radius_, kNodeEdge * enclosing_ball(pieces).radius);
@@ -281,7 +281,7 @@ class SphereTreeGrowth {
     return static_cast<std::uint32_t>(leaf - leaves_.begin());
   }
 
-  // The largest part is halved until there are sixteen or none can be.
+  // Halves the largest part until there are sixteen or none can be halved.
   [[nodiscard]] std::vector<Part> split(Part pieces) const {
     struct Sized {
       Part part;

@@ -34,9 +34,9 @@ class SphereTree {
   static constexpr std::size_t kWidth = 16;
 
   struct alignas(64) Node {
-    std::array<float, kWidth> x, y, z, radius;  ///< Past `count`: radius -1e30, never near.
-    /// The surface in a sphere lies within `thickness` of a plane through its
-    /// centre with this normal: it is a disk where it is flat.
+    std::array<float, kWidth> x, y, z, radius;  ///< Unused entries: radius -1e30, never near.
+    /// The surface in a sphere lies within `thickness` of a plane through its centre with this
+    /// normal: for a flat surface it is a disk.
     std::array<float, kWidth> normal_x, normal_y, normal_z, thickness;
     /// Node below each sphere or, with kLeaf set, leaf.
     std::array<std::uint32_t, kWidth> child;
@@ -95,12 +95,12 @@ inline constexpr float kMoveRounding = 2e-6F;
 /// A rigid transform in single precision, with the bound of its rounding error.
 struct FloatPose {
   FloatPose() = default;
-  /// @param reach (m) how far from A's origin points are that it will move.
+  /// @param reach (m) largest distance from A's origin of points to move.
   FloatPose(const Pose& X_BA, float reach);
 
   std::array<float, 9> R{};  ///< Row by row.
   std::array<float, 3> p{};
-  float rounding = 0.0F;  ///< m: a moved point, or a bound there, is off by less.
+  float rounding = 0.0F;  ///< m: bound of a moved point's rounding error, or of a bound there.
 };
 
 /// Bounds of a node's spheres.

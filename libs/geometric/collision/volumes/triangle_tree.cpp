@@ -10,7 +10,7 @@
 namespace handway::geometric {
 namespace {
 
-// Does the segment from p to q go through the triangle?
+// Returns whether the segment from p to q goes through the triangle.
 bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const TriangleCorners& t) {
   const Eigen::Vector3d along = q - p;
   const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -20,7 +20,7 @@ bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const TriangleC
   if (!((before > enough && after < -enough) || (before < -enough && after > enough))) {
     return false;
   }
-  // The line passes all three borders on the same side, each at a distance.
+  // The line has to pass all three borders on the same side, each at a distance.
   const double length = along.norm();
   int left = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -73,8 +73,8 @@ TriangleBlock::TriangleBlock(std::span<const TriangleCorners> triangles) {
   }
 }
 
-// Over a triangle's face the distance from its plane counts, elsewhere that from
-// its edges.
+// Over a triangle's face the distance is that from its plane, elsewhere that from its
+// edges.
 HANDWAY_VECTOR_UNITS TriangleBlock::Lanes TriangleBlock::squared_distances(
     const Eigen::Vector3f& p) const {
   Lanes squared;

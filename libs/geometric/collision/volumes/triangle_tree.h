@@ -19,7 +19,7 @@ using TriangleCorners = std::array<Eigen::Vector3d, 3>;
 /// that rounding can't hide a contact.
 inline constexpr double kTouch = 1e-9;
 
-/// The plane of a triangle, made once for all triangles that are compared with it.
+/// The plane of a triangle, computed once for comparisons with many triangles.
 class TrianglePlane {
  public:
   explicit TrianglePlane(const TriangleCorners& triangle);
@@ -34,11 +34,11 @@ class TrianglePlane {
   double length_;           ///< Length of the normal.
 };
 
-/// Does an edge of one go through the other, at least kTouch from its borders?
-/// Then they collide however that is counted.
+/// Returns whether an edge of one goes through the other, at least kTouch from its borders. Then
+/// they collide in any arithmetic.
 [[nodiscard]] bool surely_cross(const TriangleCorners& s, const TriangleCorners& t);
 
-/// A few triangles side by side, for the distance of a point from all at once.
+/// A few triangles in lanes, for the distance of a point from all at once.
 class TriangleBlock {
  public:
   static constexpr std::size_t kWidth = 8;
@@ -50,8 +50,8 @@ class TriangleBlock {
 
   using Lanes = std::array<float, kWidth>;
 
-  /// Squared distances (m²) of `p` from the triangles, up to single precision; past the
-  /// last one, that from it again.
+  /// Squared distances (m²) of `p` from the triangles, up to single precision; unused lanes repeat
+  /// the last one.
   [[nodiscard]] Lanes squared_distances(const Eigen::Vector3f& p) const;
   /// Distance (m) of `p` from the nearest triangle.
   [[nodiscard]] float distance(const Eigen::Vector3f& p) const;
@@ -71,7 +71,7 @@ class TriangleTree {
   /// @pre the mesh has a triangle.
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// Is a triangle nearer to `p` (m, in the mesh's frame) than `distance` (m)?
+  /// Returns whether a triangle is nearer to `p` (m, in the mesh's frame) than `distance` (m).
   [[nodiscard]] bool is_nearer_than(const Eigen::Vector3d& p, double distance) const;
 
   /// Distance (m) of `p` from the nearest triangle, up to single precision; `within` (m) if none is
@@ -90,7 +90,7 @@ class TriangleTree {
 
   struct alignas(64) Node {
     std::array<std::array<float, kWidth>, 3> centre{};
-    std::array<std::array<float, kWidth>, 3> half{};  ///< Past the last: -1e30, never near.
+    std::array<std::array<float, kWidth>, 3> half{};  ///< Unused: -1e30, never near.
     std::array<std::uint32_t, kWidth> child{};        ///< Node or, with kLeaf set, leaf.
   };
   struct Leaf {
@@ -108,7 +108,7 @@ class TriangleTree {
   static std::uint32_t near_boxes(const Node& node, const Eigen::Vector3f& p, float distance,
                                   std::array<float, kWidth>& squared);
 
-  float size_ = 0.0F;  ///< m: no coordinate is larger.
+  float size_ = 0.0F;  ///< m: largest coordinate.
   std::uint32_t root_ = 0;
   std::vector<Node> nodes_;
   std::vector<Leaf> leaves_;

@@ -11,8 +11,8 @@
 #define HANDWAY_VECTOR_UNITS
 #endif
 
-/// Before a loop over a few lanes that puts one bit of each together: the compiler would unroll it
-/// first, and find no vectors in it then.
+/// Pragma before a loop over a few lanes that puts one bit of each together: the compiler would
+/// unroll it first, and not vectorize it then.
 #if defined(__GNUC__) && !defined(__clang__)
 #define HANDWAY_LANES _Pragma("GCC unroll 1")
 #else
