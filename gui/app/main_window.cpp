@@ -225,7 +225,7 @@ void MainWindow::update_title() {
   setWindowTitle(tr("%1[*] – Handway").arg(workbench_.scene_name()));
 }
 
-// What the options say of planning goes before what the scene says.
+// Planning options of the command line override those of the scene.
 void MainWindow::apply_plan_options() {
   const Options& options = workbench_.options;
   PlanSettings& settings = workbench_.plan_settings;

@@ -33,7 +33,7 @@ namespace {
 constexpr int kRingParts = 72;
 constexpr double kEdgeOn = 0.12;  // a plane seen flatter than this is no help
 
-// How near the ray passes to a point, and how far away that is.
+// Distance of the ray from a point, and depth of that point.
 struct Nearness {
   double distance = 0.0;
   double along = 0.0;

@@ -98,7 +98,7 @@ void add_cone(SoSeparator& parent, const geometric::OrientationConstraint& uprig
   parent.addChild(make_edges_node(rim, edges, color, kEdgeWidth));
 }
 
-// Of boxes, whose corners are numbered by their bits: 1 for x, 2 for y, 4 for z.
+// Edges of boxes, whose corners are numbered by their bits: 1 for x, 2 for y, 4 for z.
 constexpr std::array<std::pair<int, int>, 12> kBoxEdges{{{0, 1},
                                                          {2, 3},
                                                          {4, 5},
@@ -252,7 +252,7 @@ CoinRef<SoSeparator> make_seen_through() {
   return separator;
 }
 
-// Of one colour, seen through everything.
+// Makes a line of one colour that is visible through everything.
 CoinRef<SoSeparator> make_plain_line(std::span<const Eigen::Vector3d> points,
                                      const geometric::Color& rgb, float width) {
   auto separator = make_seen_through();

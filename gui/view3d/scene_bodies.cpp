@@ -58,7 +58,7 @@ TriangleMesh balls(const std::vector<geometric::CoveringSphere>& spheres) {
   return all;
 }
 
-// What is drawn for a body with these triangles; null if it has none.
+// Returns the mesh that is drawn for a body with these triangles; null if it has none.
 SharedMesh drawn(const SharedMesh& mesh, BodyDisplay display) {
   if (!mesh || mesh->empty()) {
     return nullptr;
@@ -74,7 +74,7 @@ SharedMesh drawn(const SharedMesh& mesh, BodyDisplay display) {
   return made;
 }
 
-/// What has been drawn for the links of robots that still are.
+/// Drawings that were made for the links of existing robots.
 class LinkShop {
  public:
   std::vector<SharedMesh> meshes(const SharedModel& model, BodyDisplay display,

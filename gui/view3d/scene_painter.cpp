@@ -362,7 +362,7 @@ void ScenePainter::paint_layered(const PictureFrame& frame, const Sight& sight, 
     }
     kept_ = sight;
   }
-  // Only where something was, or is now; an outline or handles may be anywhere.
+  // Only the changed region is drawn again; an outline or handles may be anywhere.
   const QRect region = graph_.has_marks() || frame.with_gizmo
                            ? all
                            : region_of(graph_.moving_root(), frame.camera, frame.pixels);

@@ -167,7 +167,7 @@ std::shared_ptr<const geometric::Scene> scene_of(
   instance.model = robot;
   instance.configuration = robot->neutral();
   scene->robots.push_back(std::move(instance));
-  // What the camera has to see: both ends of the joints' ranges.
+  // The camera has to see both ends of the joints' ranges.
   scene->start = robot->lower();
   scene->goal = robot->upper();
   return scene;

@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// What mouse and keys do in the 3-D view.
+/// Mouse and keyboard handling of the 3-D view.
 
 namespace handway::gui {
 

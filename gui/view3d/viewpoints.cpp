@@ -160,7 +160,7 @@ bool hides(const geometric::TriangleMesh& mesh, const Eigen::Vector3d& eye,
   });
 }
 
-/// What stands around the robot, to look past it.
+/// Obstacles around the robot that the view has to avoid.
 class Obstacles {
  public:
   explicit Obstacles(const geometric::Scene& scene) {

@@ -1,5 +1,5 @@
-/// How the price of a configuration grows: with the number of obstacles, with the
-/// triangles of one, with threads; and what a checker costs to build, in time and
+/// Measures how the time of a configuration grows with the number of obstacles, with the
+/// triangles of one, and with threads; and the cost of building a checker, in time and
 /// memory.
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
@@ -153,7 +153,7 @@ Scene boxes_of_all_sizes(int count) {
   return scene;
 }
 
-// The same of a scene of boxes: its world, too. The baseline is FclChecker in the same run.
+// Measures a scene of boxes including its world. The baseline is FclChecker in the same run.
 template <typename Checker>
 void bm_load_boxes(benchmark::State& state) {
   const Scene scene = boxes_of_all_sizes(static_cast<int>(state.range(0)));

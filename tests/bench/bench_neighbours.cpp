@@ -1,8 +1,8 @@
-/// What the nearest of many nodes costs: a query and the insertion of a node, by their number, with
-/// trees and by a look at every node; `ratio` is the latter by the former, query and insertion
-/// together. Nodes lie anywhere in the space of an arm of 6 joints, of an arm with a hand of 13
-/// more, and around the arm's straight motion with the hand in a subspace of 5 dimensions. Times
-/// are medians.
+/// Measures the cost of the nearest of many nodes: a query and the insertion of a node, by their
+/// number, with trees and by a linear search; `ratio` is the latter by the former, query and
+/// insertion together. Nodes lie anywhere in the space of an arm of 6 joints, of an arm with a hand
+/// of 13 more, and around the arm's straight motion with the hand in a subspace of 5 dimensions.
+/// Times are medians.
 #include "roadmap/neighbours.h"
 
 #include <benchmark/benchmark.h>
@@ -22,7 +22,7 @@ constexpr int kArmJoints = 6;
 constexpr int kHandJoints = 13;
 constexpr int kJoints = kArmJoints + kHandJoints;
 
-/// Where nodes lie.
+/// Distribution of the nodes.
 enum class Cloud { kArm, kCorridor, kHandArm };
 
 Eigen::VectorXd uniform(std::mt19937& random, Eigen::Index size) {

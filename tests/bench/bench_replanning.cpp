@@ -20,7 +20,7 @@ struct Drag {
   std::string scene;
   std::string object;
   Eigen::Vector3d direction;  ///< In the world, unit length.
-  int steps;                  ///< Of 1 cm, in one direction.
+  int steps;                  ///< Number of steps of 1 cm, one way.
 };
 
 constexpr double kStep = 0.01;  // m
@@ -40,7 +40,7 @@ geometric::Pose place_of(const geometric::Pose& X_WO, const Drag& drag, int step
   return X_WMoved;
 }
 
-/// What the queries of a benchmark add up to.
+/// Sum over the queries of a benchmark.
 struct Sum {
   double checks = 0.0;
   double slowest_s = 0.0;
@@ -105,7 +105,7 @@ void bm_anew(benchmark::State& state, const Drag& drag) {
 
 int main(int argc, char** argv) {
   using handway::planning::Drag;
-  // Not so far that the goal is in collision.
+  // The drags are short enough that the goal stays free.
   const std::vector<Drag> drags{
       {"can_on_table", "can", {-1.0, 0.0, 0.0}, 1},
       {"cans_in_shelf", "can_right", {0.0, 1.0, 0.0}, 6},

@@ -1,6 +1,6 @@
-/// How many postures a second a robot's hand follows a person's fingertips with, on one core: hands
-/// given as files (`bench_retargeting ROBOT.urdf… [RECORDING]`), else those that ship and one of 24
-/// independent joints, over a hand that moves freely, or over the recording.
+/// Measures the postures per second at which a robot's hand follows a person's fingertips, on one
+/// core: hands given as files (`bench_retargeting ROBOT.urdf… [RECORDING]`), else those that ship
+/// and one of 24 independent joints, over a hand that moves freely, or over the recording.
 #include "handway/device/glove/hand_exploration.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"

@@ -1,13 +1,12 @@
-/// How many pictures a second the 3-D view draws of the scenes that ship, at 1280 x 800: while the
-/// view turns, and while the robot moves, and what one takes of the processors' time, which others
-/// on the machine change less; the same while it turns in pictures with smooth edges and all
-/// triangles, which are drawn once it stands, as the baseline; and how much of a processor an open
-/// scene needs while nothing moves.
+/// Measures the frames per second of the 3-D view for the scenes that ship, at 1280 x 800: while
+/// the view turns, and while the robot moves, and the processor time of a frame, which depends less
+/// on other load; as the baseline, the view turns with smooth edges and all triangles, as frames
+/// are drawn at rest; and the share of a processor that an open scene needs while nothing moves.
 ///
 ///     bench_view [SECONDS] [SCENE...]
 ///
-/// The ratio is that of processor time, baseline to turning. Needs a display, for example xvfb-run.
-/// Ends with 1 if any motion has less than 30 pictures a second.
+/// The ratio is that of processor time, baseline to turning. It needs a display, for example
+/// xvfb-run. The exit code is 1 if any motion has less than 30 frames per second.
 #include "handway/geometric/formats/scene_file.h"
 #include "handway_test/paths.h"
 #include "handway_test/resource_use.h"

@@ -1,4 +1,5 @@
-/// What ./check fuzzes with (scripts/fuzz.sh): inputs made up anew, and the same ones each time.
+/// Tests the inputs of the fuzzing in ./check (scripts/fuzz.sh): they are generated, and the same
+/// each time.
 #include "handway_test/paths.h"
 
 #include <gmock/gmock.h>
@@ -38,7 +39,7 @@ class FuzzScript : public testing::Test {
     fs::permissions(program, fs::perms::owner_all);
   }
 
-  // Whether the command, with the script's functions, ends well. Nothing is built.
+  // Returns whether the command, with the script's functions, succeeds. Nothing is built.
   [[nodiscard]] bool run(const std::string& command) const {
     const std::string line = "cd '" + folder_.path().string() + "' && bash -c 'source \"" +
                              (source_dir() / "scripts/fuzz.sh").string() + "\"; build() { :; }; " +

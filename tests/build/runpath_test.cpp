@@ -1,5 +1,5 @@
-/// Where what was built looks for libraries: never in the folder that happens to be the current
-/// one, where anybody's library of the same name would be loaded.
+/// Tests where built programs look for libraries: never in the current folder, where anybody's
+/// library of the same name would be loaded.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

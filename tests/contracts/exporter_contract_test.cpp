@@ -1,4 +1,4 @@
-/// What every exporter has to keep, whatever its format.
+/// Contract of every exporter, whatever its format.
 #include "handway/planning/extensions/exporter.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/input_errors.h"

@@ -11,7 +11,7 @@
 namespace handway::device {
 namespace {
 
-constexpr int kSamples = 13500;  // As many as the paper's, section 4.2.
+constexpr int kSamples = 13500;  // Number in the paper's section 4.2.
 
 // A joint of the SAH hand and the sensor that moves it (paper, Table 1), with the angles of the
 // sensor at both ends of the joint, deg: the joint's own range, turned so that all flexions count

@@ -1,5 +1,5 @@
-/// What every planner has to keep with robots that are no hand on an arm, whatever its settings:
-/// it plans, or says in words what it needs.
+/// Contract of every planner with robots that are no hand on an arm, whatever its settings: it
+/// plans, or its message says what it needs.
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner.h"
@@ -159,7 +159,7 @@ std::unique_ptr<Planner> planner_with(const std::string& name,
   return planner;
 }
 
-/// What the planner makes of the problem; nothing if it refused it in words.
+/// Returns the planner's result for the problem; nothing if it refused it with a message.
 std::optional<PlanResult> outcome(Planner& planner, const PlanningProblem& problem) {
   std::optional<PlanResult> result;
   const std::string refusal = test::refusal_of([&] { result = planner.plan(problem, {}); });

@@ -1,4 +1,4 @@
-/// What every planner has to keep, built in or from a plugin, whatever its method.
+/// Contract of every planner, built in or from a plugin, whatever its method.
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/plugin.h"
@@ -174,7 +174,7 @@ TEST_P(SolvableProblem, IsSolvedBackwardsToo) {
   EXPECT_THAT(check_path(problem_, result.path, 0.001).faults, IsEmpty());
 }
 
-// Only the hand moves: the arm's corridor is a point.
+// In this problem only the hand moves: the arm's corridor is a point.
 PlanningProblem hand_only_problem() {
   PlanningProblem problem = test::open_problem();
   problem.start = test::planar_configuration(0.1, 0.2, 0.0, 0.1, 0.0);
@@ -182,8 +182,8 @@ PlanningProblem hand_only_problem() {
   return problem;
 }
 
-// Of the many planners of planner_ompl, which differ by a line of a table, two of each
-// space are held to everything here; each of them to the most of it in its own tests.
+// The planners of planner_ompl differ by a line of a table: two of each space pass all tests here,
+// and each of them most of these in its own tests.
 std::vector<std::string> names() {
   const std::set<std::string> kept = {"ompl-prm", "ompl-rrt-connect", "ompl-pmd-est",
                                       "ompl-pmd-rrt-star"};
@@ -217,7 +217,7 @@ TEST_P(EveryPlanner, GivesUpInWordsWhereThereIsNoPath) {
   EXPECT_LE(result.statistics.samples, 210U);
 }
 
-// Of a hypercube around the segment, or of the node itself.
+// The reported place is that of a hypercube around the segment, or of the node itself.
 TEST_P(EveryPlanner, TellsWhereOnTheArmsMotionItsNodesAre) {
   const PlanningProblem problem = test::walled_in_problem();
   Recorder recorder;
@@ -331,7 +331,7 @@ TEST_P(EveryPlanner, TakesTheShorterArcOfAContinuousJoint) {
   }
 }
 
-// What was turned to several times on the way there is planned from where it is.
+// A joint that was turned several times by earlier paths is planned from its present value.
 TEST_P(EveryPlanner, StartsAContinuousJointFromAnyTurn) {
   const PlanningProblem problem = test::endless_problem(20.0, 20.5 - 6 * kPi);
   const PlanResult result = planner_with(GetParam(), "20000")->plan(problem, {});

@@ -114,7 +114,7 @@ TEST(Readme, ShowsCommandsThatWork) {
   EXPECT_GE(commands, 3);
 }
 
-// What no command makes anew grows stale, and what nobody looks at is in the way.
+// Pictures that no command makes would grow stale, and pictures that no page shows are not needed.
 TEST(Manual, HasThePicturesThatItsTargetMakes) {
   namespace fs = std::filesystem;
   const ShellRun list = run_in_shell((source_dir() / "scripts/docs-pictures").string() + " --list");
@@ -143,7 +143,7 @@ TEST(Manual, HasThePicturesThatItsTargetMakes) {
   EXPECT_THAT(kept, ContainerEq(made));
 }
 
-// Whoever measures the table anew finds a row for each hand and method, and the manual has no
+// The table has a row for each hand and method that its script measures, and the manual no
 // others.
 TEST(RetargetingTable, HasTheRowsThatItsScriptMeasures) {
   const ShellRun list =

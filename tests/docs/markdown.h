@@ -15,7 +15,7 @@ namespace handway::test {
 /// Targets of [text](target) and ![text](target), in order.
 [[nodiscard]] std::vector<std::string> link_targets(const std::string& markdown);
 
-/// What GitHub calls the headings: "## Exit codes" is "exit-codes".
+/// Returns GitHub's anchors of the headings: "## Exit codes" is "exit-codes".
 [[nodiscard]] std::set<std::string> heading_anchors(const std::string& markdown);
 
 /// The lines between the heading "## `NAME`" or "## NAME" and the next of its level or above.

@@ -60,7 +60,7 @@ std::string table(const Parameters& parameters) {
   return text;
 }
 
-// Those that all planners share come last, from this one on.
+// The parameters that all planners share come last, from this one on.
 constexpr std::string_view kFirstShared = "objective";
 
 }  // namespace

@@ -113,7 +113,7 @@ class FloodedMotion : public testing::Test {
     return run_motion(targets_, {}, requests, watcher);
   }
 
-  /// How long after the end of the run both stand, s.
+  /// Returns the time from the end of the run until both are at rest, s.
   [[nodiscard]] double wait_for_rest() const {
     const auto begin = Clock::now();
     while ((arm_->moving() || hand_->moving()) && seconds_since(begin) < 3.0) {

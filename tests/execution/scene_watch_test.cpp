@@ -96,7 +96,7 @@ class BusyChecker final : public geometric::CollisionChecker {
   const std::atomic<bool>& is_busy_;
 };
 
-/// What an import of a large mesh is like.
+/// Returns a source of the problem that is as slow as an import of a large mesh.
 SceneWatch::ProblemSource slow_source_of(Problem problem, milliseconds delay) {
   return [problem = std::move(problem), delay](const std::stop_token& stop) -> Problem {
     for (const auto begin = Clock::now(); Clock::now() - begin < delay;) {

@@ -1,6 +1,6 @@
-/// What stands in the place of a cache's entry: the first byte of an input says what is done to the
-/// entry. Whatever that is, it is taken only if it is what this cache writes for this key. (That
-/// need not be what was written: libFuzzer sees with what the checksum is compared, and forges it.)
+/// Puts an input in the place of a cache's entry: its first byte says how the entry is changed. The
+/// entry is used only if it is one that this cache writes for this key. (That need not be what was
+/// written: libFuzzer sees with what the checksum is compared, and forges it.)
 #include "handway/geometric/io/disk_cache.h"
 #include "input_file.h"
 #include "pieces.h"

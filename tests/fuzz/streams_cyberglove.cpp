@@ -1,4 +1,4 @@
-/// What a CyberGlove sends, as records and as answers, and what an emulated one is sent.
+/// Output of a CyberGlove, as records and as answers, and input of an emulated one.
 #include "cyberglove_protocol.h"
 #include "handway/device/glove/cyberglove3_parser.h"
 #include "handway/device/glove/cyberglove_parser.h"
@@ -71,7 +71,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::require(reply->data.size() <= 4);
     }
   } catch (const AtEnd&) {
-    // Nothing more to be read.
+    // The input ends here.
   }
   const auto signal = [](double) {
     std::array<std::uint16_t, device::kGloveSensors> counts{};

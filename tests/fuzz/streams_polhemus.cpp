@@ -1,4 +1,4 @@
-/// What trackers send, and what emulated ones are sent: the second byte chooses model and format.
+/// Output of trackers, and input of emulated ones: the second byte chooses model and format.
 #include "handway/device/tracker/polhemus_parser.h"
 #include "handway/device/tracker/tracker_units.h"
 #include "pieces.h"

@@ -1,4 +1,4 @@
-/// What a VAL3 server sends, and what an emulated controller is sent: simple_message.
+/// Output of a VAL3 server, and input of an emulated controller: simple_message.
 #include "handway/device/arm/arm_emulator.h"
 #include "handway/device/arm/simple_message.h"
 #include "handway/device/arm/val3_arm.h"

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the files of one library may include of the others.
+/// Libraries that the files of each library may include.
 const std::map<std::string, std::set<std::string>, std::less<>> kBelow = {
     {"geometric", {}},
     {"sampling", {"geometric"}},
@@ -49,7 +49,7 @@ const std::vector<std::string> kWindowFolders = {
     "features",       "app",
 };
 
-/// Where the window's features are listed, the only place that names them.
+/// File that lists the window's features, the only place that names them.
 constexpr std::string_view kFeatureList = "app/features.cpp";
 
 /// The part of the project that a file belongs to: "libs/geometric", "plugins/NAME", "gui",
@@ -151,7 +151,7 @@ std::string without_comment(const std::string& line) {
   return comment == std::string::npos ? line : line.substr(0, comment);
 }
 
-// What a test of one library includes that the library itself must not.
+// Returns the error if a test of one library includes what the library itself must not.
 std::string test_rule_broken(const std::string& library, std::string_view include) {
   for (const auto& [other, below] : kBelow) {
     if (include.starts_with("handway/" + other + '/') && other != library &&

@@ -33,10 +33,11 @@ class LayerRules {
   [[nodiscard]] std::optional<std::string> file_of_library(const std::string& file,
                                                            const std::string& library,
                                                            std::string_view include) const;
-  /// Of the order of the library's folders: `file` is of it.
+  /// Returns the violation of the order of the library's folders by `file`, which belongs to the
+  /// library.
   [[nodiscard]] std::string folder_rule_broken(const std::string& file, const std::string& library,
                                                std::string_view include) const;
-  /// Of the window's layers: `file` is of gui/.
+  /// Returns the violation of the order of the window's layers by `file`, which is in gui/.
   [[nodiscard]] std::string window_rule_broken(std::string_view file,
                                                std::string_view include) const;
   [[nodiscard]] std::string owner_of(const std::string& file, std::string_view include) const;

@@ -55,7 +55,7 @@ TEST_F(PathCsv, TakesOtherSeparators) {
   }
 }
 
-// As a recording that keeps angles within ±π has it.
+// A recording that keeps angles within ±π has these values.
 TEST_F(PathCsv, TakesJointsWithoutEndsTheShortWayRound) {
   geometric::RobotDescription robot = test::planar_hand_arm();
   robot.joints.front().limits.lower = -std::numeric_limits<double>::infinity();

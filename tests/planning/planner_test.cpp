@@ -1,5 +1,5 @@
-/// What Planner::plan() sees to, whatever the planner: no search where there is no path, and none
-/// of a path that leads elsewhere.
+/// Tests the checks of Planner::plan() that hold for any planner: no search if there is no path,
+/// and no path that leads elsewhere.
 #include "handway/planning/planners/planner.h"
 
 #include "handway/geometric/scene/scene.h"

@@ -97,7 +97,7 @@ TEST_P(ARace, CountsOnlyWhatTheWinnerHadToWaitFor) {
   EXPECT_EQ(both.statistics.samples, 40U);
 }
 
-/// What a race tells of nodes (search and number) and edges.
+/// Records the nodes (search and number) and edges that a race reports.
 struct Listener final : Observer {
   void on_node(const NodeEvent& node) override { nodes.emplace_back(node.search, node.id); }
   void on_edge(int from, int to) override { edges.emplace_back(from, to); }

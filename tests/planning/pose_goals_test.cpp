@@ -57,7 +57,7 @@ class PoseGoals : public testing::Test {
                               std::nullopt});
   }
 
-  /// Where the flange is in `q`, in the world.
+  /// Returns the pose of the flange in `q`, in the world.
   [[nodiscard]] Pose flange(const Configuration& q) const {
     geometric::RobotState state(scene_.robots.front().model, scene_.robots.front().X_WB);
     state.set_configuration(q);

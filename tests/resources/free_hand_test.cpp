@@ -23,7 +23,7 @@ std::filesystem::path resource(const std::string& name) {
 
 class FreeHand : public testing::Test {
  protected:
-  // Of the hand that the mapping is for, normalised by the joint limits.
+  // Returns postures of the hand that the mapping is for, normalised by the joint limits.
   [[nodiscard]] Eigen::MatrixXd postures(const std::string& mapping = "table1_sah") const {
     const device::HandMapping read =
         device::read_mapping(resource("mappings/" + mapping + ".yaml"));

@@ -100,7 +100,7 @@ class ReferenceRobot : public testing::TestWithParam<const char*> {
     urdf_ = folder_ / original.filename();
   }
 
-  // Whether the robot has this file of a folder for drawing as what it collides with, too.
+  // Returns whether the robot has this visual mesh of a folder as a collision mesh, too.
   [[nodiscard]] bool collides_with(const fs::path& file) const {
     std::ifstream stream(urdf_);
     const std::string urdf{std::istreambuf_iterator<char>(stream), {}};

@@ -83,7 +83,7 @@ std::int64_t machine_time() {
 
 }  // namespace
 
-// What std::chrono::steady_clock reads, in this program and in the libraries.
+// Replaces the clock of std::chrono::steady_clock, in this program and in the libraries.
 extern "C" [[gnu::visibility("default")]] int clock_gettime(clockid_t clock,
                                                             timespec* time) noexcept {
   const int result = read_machine_clock(clock, time);
@@ -221,7 +221,7 @@ class ChangingScene {
   int count_ = 0;
   std::vector<geometric::Shape> shapes_;
   std::vector<Eigen::Vector3d> busy_places_;
-  /// Of all shapes: what is derived from them is made once, as long as somebody holds it.
+  /// Checker for all shapes: what is derived from them is made once, and kept while it is used.
   std::shared_ptr<const geometric::CollisionChecker> prepared_;
 };
 
@@ -292,7 +292,7 @@ struct EditTally {
   int edits = 0;
   int still_free = 0;    ///< The path from before is said to be free.
   int conflicts = 0;     ///< It is said not to be.
-  int unconfirmed = 0;   ///< Of these, nothing is near there.
+  int unconfirmed = 0;   ///< Conflicts with nothing near there.
   int ends_blocked = 0;  ///< Start or goal collides: nothing to plan.
   int plans = 0;         ///< With both ends free …
   int found = 0;         ///< … and a path within the time limit.
@@ -363,7 +363,7 @@ class KeptPath {
     passed_.clear();
   }
 
-  /// Where the robot's last link comes by, shape [3] each, m, in the world.
+  /// Returns positions of the robot's last link along the motion, shape [3] each, m, in the world.
   [[nodiscard]] std::vector<Eigen::Vector3d> places(const PlanningProblem& problem) const {
     constexpr int kPerEdge = 5;
     std::vector<Eigen::Vector3d> places;
@@ -409,10 +409,10 @@ class KeptPath {
   }
 
   planning::Path path_;
-  Problem scene_;                 ///< That the path was found in.
+  Problem scene_;                 ///< Problem in which the path was found.
   std::set<std::string> edited_;  ///< Since the path was free.
-  /// What the path is said to be free of, until the reference has looked at it: many at a time, as
-  /// its trees take longer than the question.
+  /// Objects that the path is reported free of, until the reference has checked it: many at a time,
+  /// as its trees take longer than the query.
   std::vector<geometric::SceneObject> passed_;
 };
 
@@ -445,7 +445,7 @@ struct Tally {
   int held = 0;    ///< Motions that were held or stopped for the scene.
   int failed = 0;
   double longest_hold_ms = 0.0;   ///< From the edit until the motion was held or stopped.
-  double longest_stall_ms = 0.0;  ///< Of the loop that drives the devices: a busy machine's.
+  double longest_stall_ms = 0.0;  ///< Longest stall of the device loop.
 };
 
 /// The program's clock stands while this lives, but for the steps of simulated devices.
@@ -492,7 +492,7 @@ class SimulatedLink final : public device::TrajectoryClient {
 
 /// The devices of one motion.
 struct Devices {
-  std::unique_ptr<VirtualTime> time;  ///< Of simulated ones.
+  std::unique_ptr<VirtualTime> time;  ///< For simulated ones.
   std::unique_ptr<device::ArmEmulator> arm;
   std::unique_ptr<device::HandEmulator> hand;
   std::vector<MotionTarget> targets;

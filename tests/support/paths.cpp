@@ -30,7 +30,7 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, ignored);
 }
 
-// Not by fs::copy(): it copies, too, that nothing may be written there.
+// Does not use fs::copy(), which also copies write protection.
 void copy_folder(const fs::path& from, const fs::path& to) {
   fs::create_directories(to);
   for (const fs::directory_entry& entry : fs::directory_iterator(from)) {

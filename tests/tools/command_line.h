@@ -8,7 +8,7 @@
 
 namespace handway::test {
 
-/// What a run of `handway` left.
+/// Results of a run of `handway`.
 struct Outcome {
   int exit_code = -1;
   std::string out;

@@ -34,7 +34,7 @@ bool wait_for_rows(const fs::path& file, Eigen::Index rows) {
         return true;
       }
     } catch (const std::exception&) {
-      // Not begun yet.
+      // The motion has not begun yet.
     }
     std::this_thread::sleep_for(milliseconds(20));
   }

@@ -100,7 +100,7 @@ TEST_F(Pca, KeepsThePosturesThatHandsAreComparedWith) {
   EXPECT_THAT(wrong.err, HasSubstr("handway pca --postures"));
 }
 
-// What was recorded from the hand itself, on a robot that is an arm with that hand.
+// The recording is from the hand itself, on a robot that is an arm with that hand.
 TEST_F(Pca, TakesTheJointsOfARobotsOwnHand) {
   std::string joints = "time,index_proximal,index_medial,axis_1\n";
   for (int row = 0; row < 100; ++row) {

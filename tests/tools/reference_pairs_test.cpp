@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 struct Robot {
   std::string name;
-  double length;  ///< Of all its links to the tip, m.
+  double length;  ///< Length of its links to the tip, m.
   bool is_hand;
 };
 
@@ -57,13 +57,13 @@ struct Reach {
         arm.name, hand.name, distance, height - 0.111, distance, height);
   }
 
-  /// Where the hand is brought, in any orientation: beside the can.
+  /// Returns the goal of the hand, in any orientation, beside the can.
   [[nodiscard]] std::string goal() const {
     return fmt::format("--goal-pose 0,{},{}", distance - 0.15, height + 0.1);
   }
 };
 
-/// What is done with robots in turn, as a row of a table.
+/// Row of a table about robots, to which commands are applied in turn.
 class Row {
  public:
   Row(const CommandLine& folder, const std::string& name) : folder_(folder), name_(name) {}

@@ -59,7 +59,7 @@ TEST_F(HandwayReproduce, ListsTheParametersWithoutAnyRun) {
   EXPECT_EQ(line_.run("reproduce --table 5").exit_code, 2);
 }
 
-// What a figure is made of is there even where nothing can draw it.
+// The data of a figure are written even if it can't be drawn.
 TEST_F(HandwayReproduce, MakesFilmStripsOfPaths) {
   const Outcome run = line_.run("reproduce --figure 14 --quick --out films");
   ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -11,7 +11,7 @@ namespace handway::test {
 /// time to the next: the times.
 [[nodiscard]] std::vector<std::string> run_rows(const std::filesystem::path& database);
 
-/// How many there are; 0 as long as there is no database.
+/// Returns the number of runs; 0 as long as there is no database.
 [[nodiscard]] std::size_t run_count(const std::filesystem::path& database);
 
 }  // namespace handway::test

@@ -314,7 +314,8 @@ TEST_P(SendWithFault, StopsAllDevicesAndKeepsTheLog) {
   const std::vector<std::string> fault{"--fault", GetParam().fault, "--fault-after", "0.5"};
   const bool arm = std::string(GetParam().device) == "arm";
   emulate(arm ? fault : std::vector<std::string>{}, arm ? std::vector<std::string>{} : fault);
-  // So slow that a device which a busy machine holds up for a tenth of a second still follows.
+  // The motion is so slow that a device which a busy machine delays by a tenth of a second still
+  // follows.
   const bool is_slow = std::string(GetParam().fault) == "slow";
   const Outcome done = line_.run(send(is_slow ? "--yes --speed 0.1 --following-tolerance 0.05"
                                               : "--yes --speed 0.2 --following-tolerance 0.2"));

@@ -1,4 +1,5 @@
-/// Whoever moves a robot and is killed, or hangs, leaves it at rest: by the devices' watchdogs.
+/// Tests that a robot comes to rest if the program that moves it is killed or hangs: by the
+/// devices' watchdogs.
 #include "background_process.h"
 #include "command_line.h"
 #include "handway/device/arm/arm_emulator.h"

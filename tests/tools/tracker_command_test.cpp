@@ -68,7 +68,7 @@ TEST(TrackerLive, ConnectsAgainWhenTheTrackerIsBack) {
   emulator = std::make_unique<BackgroundProcess>(std::vector<std::string>{
       "tracker", "emulate", "--tcp", address.substr(address.find(':') + 1)});
   ASSERT_EQ(emulator->read_line(), address);
-  // What came before the emulator was killed may still be on its way.
+  // Samples sent before the emulator was killed may still arrive.
   bool gap = false;
   for (int k = 0; k < 2000 && !gap; ++k) {
     const double time = nlohmann::json::parse(live.read_line()).at("time");

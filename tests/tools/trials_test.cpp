@@ -20,7 +20,7 @@ using testing::Not;
 /// One run of the program in the folder of a trial, and what it has to leave.
 struct Trial {
   std::string folder;     ///< Beginning of its name, with the number.
-  std::string arguments;  ///< Of `handway`.
+  std::string arguments;  ///< Arguments of `handway`.
   int exit_code;
   std::vector<std::string> has;  ///< In what it prints.
   std::vector<std::string> lacks = {};
@@ -53,7 +53,7 @@ const std::vector<Trial> kTrials{
     {"06", "plan lib.yaml", 0, {}},
     {"06", "plan back.yaml", 0, {}},
     {"06", "plan ff.yaml", 4, {"-0.0009 m", "0.9 mm beyond", "lift +0.9 mm"}},
-    // What the group leaves alone need not be within its limits.
+    // Joints outside of the group need not be within their limits.
     {"07", "plan scene.yaml", 0, {"joint gripper at -0.2467", "not of the group"}},
     // Soft limits.
     {"08", "info soft.urdf", 0, {"-18.49", "57.30"}},
@@ -127,7 +127,7 @@ const std::vector<Trial> kTrials{
     {"30", "pca eight.csv", 0, {"8 different rows for 12 joints"}},
     {"30", "pca same.csv --out basis.yaml", 3, {"equal rows"}},
     {"30", "pca spike.csv", 3, {"spike.csv:", "4000"}},
-    // What samples miss.
+    // Samples miss this.
     {"16", "check foil.yaml through.csv", 1, {"NOT VALID"}},
     {"16", "check needle.yaml needle.csv", 1, {"NOT VALID"}},
     // Robots without collision geometry.

@@ -35,7 +35,7 @@ Eigen::Vector3d middle_of(const geometric::SceneObject& object) {
   return object.X_PO * bounding_box(*tessellate(object.shape)).centre();
 }
 
-// Where the palm is at the goal, seen from an object.
+// Returns the pose of the palm at the goal, seen from an object.
 Pose palm_at_goal(const Scene& scene, const std::string& object) {
   RobotState state(scene.robots.front().model, scene.robots.front().X_WB);
   state.set_configuration(scene.goal.value());

@@ -119,7 +119,7 @@ void StartPage::showEvent(QShowEvent* event) {
   setFocus();
 }
 
-// As many pictures beside each other as there is room for.
+// Shows as many pictures beside each other as fit.
 void StartPage::resizeEvent(QResizeEvent* event) {
   ScrollingPage::resizeEvent(event);
   const int room = viewport()->width() - 2 * kMargin + kGap;

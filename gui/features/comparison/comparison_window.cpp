@@ -298,7 +298,7 @@ void ComparisonWindow::fill_choosers() {
   }
 }
 
-// What is new goes where nothing is shown yet; what is shown may have got more curves.
+// New paths take a place where nothing is shown yet; paths that are shown may have more curves.
 void ComparisonWindow::take_history() {
   fill_choosers();
   const std::vector<PathRecord> paths = history_.paths();

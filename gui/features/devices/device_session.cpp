@@ -56,7 +56,7 @@ QPushButton* StopControls::make_button(const QString& name) {
   button->setObjectName(name);
   button->setProperty("role", "stop");
   button->setToolTip(tr("Stops the robot (%1)").arg(keys_text()));
-  // Neither Tab, Return nor Space of a dialog is for it.
+  // The Tab, Return and Space keys of a dialog must not reach the button.
   button->setFocusPolicy(Qt::NoFocus);
   button->setAutoDefault(false);
   button->setVisible(false);
@@ -104,7 +104,7 @@ bool StopControls::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-// Where a menu bar would be: it leaves a layout's own contents and margins as they are.
+// The strip takes the place of a menu bar, which does not affect the layout's contents and margins.
 void StopControls::add_to(QWidget& window) {
   QLayout* layout = window.layout();
   if (!layout || layout->menuBar()) {
@@ -130,12 +130,12 @@ namespace {
 
 using State = MotionDriver::State;
 
-// What an arm's queue of ten points can live on, s.
+// Period that an arm's queue of ten points allows, s.
 constexpr double kPeriod = 0.02;
-// How far the robot may have moved since a motion was cleared, rad.
+// Largest motion of the robot since a motion was cleared, rad.
 constexpr double kSamePlace = 1e-3;
 constexpr double kSameNumbers = 1e-6;  // relative
-// How long a robot that was stopped may take to be at rest before the scene is left.
+// Longest time until a stopped robot is at rest before the scene is left.
 constexpr std::chrono::milliseconds kLongestRest(2500);
 
 struct Offset {
@@ -143,7 +143,7 @@ struct Offset {
   double angle = 0.0;  ///< rad
 };
 
-// How far the joint that is farthest off is.
+// Returns the offset of the joint that is farthest off.
 Offset offset(const geometric::Configuration& a, const geometric::Configuration& b) {
   Offset farthest;
   farthest.angle = (a - b).cwiseAbs().maxCoeff(&farthest.variable);
@@ -262,7 +262,7 @@ void DeviceSession::time_again() {
   timing_.start(document_.problem(), std::move(path), "path", options);
 }
 
-// What was cleared is void at once, and the path is timed and checked in the scene as it is.
+// An edit revokes the clearance at once; the path is timed and checked in the new scene.
 void DeviceSession::take_edit(const SceneState& before) {
   if (before.scene == document_.scene() || !document_.problem()) {
     return;

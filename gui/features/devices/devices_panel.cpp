@@ -379,7 +379,7 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
   update_buttons();
 }
 
-// Where planning can help: a start or goal stays where it is.
+// Planning with a margin can't help if the start or goal is too close, because they stay.
 void DevicesPanel::offer_margin(const planning::PreflightReport& report) {
   with_margin_->setVisible(report.is_tight() && report.is_under_way());
   if (report.is_tight()) {

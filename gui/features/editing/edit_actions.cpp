@@ -103,7 +103,7 @@ void EditActions::fill_menu() {
       }
     }
   }
-  // Of an object's properties, where there are all links.
+  // These belong to an object's properties, where all links are listed.
   workbench_.add_to_menu(MainMenu::kContext, {2, 10}, attach);
   workbench_.add_to_menu(MainMenu::kContext, {2, 11}, detach);
 }

@@ -129,7 +129,7 @@ void GoalPoseForm::list_links(const geometric::RobotModel& model) {
 }
 
 void GoalPoseForm::show_goal(const geometric::RobotModel& model, const geometric::PoseGoal& goal) {
-  // What a person has unfolded stays so; what is not at the link's frame is to be seen.
+  // A form that the user has unfolded stays so; a tool frame other than the link's is shown.
   unfold(fold_->isChecked() || !goal.X_LT.isApprox(geometric::Pose::Identity()));
   goal_ = goal;
   list_links(model);

@@ -23,7 +23,7 @@ using geometric::NumericInverseKinematics;
 
 namespace {
 
-// Of the joints that move. Null: none of them moves the link.
+// Makes kinematics of the joints that move. Returns null if none of them moves the link.
 std::unique_ptr<const NumericInverseKinematics> kinematics_of(const geometric::Scene& scene,
                                                               const geometric::PoseGoal& goal) {
   const geometric::RobotModel& model = *scene.robots.front().model;

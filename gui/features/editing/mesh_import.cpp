@@ -29,7 +29,8 @@ constexpr QSize kPictureSize{340, 220};
 constexpr std::size_t kMostDrawn = 20000;  // triangles
 constexpr double kHand = 0.19;             // m, a person's
 
-// What is upwards in the file is +z in the world; the other axes keep their order.
+// Returns the rotation that turns the file's up axis to +z in the world; the other axes keep their
+// order.
 Matrix3d turned_up(int axis) {
   Matrix3d R;
   for (int i = 0; i < 3; ++i) {

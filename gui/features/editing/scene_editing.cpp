@@ -267,7 +267,7 @@ void SceneEditing::show_context_menu(const SceneItem& item, bool by_key, const Q
 }
 
 bool SceneEditing::eventFilter(QObject* watched, QEvent* event) {
-  // Of drags the base class of all their events is that of dropping.
+  // QDropEvent is the base class of all these events.
   if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove ||
       event->type() == QEvent::Drop) {
     auto& drag = *static_cast<QDropEvent*>(event);
@@ -364,7 +364,7 @@ void SceneEditing::attach(const std::string& robot, const std::string& link) {
     editor_.detach();
     return;
   }
-  // What it touches now it may touch from now on.
+  // Links that touch it now may touch it from now on.
   std::vector<std::string> touching;
   for (const std::string& object : editor_.changeable()) {
     for (const geometric::NamedPair& pair : report_.collisions) {

@@ -196,7 +196,7 @@ void SceneTree::take_object_change(const SceneItem& changed, const std::string& 
 void SceneTree::take_change(QTreeWidgetItem* row) {
   const SceneItem changed = item_at(row);
   if (changed.kind == Kind::kObject || changed.kind == Kind::kGroup) {
-    // Whoever hears of it may rebuild the tree: not while a row is in use.
+    // Receivers may rebuild the tree, which is not allowed while a row is in use.
     const bool shown = row->checkState(0) == Qt::Checked;
     const std::string text = row->text(0).trimmed().toStdString();
     QMetaObject::invokeMethod(

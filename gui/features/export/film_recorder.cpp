@@ -166,7 +166,7 @@ bool write_all(QFile& file, const QByteArray& bytes) {
   return true;
 }
 
-// What is wrong, in words; empty: nothing.
+// Returns the error in words; empty if there is none.
 QString write_png(const QImage& picture, const QString& path) {
   QByteArray bytes;
   QBuffer buffer(&bytes);

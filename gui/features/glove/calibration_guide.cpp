@@ -35,7 +35,7 @@ constexpr int kPictureHeight = 116;      // px
 constexpr double kBone = 7.0;            // px, of a finger's width
 constexpr double kPictureMargin = 12.0;  // px
 
-/// Where a person's palm frame is seen from: fingers up, a little from the thumb's side and from
+/// Returns the view of a person's palm frame: fingers up, a little from the thumb's side and from
 /// above, so that bent fingers show.
 Eigen::Matrix3d view_of_hand() {
   const Eigen::AngleAxisd up(M_PI / 2.0, Eigen::Vector3d::UnitZ());
@@ -228,7 +228,7 @@ QString amount(double value, device::RecordingKind kind) {
              : QObject::tr("%1°").arg(value / geometric::kDegree, 0, 'f', 1);
 }
 
-/// Which joints have been through most of a typical hand's ranges, and those that have not.
+/// Returns which joints have been through most of a typical hand's ranges, and which have not.
 QString range_quality(const device::PersonRanges& ranges, const device::Recording& motion) {
   int wide = 0;
   QStringList narrow;

@@ -351,7 +351,7 @@ std::vector<Moved> moved_joints(const JointCoverage& coverage, const device::Han
   return result;
 }
 
-// Whether at least half of the finger-bending joints, and two of them, miss that end.
+// Returns whether at least half of the finger-bending joints, and two of them, miss that end.
 bool most_miss(const std::vector<Moved>& joints, double Moved::*end) {
   int bending = 0;
   int missing = 0;

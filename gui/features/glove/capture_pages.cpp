@@ -27,7 +27,7 @@ constexpr double kEnoughShare = 0.75;
 constexpr Eigen::Index kMostDirections = 4;
 constexpr double kLeastVariance = 1e-12;
 
-// How many directions hold three quarters of the variance.
+// Returns the number of directions that explain three quarters of the variance.
 Eigen::Index main_directions(const sampling::PrincipalComponents& components) {
   double share = 0.0;
   for (Eigen::Index k = 0; k < components.shares.size(); ++k) {
@@ -158,7 +158,8 @@ std::vector<int> free_joints(const sampling::PmdBasis* basis,
   return result.size() < joints.size() ? result : std::vector<int>{};
 }
 
-// Those of some joints, in their order. Joints that the hand does not have are in the middle.
+// Returns the postures of some joints, in their order. Joints that the hand lacks are in the
+// middle.
 Eigen::MatrixXd postures_of(const device::PostureSource& joints,
                             const device::MappedPostures& mapped) {
   Eigen::MatrixXd postures(mapped.postures.rows(), joints.lower().size());
@@ -369,7 +370,7 @@ void CapturePages::show_recordings(const QStringList& files) {
   for (const QString& file : files) {
     paths.emplace_back(file.toStdString());
   }
-  // What the job needs of the session, which may change meanwhile.
+  // Copies the job's input from the session, which may change meanwhile.
   std::shared_ptr<const device::PostureSource> kept = session_.retargeter();
   if (session_.method() == PostureMethod::kJointMapping) {
     kept = std::make_shared<const device::HandMapper>(*session_.mapper());
@@ -402,7 +403,7 @@ void CapturePages::take_recordings(const std::shared_ptr<PostureRecordings>& rec
 
 bool CapturePages::shows_own_joints() const { return recordings_ && recordings_->measured.empty(); }
 
-// What the recordings were taken for, without their folders.
+// Returns how the recordings were interpreted, without their folders.
 QString CapturePages::reading_notes() const {
   QString text;
   for (const std::string& warning :

@@ -187,7 +187,7 @@ PmdExplorer::PmdExplorer(QWidget* parent)
   rebuild_axes();
 }
 
-// What the postures show, and how good a basis of them is.
+// Builds the views of the postures, and of the quality of their basis.
 QWidget* PmdExplorer::build_views() {
   auto* axes = new QGridLayout;
   axes->setHorizontalSpacing(8);
@@ -474,7 +474,7 @@ void PmdExplorer::choose_axes() {
   show_dots();
 }
 
-// The others are all that could be shown.
+// The other bases are all that could be shown.
 void PmdExplorer::show_comparison() {
   const HandBasis* shown = shown_basis();
   std::vector<HandBasis> others;

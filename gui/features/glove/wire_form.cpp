@@ -28,7 +28,7 @@ namespace {
 using device::CurvePoint;
 using geometric::kDegree;
 
-// What human joints and the sensors on them go through.
+// Ranges of human joints and the sensors on them.
 constexpr double kLeastSensor = -40.0 * kDegree;
 constexpr double kMostSensor = 120.0 * kDegree;
 constexpr double kBeyondLimits = 0.08;  // of the joint's range
@@ -385,7 +385,7 @@ void WireForm::mark(QLineEdit& field, bool good) {
            : QStringLiteral("border-color: %1;").arg(html(colors_of(current_theme()).bad)));
 }
 
-// Only what was typed is taken over: the others keep all their digits.
+// Takes only values that were typed: the others keep all their digits.
 void WireForm::take() {
   device::JointWire wire = wire_;
   bool good = true;

@@ -167,7 +167,7 @@ void ListingView::show_line(int algorithm, int line, bool calls) {
   mark();
 }
 
-// As much of it as there is room for.
+// Shows as much of the title as fits.
 void ListingView::show_title() {
   if (algorithm_ > 0) {
     const QString title = tr("Algorithm %1: %2")

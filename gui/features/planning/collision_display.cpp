@@ -280,8 +280,8 @@ QString DoctorCard::text() const {
   return isHidden() ? QString() : text_->text().remove(QLatin1String("&#8203;"));
 }
 
-// As high as its words need, as long as the view has room: then they scroll. At the foot of the
-// view, or at its head where that covers less of what collides.
+// The card is as high as its text, if the view has room; otherwise the text scrolls. It is at the
+// foot of the view, or at its head if that covers less of the colliding bodies.
 void DoctorCard::place() {
   constexpr int kMargin = 12;
   constexpr int kAxes = 108;  // left of it stands the axes cross

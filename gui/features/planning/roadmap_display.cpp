@@ -125,7 +125,7 @@ QString legend_row(const QString& name, int count, const geometric::Color& color
       .arg(mark_color(color).name(), name, QLocale().toString(count));
 }
 
-// What the colours mean, and what is searched, or was at last.
+// Returns the meaning of the colours, and the part that is searched, or was last.
 QString note_of(const PalmRoadmap& roadmap, int most, bool goes_on) {
   QString note = most > 0 ? QObject::tr("Nodes by number of PMDs") : QString();
   const auto& [begin, end] = roadmap.roadmap.search_range;

@@ -175,7 +175,7 @@ QIcon swatch(int variable) {
   return {picture};
 }
 
-// What the joints' names begin with, up to a "_": "thumb".
+// Returns the common beginning of the joints' names, up to a "_": "thumb".
 QString common_name(const geometric::RobotModel& model, const std::vector<int>& variables) {
   QString name = QString::fromStdString(model.variable(variables.front()).name);
   name = name.section(QLatin1Char('_'), 0, -2);

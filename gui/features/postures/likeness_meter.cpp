@@ -136,7 +136,7 @@ void LikenessMeter::compare() {
   if (!basis_) {
     return;
   }
-  // What is read may still be of the hand before.
+  // The postures that were read may belong to the previous hand.
   const auto postures = recorded_.basis() == basis_ ? recorded_.postures() : nullptr;
   likeness_.emplace(*model_, hand_, *basis_, postures);
   take_->setEnabled(postures != nullptr);

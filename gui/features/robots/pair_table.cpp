@@ -19,7 +19,7 @@ enum Column { kLinks, kWhy, kShare, kColumnCount };
 constexpr int kKindRole = Qt::UserRole;
 constexpr int kFirstRole = Qt::UserRole + 1;  // and the second link after it
 
-// As kinds() lists them.
+// In the order of kinds().
 enum Kind { kAll, kChecked, kAdjacent, kAlways, kDefault, kNever, kByHand, kKindCount };
 
 Kind kind_of(std::optional<AllowedReason> reason) {

@@ -180,7 +180,7 @@ QWidget* SetupDialog::make_pairs() {
   connect(pairs_, &PairTable::decided, this,
           [this](const geometric::AllowedCollisions::Pair& pair, bool may_touch) {
             may_touch_[pair] = may_touch;
-            // Not within the signal of a row: its table is filled again.
+            // The call is queued, because it fills the table whose row emits this signal.
             QMetaObject::invokeMethod(this, &SetupDialog::show_pairs, Qt::QueuedConnection);
           });
   connect(pairs_, &PairTable::looked_at, this,
@@ -324,7 +324,7 @@ void SetupDialog::move_joints(const JointOwners& owners) {
     moved_[joint] = owner;
   }
   groups_ = groups_by_now();
-  // Not within the signal of a row: its table is filled again.
+  // The call is queued, because it fills the table whose row emits this signal.
   QMetaObject::invokeMethod(this, &SetupDialog::examine, Qt::QueuedConnection);
 }
 

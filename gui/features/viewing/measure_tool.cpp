@@ -104,7 +104,7 @@ MeasureTool::MeasureTool(Workbench& workbench)
   workbench_.view.installEventFilter(this);
   connect(action_, &QAction::toggled, this, &MeasureTool::turn_on);
   connect(card_, &MeasureCard::closed, action_, [this] { action_->setChecked(false); });
-  // What was measured is not there any more.
+  // The measured bodies may not exist any more.
   connect(&workbench_.document, &Document::edited, this, &MeasureTool::clear);
   connect(&workbench_.document, &Document::configuration_changed, this, &MeasureTool::clear);
   const auto follow_scene = [this] {
@@ -154,7 +154,7 @@ bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-// What is no click turns and moves the view as ever.
+// Mouse events other than clicks turn and move the view as usual.
 bool MeasureTool::take_mouse(const QMouseEvent& event) {
   switch (event.type()) {
     case QEvent::MouseButtonPress:

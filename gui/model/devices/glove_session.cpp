@@ -240,7 +240,7 @@ void GloveSession::set_calibration(std::optional<device::GloveCalibration> calib
     rebuild_mapper();
   }
   if (same_ranges || method_ != PostureMethod::kJointMapping) {
-    emit source_changed();  // What was recorded means other angles now.
+    emit source_changed();  // Recorded counts mean other angles now.
   }
 }
 

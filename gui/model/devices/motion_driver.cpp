@@ -406,14 +406,14 @@ bool MotionDriver::carry_out(Devices& devices, const Order& order) {
 
 namespace {
 
-// What the thread reads besides numbers of signals.
+// Messages that the thread reads besides numbers of signals.
 constexpr unsigned char kDone = 0;
 
 std::atomic<int> signal_pipe = -1;
 std::mutex driver_mutex;
 MotionDriver* driver_at_exit = nullptr;
 
-// Only what a signal handler may do: the rest is up to the thread.
+// Does only what a signal handler may do: the thread does the rest.
 extern "C" void forward_signal(int signal) {
   const int error = errno;
   const auto number = static_cast<unsigned char>(signal);

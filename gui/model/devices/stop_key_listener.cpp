@@ -141,8 +141,8 @@ class StopKeyListener::Thread {
     }
   }
 
-  // Which Control keys are down is kept from their own events: asked for when the other key is
-  // taken, they may be up again.
+  // Tracks from their own events which Control keys are down: when the other key is processed, they
+  // may be up again.
   void take_press(xcb_keycode_t code) {
     if (has(code, kControlLeft) || has(code, kControlRight)) {
       controls_.insert(code);
@@ -167,7 +167,7 @@ class StopKeyListener::Thread {
   std::function<void()> stop_;
   std::uint8_t opcode_;
   std::multimap<xcb_keycode_t, xcb_keysym_t> keyboard_;
-  std::set<xcb_keycode_t> controls_;  ///< That are down.
+  std::set<xcb_keycode_t> controls_;  ///< Control keys that are down.
   int end_;
   std::thread thread_;
 };

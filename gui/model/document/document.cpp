@@ -155,7 +155,7 @@ void save_scene(const planning::LoadedScene& loaded, const geometric::Configurat
   geometric::Scene scene = *loaded.scene;
   scene.planner = planner;
   if (!scene.robots.empty()) {
-    // Where a task without a start begins.
+    // A task without a start begins here.
     const geometric::Configuration stood = std::exchange(scene.robots.front().configuration, shown);
     if (!scene.start && (scene.goal || !scene.goal_poses.empty())) {
       scene.start = stood;
@@ -215,7 +215,8 @@ bool has_same_robots(const geometric::Scene& a, const geometric::Scene& b) {
   });
 }
 
-// Where the first robot of `after` stands, joints that it has in both scenes as they are shown.
+// Returns the configuration of the first robot of `after`, with joints that it has in both scenes
+// as they are shown.
 geometric::Configuration configuration_in(const geometric::Scene& before,
                                           const geometric::Configuration& shown,
                                           const geometric::Scene& after) {
@@ -264,7 +265,7 @@ const geometric::RobotInstance* Document::robot() const {
 
 namespace {
 
-// Of no file: that of one that is not there.
+// Returns the stamp of a file; for none, that of a missing file.
 FileStamp stamp_of(const std::filesystem::path& file) {
   FileStamp stamp;
   std::error_code missing;
@@ -382,7 +383,7 @@ void Document::set_state(SceneState state) {
   }
 }
 
-// What has been dragged is put back where it is shown.
+// Items that were dragged return to where they are shown.
 void Document::set_configuration(const geometric::Configuration& q) {
   if (robot()) {
     q_ = shows_measured_ ? q_ : q;

@@ -48,7 +48,7 @@ bool is_called(const geometric::NamedPosture& posture, const char* name) {
   return QString::fromStdString(posture.name).contains(QLatin1String(name), Qt::CaseInsensitive);
 }
 
-/// How deep the root link goes below the base's origin, m.
+/// Returns the depth of the root link below the base's origin, m.
 double depth_below_base(const geometric::RobotModel& model) {
   double lowest = 0.0;
   for (const geometric::LinkGeometry& part : model.link(0).collision) {

@@ -73,7 +73,7 @@ PreparedProblem::PreparedProblem(planning::LoadedScene loaded, const planning::R
   }
   auto promise = std::make_shared<std::promise<Problem>>();
   problem_ = promise->get_future().share();
-  // What an edit makes is likely to be edited again: not worth the room on the disk.
+  // Results of an edit are likely to be edited again, and not worth the room on the disk.
   const geometric::Preparation preparation{wanted_.get_token(), before == nullptr};
   queue.run(wanted_, [promise = std::move(promise), loaded = std::move(loaded), known = known_,
                       preparation] {

@@ -22,7 +22,7 @@ using geometric::Scene;
 
 namespace {
 
-// Of a robot of one file: none.
+// Returns the part; none for a robot of one file.
 const RobotPart* find_part(const RobotInstance& robot, const std::string& name) {
   const auto found = std::ranges::find(robot.parts, name, &RobotPart::name);
   return found == robot.parts.end() ? nullptr : &*found;

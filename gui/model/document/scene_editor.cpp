@@ -23,7 +23,7 @@ namespace {
 
 QString words(const std::string& name) { return QString::fromStdString(name); }
 
-// As a share of what is selected along x and y: what is smaller goes onto it.
+// Share of the selection's size along x and y: smaller objects are placed on top of it.
 constexpr double kRoomOnTop = 0.8;
 
 // Meshes of copied objects that no file holds go into a folder beside it.
@@ -529,7 +529,7 @@ void SceneEditor::attach(const std::string& robot, const std::string& link,
   const geometric::Configuration& q = document_.configuration();
   const auto X_WL = can_change() ? link_pose(*state().scene, q, robot, link) : std::nullopt;
   if (X_WL) {
-    // What stands on something could not be moved at all.
+    // An object that touches its support could not be moved at all.
     const double rise = rise_to_clear(state(), changeable());
     const QString to = QString::fromStdString(robot + '/' + link);
     const QString text =

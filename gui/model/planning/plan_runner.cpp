@@ -116,7 +116,7 @@ void find_motion(const planning::PlanningProblem& problem,
 
 }  // namespace
 
-/// What the threads have in common.
+/// State that the threads share.
 struct SeedRunner::Shared {
   SeedRuns runs;
   std::stop_token stop;
@@ -227,7 +227,7 @@ struct OptimizeRunner::Work {
         cost_before(optimizer.cost()) {}
 
   PreparedProblem::Problem problem;
-  planning::PlanResult found;  ///< What it began with.
+  planning::PlanResult found;  ///< Result it began with.
   planning::ObjectiveWeights weights;
   planning::Observer silent;
   planning::PlanningContext context;

@@ -192,7 +192,7 @@ std::string only_key(const PlanChoices& a, const PlanChoices& b) {
   return keys.size() == 1 ? keys.front() : std::string();
 }
 
-// What is different, in a few words; empty: nothing.
+// Returns the difference in a few words; empty if there is none.
 QString difference(const PlanChoices& a, const PlanChoices& b) {
   const auto word = [](const std::string& text) { return QString::fromStdString(text); };
   if (a.planner.name != b.planner.name) {

@@ -272,7 +272,7 @@ void PlanningSession::take_seeds(bool cancelled) {
   emit ended(true, note);
 }
 
-// What stood in the way for all of them together.
+// Shows the bodies that obstructed all of the seeds together.
 void PlanningSession::show_none(const QString& note) {
   planning::PlanResult result;
   result.status = planning::PlanStatus::kCancelled;

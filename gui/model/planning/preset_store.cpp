@@ -43,7 +43,7 @@ Texts texts_of(const std::vector<planning::Parameter>& parameters) {
   return texts;
 }
 
-// What the planner's parameters would be.
+// Returns the values of the planner's parameters under the preset.
 std::vector<planning::Parameter> values_of(const PlannerPreset& preset, planning::Planner& fresh) {
   std::vector<planning::Parameter> parameters = fresh.parameters();
   for (const auto& [key, value] : preset.settings) {

@@ -121,7 +121,7 @@ double QuantityField::quantity() const {
 void QuantityField::show_quantity(double value) { show_value(*this, to_shown(kind_, value)); }
 
 double QuantityField::valueFromText(const QString& text) const {
-  // What is shown has fewer digits than the value.
+  // The shown text has fewer digits than the value.
   return text == textFromValue(value()) + suffix() ? value()
                                                    : parse(kind_, text, unit_).value_or(value());
 }

@@ -63,7 +63,7 @@ QString kind_of_shape(const geometric::Shape& shape) {
 
 namespace {
 
-// Of a mesh its file and its size in triangles are shown.
+// A mesh is shown by its file and its size in triangles.
 bool has_same_fields(const geometric::Shape& a, const geometric::Shape& b) {
   const auto* one = std::get_if<geometric::Mesh>(&a);
   const auto* other = std::get_if<geometric::Mesh>(&b);

@@ -91,7 +91,7 @@ class AnyText : public QValidator {
 /// The field that a person has typed in last.
 QPointer<QWidget> field_with_typing;
 
-/// What a person does in one field, and what the program wanted to show meanwhile.
+/// Tracks the editing of one field, and the value that the program wanted to show meanwhile.
 class TypedInput : public QObject {
  public:
   using Show = std::function<void()>;
@@ -208,7 +208,8 @@ class TypedInput : public QObject {
     }
   }
 
-  /// Whether the field is being destroyed: it loses the focus on the way, and is no field any more.
+  /// Returns whether the field is being destroyed: it loses the focus meanwhile, and is no field
+  /// any more.
   [[nodiscard]] bool is_going() const {
     return (spin_ && !qobject_cast<QAbstractSpinBox*>(parent())) ||
            (line_ && !spin_ && !qobject_cast<QLineEdit*>(parent()));
@@ -294,7 +295,7 @@ class TypedInput : public QObject {
     begin_entering();
   }
 
-  /// What a number field has when the person begins to type.
+  /// Returns the value of a number field at the beginning of typing.
   [[nodiscard]] QVariant value_before() const {
     if (const auto* number = qobject_cast<const QDoubleSpinBox*>(spin_)) {
       return number->value();

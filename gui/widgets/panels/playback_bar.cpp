@@ -151,7 +151,7 @@ int PlaybackBar::width_of(const QToolButton& button) const {
   return button.minimumSizeHint().width() + row_->spacing();
 }
 
-// Of a bar with the timeline above and without the spare buttons.
+// Returns the size of a bar with the timeline above and without the spare buttons.
 QSize PlaybackBar::minimumSizeHint() const {
   QSize size = QWidget::minimumSizeHint();
   if (above_->isEmpty()) {

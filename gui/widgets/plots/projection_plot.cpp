@@ -36,7 +36,7 @@ void span_axis(QwtPlot& plot, int axis, double least, double most) {
 
 }  // namespace
 
-/// What stays when the robot moves.
+/// Layer that does not change when the robot moves.
 class ProjectionPlot::Drawing : public QwtPlotItem {
  public:
   Drawing(const PlaneRoadmap& roadmap, const ProjectionColors& colors)
@@ -94,7 +94,7 @@ class ProjectionPlot::Drawing : public QwtPlotItem {
   const ProjectionColors& colors_;
 };
 
-/// Where the robot is: drawn over the plot, which is not redrawn when it moves.
+/// Mark of the robot over the plot, which is not redrawn when it moves.
 class ProjectionPlot::RobotMark : public QwtWidgetOverlay {
  public:
   explicit RobotMark(const ProjectionPlot& plot)

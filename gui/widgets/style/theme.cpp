@@ -107,7 +107,8 @@ QPalette palette_of(const ThemeColors& colors) {
   return palette;
 }
 
-// What is as large as the text beside it: fonts, and the boxes and arrows of controls.
+// Returns the sheet with scaled sizes of what is as large as the text beside it: fonts, and the
+// boxes and arrows of controls.
 QString with_scaled_text(const QString& sheet) {
   static const QRegularExpression kSize(QStringLiteral("(?<=@size )(\\d+)(?=px)"));
   QString scaled_sheet;
@@ -180,7 +181,7 @@ ThemeColors colors_of(Theme theme) {
 
 namespace {
 
-// Those that were written in the colours of the theme before.
+// Recolours texts that were written in the colours of the theme before.
 void recolor_texts(const ThemeColors& before, const ThemeColors& now) {
   for (QWidget* widget : QApplication::allWidgets()) {
     if (auto* label = qobject_cast<QLabel*>(widget)) {

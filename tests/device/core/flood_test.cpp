@@ -44,12 +44,12 @@ using std::chrono::milliseconds;
 using testing::HasSubstr;
 
 constexpr std::size_t kMegabyte = std::size_t{1} << 20U;
-/// What a flood may add to the memory of this program, proxy and emulators included.
+/// Largest growth of this program's memory by a flood, proxy and emulators included.
 constexpr std::size_t kMostMemory = 24 * kMegabyte;
-/// What a flood is at least.
+/// Least size of a flood.
 constexpr std::uint64_t kFlood = kMegabyte;
 
-/// Of a turn of a loop over devices, s of this thread: a loaded machine stretches any turn …
+/// Longest turn of a loop over devices, s of this thread: a loaded machine stretches any turn …
 constexpr double kLongestTurn = 0.05;
 /// … but not most of those that are taken in a second.
 constexpr int kLeastTurns = 20;
@@ -285,7 +285,7 @@ TEST_P(Flood, IsNoReasonToWaitOnceAStopIsRequested) {
   try {
     flooded.link->connect(stop.token());
   } catch (const DeviceError&) {
-    // Or it is connected at once, as positions come: that is for the device to say.
+    // If positions come at once, the device may be connected instead.
   }
   EXPECT_LT(stop.ms_ago(), 100.0);
 }

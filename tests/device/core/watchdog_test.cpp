@@ -1,4 +1,4 @@
-/// How long a device is silent, for a program that is held up itself now and then.
+/// Tests how long a device counts as silent, for a program that is delayed itself now and then.
 #include "handway/device/core/watchdog.h"
 
 #include <gtest/gtest.h>

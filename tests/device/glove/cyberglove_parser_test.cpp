@@ -103,7 +103,7 @@ TEST(CyberGloveParser, FindsItsPlaceAgainAfterEveryWayOfBreakingARecord) {
   for (const Bytes& broken : {lost, doubled, zeroed, cut, noise}) {
     CyberGloveParser parser({});
     const auto records = parse(parser, joined({kRelaxed, broken, kRelaxed, kRelaxed}));
-    // What has no end takes the next record with it; nothing else is lost, nothing made up.
+    // A record without an end takes the next one with it; nothing else is lost, nothing made up.
     ASSERT_THAT(records.size(), testing::AnyOf(2U, 3U));
     for (const CyberGloveRecord& record : records) {
       EXPECT_EQ(record.counts, kRelaxedCounts);

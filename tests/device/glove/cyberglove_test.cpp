@@ -124,7 +124,7 @@ TEST(CyberGlove, DropsDamagedRecordsAndGoesOn) {
   glove.connect();
   std::size_t torn = 0;
   for (const GloveFrame& frame : take(glove, 200)) {
-    // Only a damaged byte that leaves the record's form as it was may get through.
+    // A damaged byte may get through only if it keeps the form of the record.
     torn += std::count(frame.counts.begin(), frame.counts.end(), frame.counts[0]) < 21 ? 1 : 0;
   }
   EXPECT_LE(torn, 4U);

@@ -46,7 +46,7 @@ HandLandmarks world(int frame, bool left = false) {
   return points;
 }
 
-// As shares of a picture of 4:3.
+// Returns the hand in shares of a picture of 4:3.
 HandLandmarks in_picture(int frame) {
   HandLandmarks points = 2.0 * world(frame);
   points.row(0) = (points.row(0) / (4.0 / 3.0)).array() + 0.5;

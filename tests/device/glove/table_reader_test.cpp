@@ -165,7 +165,7 @@ TEST_F(Tables, ReadOtherMatlabFilesByAMap) {
   EXPECT_NEAR(recording.times[1], 0.02, 1e-12);
 }
 
-// As a spreadsheet of a country with decimal commas saves it.
+// The file is saved by a spreadsheet of a country with decimal commas.
 TEST_F(Tables, ReadSpreadsheetsWithDecimalCommasAndNamesOfOthers) {
   const Recording recording = read(
       "\xEF\xBB\xBFTrial 7;;;;;\r\n"
@@ -251,7 +251,7 @@ TEST_F(Tables, SayWhatColumnsWithoutNamesMayBe) {
               AllOf(HasSubstr("700.5"), HasSubstr("gains")));
 }
 
-// As HUST's and others': matrices by any name, sensors along either side, in structures.
+// HUST's and others' files have matrices by any name, sensors along either side, in structures.
 TEST_F(Tables, ReadTheOneMatrixOfAGloveInAMatlabFile) {
   std::vector<double> degrees(2 * 22, 10.5);
   degrees[22 + 4] = 45.0;

@@ -64,8 +64,8 @@ GloveAngles bent_by(double degrees) {
   return angles;
 }
 
-/// Where the fingertips of a mapped hand are in the frame of a person's palm, from the finger's
-/// base, in lengths of the finger.
+/// Returns the positions of the fingertips of a mapped hand in the frame of a person's palm, from
+/// the finger's base, in lengths of the finger.
 std::vector<Eigen::Vector3d> mapped_tips(const RobotModel& model, const HandMapping& mapping,
                                          const GloveAngles& angles) {
   const RobotFingers hand = find_fingers(model);
@@ -88,7 +88,7 @@ std::vector<Eigen::Vector3d> mapped_tips(const RobotModel& model, const HandMapp
   return tips;
 }
 
-/// What a proposed mapping has to do on every hand.
+/// Checks the properties of a proposed mapping on any hand.
 void expect_moves_like_a_person(const RobotModel& model) {
   const HandMapping mapping = propose_mapping(model);
   const auto straight = mapped_tips(model, mapping, flat());
@@ -155,8 +155,8 @@ TEST(ProposedMapping, MovesHandsWhoseNamesSayNothing) {
   expect_moves_like_a_person(*allegro);
 }
 
-/// Of a hand whose ring and little finger are on a part of the palm that goes with the thumb's
-/// base, and whose thumb has two joints. @param thumb_base axis of the first.
+/// Returns a hand whose ring and little finger are on a part of the palm that moves with the
+/// thumb's base, and whose thumb has two joints. @param thumb_base axis of the first.
 RobotModel folding_hand(const Eigen::Vector3d& thumb_base = Eigen::Vector3d::UnitZ()) {
   geometric::RobotDescription robot;
   robot.links.push_back({"palm", {}, {}});

@@ -49,7 +49,7 @@ struct Cell {
     robot->upload(a_second());
   }
 
-  /// How far the robot is from the straight way that it was to go.
+  /// Returns the distance of the robot from its planned straight motion.
   [[nodiscard]] double off_path() const {
     const Eigen::VectorXd at = emulator.position();
     return (at - way() * at.dot(way()) / way().squaredNorm()).norm();

@@ -111,7 +111,7 @@ TEST_P(PolhemusTrackers, DropDamagedRecordsAndGoOn) {
   pair.tracker->connect();
   int torn = 0;
   for (const TrackerSample& sample : take(*pair.tracker, 150)) {
-    // Only a damaged byte that leaves the record's form as it was may get through.
+    // A damaged byte may get through only if it keeps the form of the record.
     torn += sample.X_ST.isApprox(still_pose(0.0, 1), 2e-4) ? 0 : 1;
   }
   EXPECT_LE(torn, 6);

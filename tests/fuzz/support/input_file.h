@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-/// What fuzz targets share.
+/// Helpers that fuzz targets share.
 namespace handway::fuzz {
 
 /// A file in a folder of its own, with other files beside it, that is written anew for each input.
@@ -35,7 +35,7 @@ class InputFile {
 /// "lift".
 extern const std::string_view kCraneUrdf;
 
-/// Of the crane, as SRDF: the group "crane_arm" of both joints.
+/// SRDF of the crane: the group "crane_arm" of both joints.
 extern const std::string_view kCraneSrdf;
 
 /// Calls `read`, which may refuse what it reads by an InputError and in no other way.

@@ -23,7 +23,7 @@ void in_pieces(const std::uint8_t* data, std::size_t size, Take&& take) {
   }
 }
 
-/// What has to hold whatever comes.
+/// Fails the fuzz target unless the condition holds.
 inline void require(bool holds) {
   if (!holds) {
     std::abort();

@@ -11,7 +11,8 @@ namespace {
 using test::add_object;
 using test::scene_of;
 
-/// Of a box of 0.2 m at `p` and one of 0.4 m at the origin, turned by `yaw`.
+/// Returns the closest points of a box of 0.2 m at `p` and one of 0.4 m at the origin, turned by
+/// `yaw`.
 std::optional<ClosestPoints> closest_to_box(const Eigen::Vector3d& p, double yaw = 0.0) {
   Scene scene = scene_of(test::gantry(Box{{0.2, 0.2, 0.2}}));
   add_object(scene, "box", Box{{0.4, 0.4, 0.4}},

@@ -148,7 +148,8 @@ class ChangedWorld : public testing::Test {
     carry(scene_, "tool", "probe", {"shelf"});
   }
 
-  // The same bodies and pairs in the same order, with the meshes of `before` where it has them.
+  // Expects equal bodies and pairs in the same order, with the meshes of `before` where it has
+  // them.
   static void expect_same(const CollisionWorld& changed, const Scene& scene,
                           const CollisionWorld& before) {
     const CollisionWorld anew(scene);

@@ -192,8 +192,8 @@ TEST(ContinuousCollisionChecker, IsFreeIfItIsForEveryPairOnItsOwn) {
   EXPECT_LT(refused, 40);
 }
 
-// How many random pieces of free edges are refused, of edges and pieces that know the same ends; at
-// a resolution that many edges come close to.
+// Returns how many random pieces of free edges are refused, for edges and pieces that know the same
+// ends; at a resolution that many edges come close to.
 int refused_pieces(bool accepts_pieces) {
   constexpr double kCoarse = 5e-3;
   test::EdgeJudge judge(thin_things(), kCoarse);

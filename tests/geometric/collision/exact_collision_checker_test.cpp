@@ -35,7 +35,7 @@ Scene cluttered() {
   return scene;
 }
 
-// So many small things that they are looked for in a tree.
+// Returns a scene of so many small objects that they are searched in a tree.
 Scene crowded() {
   Scene scene = test::scene_of(test::solid_tx90_sah());
   std::mt19937_64 engine(11);

@@ -50,7 +50,7 @@ Scene with_poses_at(Scene scene, const Eigen::Vector3d& offset) {
   return scene;
 }
 
-// The same triangles in the same place, in a frame from whose origin they are far.
+// Moves the frame far from the triangles, which stay in the same place.
 void move_vertices(Shape& shape, Pose& X, const Eigen::Vector3d& offset) {
   const Pose by(Eigen::Translation3d{offset});
   shape = Mesh{"", Eigen::Vector3d::Ones(),

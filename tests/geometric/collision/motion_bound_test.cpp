@@ -45,8 +45,8 @@ double farthest(const TriangleMesh& mesh, const Pose& before, const Pose& after)
   return most;
 }
 
-// What the points of both bodies travel, seen from the link that carries both,
-// is the most that their distance can change.
+// The distance of two bodies changes by at most the travel of the points of both, seen from the
+// link that carries both.
 void expect_bounds_hold(const CollisionWorld& world, const Configuration& from,
                         const Configuration& to) {
   const MotionBound motion(world);

@@ -122,7 +122,8 @@ TEST_P(Primitives, HaveTheAnswersOfFcl) {
 
 INSTANTIATE_TEST_SUITE_P(Offsets, Primitives, testing::Values(0.0, 150.0, 5000.0));
 
-// What a checker has made by then must not show: neither in the pair that is found nor in bounds.
+// Parts that a checker has built by then must not show: neither in the pair that is found nor in
+// bounds.
 TEST(PrimitivesOnDemand, AnswerTheSameWhateverWasAskedBefore) {
   RandomShapes random(23);
   Scene scene = test::scene_of(test::gantry(random.shape(0.05, 0.2)));

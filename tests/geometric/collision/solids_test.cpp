@@ -1,4 +1,4 @@
-/// What is inside of a solid collides with it, for every checker.
+/// Tests that bodies inside of a solid collide with it, for every checker.
 #include "../robot/random_configurations.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
@@ -49,7 +49,7 @@ TriangleMesh moved(const Shape& shape, const Eigen::Vector3d& p) {
 
 class Solids : public testing::TestWithParam<CheckerKind> {
  protected:
-  /// Whether a probe of that shape collides with an object at the origin when it is at `p`.
+  /// Returns whether a probe of that shape collides with an object at the origin when it is at `p`.
   static bool collides(const Shape& probe, const Shape& object,
                        const Eigen::Vector3d& p = Eigen::Vector3d::Zero(), bool solid = true) {
     Scene scene = scene_of(test::gantry(probe));

@@ -53,7 +53,8 @@ class ThinEdges {
   }
 
  private:
-  // Of 2 to 122 mm, measured at the point that moves the farthest; its ends are free.
+  // Returns an edge of 2 to 122 mm, measured at the point that moves the farthest; its ends are
+  // free.
   Edge random_edge() {
     for (;;) {
       const Configuration from = random_.next();

@@ -113,7 +113,7 @@ Mesh whole(const Body& body) {
   return {"", Eigen::Vector3d::Ones(), std::make_shared<const TriangleMesh>(std::move(mesh))};
 }
 
-/// What of a scene changes which pairs are checked, and how.
+/// Options of a scene that change which pairs are checked, and how.
 struct Options {
   std::string name;
   Padding bell = {};      ///< Of the link "bell".

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// How far a point is outside of a convex surface, m; negative within.
+// Returns the distance of a point from a convex surface, m; negative within.
 double outside(const TriangleMesh& hull, const Vector3d& p) {
   double most = -std::numeric_limits<double>::infinity();
   for (const auto& [a, b, c] : hull.triangles) {

@@ -11,7 +11,7 @@ namespace {
 constexpr int kShoulder = 0;
 constexpr int kThumb = 2;
 
-/// Of the planar robot's thumb and palm.
+/// Table of the planar robot's thumb and palm.
 struct ThumbTable {
   CollisionWorld world{handway::test::scene_of(handway::test::planar_hand_arm())};
   MotionBound motion{world};

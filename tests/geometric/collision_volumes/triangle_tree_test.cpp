@@ -16,7 +16,7 @@ double distance(const TriangleMesh& mesh, std::uint32_t triangle, const Eigen::V
   return (p - nearest_on_triangle(corners(mesh, triangle), p)).norm();
 }
 
-// What the tree may take for nearer though it is not.
+// Distance by which the tree may underestimate.
 constexpr double kDoubt = 2e-5;  // m
 
 // Shows `look` each sample's tree with points in and around it, numbered.

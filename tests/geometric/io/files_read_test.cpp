@@ -29,7 +29,7 @@ TEST(FilesRead, AreNotedOnceEachWhileAnybodyWantsToKnow) {
   EXPECT_THAT(all.files(), ElementsAre(text, mesh));
 }
 
-// As Windows' shells and older editors write it.
+// Windows' shells and older editors write these encodings.
 TEST(TextFile, IsReadInOtherEncodings) {
   const ScratchFiles files;
   const auto read = [&](const std::string& bytes) {

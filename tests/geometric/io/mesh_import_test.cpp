@@ -58,7 +58,7 @@ std::string cubes(int doublings) {
 }
 
 struct BadMesh {
-  std::string name;  ///< Of the case and of the file.
+  std::string name;  ///< Name of the case and of the file.
   std::string content;
   std::vector<std::string> answers;  ///< One of them, or any if there is none.
 };

@@ -1,4 +1,4 @@
-/// Which joints of a scene's robots move: `group` in scene files.
+/// Tests which joints of a scene's robots move: `group` in scene files.
 #include "scratch_files.h"
 
 #include <handway/geometric/formats/scene_file.h>

@@ -1,4 +1,5 @@
-/// What of a URDF can't be read: what planning needs is refused, by line; the rest is told.
+/// Tests the parts of a URDF that can't be read: those that planning needs are refused, by line;
+/// the others give warnings.
 #include "scratch_files.h"
 
 #include <handway/geometric/formats/robot_loader.h>
@@ -138,7 +139,7 @@ TEST_F(UrdfElementsTest, ReadsCapsulesAsThreeShapes) {
   EXPECT_THAT(r.warnings, IsEmpty());
 }
 
-// As converters give to links that are frames.
+// Converters give such shapes to links that are frames.
 TEST_F(UrdfElementsTest, LeavesOutShapesWithoutSize) {
   for (const char* shape : {R"(<box size="0 0 0"/>)", R"(<sphere radius="0.0"/>)",
                             R"(<cylinder radius="0" length="0"/>)"}) {

@@ -164,7 +164,7 @@ TEST(CoupledLimits, AreNamedByTheJointThatFollows) {
   EXPECT_FALSE(state.within_limits());
 }
 
-// As where a scene has a limit with six decimals, or a right angle as 1.5708.
+// This occurs if a scene has a limit with six decimals, or a right angle as 1.5708.
 TEST(LimitViolations, ShowByWhatALimitIsExceeded) {
   const LimitViolation far{"tip", 0.9, -0.5, 0.5, ""};
   EXPECT_EQ(to_string(far), "joint tip at 0.9000 rad, allowed -0.5000 to 0.5000 (22.9° beyond)");

@@ -46,21 +46,21 @@ class Tree {
     return *this;
   }
 
-  /// Of the joints to two links.
+  /// Couples the joint of one link to that of another.
   Tree& follow(const std::string& link, const std::string& leader) {
     const auto joint = std::ranges::find(robot_.joints, link, &Joint::child);
     joint->mimic = Mimic{leader + "_joint", 1.0, 0.0};
     return *this;
   }
 
-  /// The other way round.
+  /// Couples the joint in the opposite direction.
   Tree& follow_against(const std::string& link, const std::string& leader) {
     follow(link, leader);
     std::ranges::find(robot_.joints, link, &Joint::child)->mimic->multiplier = -1.0;
     return *this;
   }
 
-  /// As a box around its frame, m.
+  /// Adds a box around the link's frame, m.
   Tree& draw(const std::string& link, double size = 0.1) {
     std::ranges::find(robot_.links, link, &Link::name)
         ->visual.push_back({Box{Eigen::Vector3d::Constant(size)}, Pose::Identity(), {}});

@@ -42,7 +42,8 @@ bool keeps_limits(const RobotModel& model, const Configuration& q) {
   return (q - model.lower()).minCoeff() >= 0.0 && (model.upper() - q).minCoeff() >= 0.0;
 }
 
-/// Of 10 000 poses of uniformly random configurations, how many are reached from the neutral one.
+/// Returns how many of 10 000 poses of uniformly random configurations are reached from the neutral
+/// one.
 int reached_of_10000(const std::shared_ptr<const RobotModel>& model, const std::string& tip) {
   constexpr int kPoses = 10000;
   const NumericInverseKinematics ik(model, tip);

@@ -20,7 +20,8 @@ std::shared_ptr<const RobotModel> right_hand() {
   return load_robot(find_resource(ResourceKind::kRobot, "sah_right", test::source_dir()));
 }
 
-/// Of each shape that collides, at a posture: mean, least and most of its corners, in any order.
+/// Returns for each shape that collides, at a posture, the mean, least and most of its corners, in
+/// any order.
 std::vector<Eigen::Matrix3d> places(const RobotModel& model, const Configuration& q,
                                     const Eigen::Vector3d& scale) {
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));

@@ -30,7 +30,7 @@ bool within_limits(const RobotModel& model, const Configuration& q) {
   return (q - model.lower()).minCoeff() >= 0.0 && (model.upper() - q).minCoeff() >= 0.0;
 }
 
-/// What a solver says of a pose is measured again with forward kinematics.
+/// Checks a solver's results for a pose with forward kinematics.
 void expect_honest(const NumericInverseKinematics& ik, const Pose& X_BT,
                    const NumericIkResult& result) {
   const Pose X = tip_pose(ik, result.q);

@@ -65,8 +65,8 @@ double largest_difference_up_to_turns(const Configuration& a, const Configuratio
   return largest;
 }
 
-/// How far joints may be off because the pose hardly depends on them: the
-/// rounding of the pose over the smallest sine of the arm's bends.
+/// Returns by how much joints may be off because the pose hardly depends on them: the rounding of
+/// the pose over the smallest sine of the arm's bends.
 double joint_tolerance(const Configuration& q) {
   const double reach = 0.05 + 0.425 * std::sin(q[1]) + 0.425 * std::sin(q[1] + q[2]);
   const double bend =
@@ -111,8 +111,8 @@ TEST(SphericalWristInverseKinematics, ServesATipTurnedAndShiftedAgainstTheFlange
   expect_round_trip(robot, "flange", 10000, 14);
 }
 
-/// The same arm on a tilted pedestal, with lengths of its own, an elbow that is
-/// bent at zero, axis 3 the other way round and a wrist that is bent at zero.
+/// The arm is on a tilted pedestal, with lengths of its own, an elbow that is bent at zero, axis 3
+/// the other way round and a wrist that is bent at zero.
 TEST(SphericalWristInverseKinematics, ReadsTheLengthsAndZerosFromTheModel) {
   RobotDescription robot = test::tx90_urdf_style();
   robot.joints[0].X_PJ = pose_from_rpy({0.3, -0.2, 0.4}, 0.2, -0.3, 1.0);

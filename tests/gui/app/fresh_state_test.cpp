@@ -1,4 +1,4 @@
-/// What is shown is of the scene that is open, and of no other.
+/// Tests that everything that is shown belongs to the open scene.
 #include "features/planning/collision_display.h"
 #include "model/document/scene_edits.h"
 #include "patience.h"
@@ -19,7 +19,7 @@ class FreshState : public WindowTest {
     ASSERT_TRUE(QTest::qWaitFor([&] { return window().workbench().analysis.motion() != nullptr; },
                                 kPatienceMs));
   }
-  /// What the playback bar says of times.
+  /// Returns the playback bar's text of times.
   [[nodiscard]] QString times() const {
     for (const auto* label : tool<gui::PlaybackBar>().findChildren<QLabel*>()) {
       if (label->objectName() == QLatin1String("playback_time")) {

@@ -1,4 +1,4 @@
-/// What people do without thinking about it, and what therefore has to be where and as they expect.
+/// Tests habits of users, for which controls have to be and behave as expected.
 #include "features/grasping/grasp_tool.h"
 #include "handway/geometric/formats/scene_file.h"
 #include "model/document/scene_edits.h"
@@ -229,7 +229,7 @@ TEST_F(Habits, FShowsEverythingOrWhatIsSelected) {
   EXPECT_TRUE(shows([&] { return distance() > 1.3 * robot_alone; }, "show_all"));
 }
 
-// As the view paints them, seen from above.
+// Reads the colours of the view from above.
 TEST_F(Habits, WhatCollidesIsRedAndWhatIsRedItselfYellow) {
   open(cell().post_aside());
   constexpr geometric::Color kRed{0.85F, 0.1F, 0.1F, 1.0F}, kBlue{0.2F, 0.3F, 0.9F, 1.0F};
@@ -258,7 +258,7 @@ TEST_F(Habits, APathThatIsNoLongerValidStops) {
   plan();
   window().player().play();
   ASSERT_TRUE(window().player().is_playing());
-  // Where the arm is at the goal: there is no other path.
+  // The block is at the arm's goal: there is no other path.
   window().editor().add("block", geometric::Box{{0.2, 0.2, 0.2}}, {}, {0.04, 0.42, -0.1});
   EXPECT_TRUE(QTest::qWaitFor([&] { return !window().player().is_playing(); }, kPatienceMs));
   EXPECT_TRUE(QTest::qWaitFor([&] { return !window().message().isEmpty(); }, kPatienceMs));

@@ -143,7 +143,7 @@ TEST_F(History, ClosingASceneGoesBackToTheStartPage) {
   for (const QAction* action : {actions().paste, actions().duplicate, actions().palm}) {
     EXPECT_FALSE(action->isEnabled()) << action->text().toStdString();
   }
-  // Nothing of the window falls over without a scene.
+  // All parts of the window work without a scene.
   auto& tabs = part<QTabWidget>("control_tabs");
   for (int i = 0; i < tabs.count(); ++i) {
     tabs.setCurrentIndex(i);

@@ -83,7 +83,7 @@ class Audit {
   }
 
  private:
-  using Colors = QHash<QRgb, int>;  ///< How many pixels have each.
+  using Colors = QHash<QRgb, int>;  ///< Number of pixels of each colour.
 
   void report(const QWidget& widget, const QString& fault) {
     faults_ << QStringLiteral("%1: %2").arg(name_of(widget), fault);
@@ -158,7 +158,7 @@ class Audit {
     }
   }
 
-  // What Qt paints, or shows while one scrolls there.
+  // Returns whether Qt paints the widget, or shows it while the user scrolls there.
   static bool is_of_qt(const QWidget& widget) {
     return QLatin1String(widget.metaObject()->className()).startsWith(QLatin1Char('Q')) &&
            !QLatin1String(widget.metaObject()->className()).startsWith(QLatin1String("Qwt"));
@@ -370,7 +370,8 @@ class Audit {
                        .arg(contrast, 0, 'f', 2));
   }
 
-  // As it is painted: the colour that is most there is the paper, the one farthest from it the ink.
+  // Checks the contrast of the painted text: the most frequent colour is the paper, the one
+  // farthest from it the ink.
   void check_contrast(QWidget& widget, const QRect& place, const QString& text) {
     const QString key = name_of(widget) + QLatin1Char('\n') + text;
     if (!widget.isEnabled() || text.trimmed().isEmpty() || checked_.contains(key)) {
@@ -392,8 +393,8 @@ class Audit {
     }
   }
 
-  // What is behind is painted, too, but not the 3-D view, which cards float over; null of what a
-  // person has to scroll to in a list.
+  // Returns a picture of the widget with what is behind it, but without the 3-D view, which cards
+  // float over; null if a user has to scroll to it in a list.
   static QImage picture_of(QWidget& widget, const QRect& place) {
     QWidget* behind = widget.window();
     for (QWidget* part = &widget; part; part = part->parentWidget()) {

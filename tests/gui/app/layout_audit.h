@@ -7,12 +7,13 @@ class QWidget;
 
 namespace handway::test {
 
-/// What people can't read of a window: texts that are cut, widgets that lie outside of what they
-/// are in, and texts with a contrast below 4.5 (3 of marks such as "●"). Neither what has the whole
-/// text in its tool tip nor what a person can scroll to is cut; what is disabled may be faint.
+/// Finds what users can't read of a window: texts that are cut, widgets that lie outside of their
+/// parent, and texts with a contrast below 4.5 (3 for marks such as "●"). Texts are not cut if the
+/// tool tip has the whole text or if they can be scrolled to; disabled ones may be faint.
 class LayoutAudit {
  public:
-  /// Of what is seen in `root` now, one sentence for each fault; each is named once.
+  /// Returns the faults of what is visible in `root` now, one sentence for each; each is named
+  /// once.
   [[nodiscard]] QStringList new_faults(QWidget& root);
 
  private:

@@ -72,7 +72,7 @@ TEST_F(OpenScene, SaysWhatTouchesWhat) {
   EXPECT_EQ(report.collisions.front().b, "wall");
 }
 
-// As many hands are published.
+// Many published hands are like this.
 TEST_F(OpenScene, ShowsARobotWithoutCollisionGeometry) {
   const std::filesystem::path file = cell().folder() / "bare.urdf";
   std::ofstream(file) << R"(<robot name="bare">

@@ -11,11 +11,11 @@ namespace handway::test {
 /// A piece of text as a widget paints it.
 struct PaintedText {
   QString text;
-  QPolygonF outline;  ///< Of its letters, in the widget's coordinates.
-  QRectF room;        ///< What is painted of it: the clip there, in the widget's coordinates.
+  QPolygonF outline;  ///< Outline of its letters, in the widget's coordinates.
+  QRectF room;        ///< Visible part: the clip there, in the widget's coordinates.
 };
 
-/// What a widget itself paints, its children apart.
+/// Returns the texts that a widget itself paints, without its children.
 [[nodiscard]] QList<PaintedText> painted_texts(QWidget& widget);
 
 }  // namespace handway::test

@@ -82,7 +82,7 @@ class PanelWalk : public ::testing::TestWithParam<Form> {
     ASSERT_TRUE(QTest::qWaitFor(condition, kPatienceMs));
   }
 
-  /// What is on screen now.
+  /// Looks at what is on screen now.
   void look(const QString& stop) { look_at(stop, *window_); }
   void look_at(const QString& stop, QWidget& of) {
     settle(of);
@@ -235,7 +235,7 @@ void PanelWalk::walk_cards() {
   walk_goals();
 }
 
-// One that is free, one in the table, and a pose.
+// Shows a free goal, one in the table, and a pose.
 void PanelWalk::walk_goals() {
   const auto goal = window_->document().scene()->goal;
   window_->editor().set_goal(window_->document().robot()->model->neutral());
@@ -380,7 +380,7 @@ TEST_P(PanelWalk, CutsNothingWithAGlove) {
   wait_for([&] { return panel.session().link().state() == device::StreamState::kStopped; });
 }
 
-// Of a small window, of a usual one, and of a usual one with text of twice the size.
+// The forms are a small window, a usual one, and a usual one with text of twice the size.
 INSTANTIATE_TEST_SUITE_P(
     Forms, PanelWalk,
     ::testing::Values(Form{"small_light", {1024, 700}, 1.0, gui::Theme::kLight},

@@ -1,4 +1,4 @@
-/// What the window keeps of scenes that were open before.
+/// Tests what memory the window keeps of scenes that were open before.
 #include "handway_test/paths.h"
 #include "window_test.h"
 

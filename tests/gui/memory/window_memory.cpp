@@ -29,7 +29,7 @@ double anonymous_memory() {
   throw std::runtime_error("no /proc/self/smaps_rollup");
 }
 
-// What is no longer needed is given back in the background, a second after the last work.
+// Unused memory is given back in the background, a second after the last work.
 double memory_at_rest() {
   double memory = 0.0;
   double before = 0.0;

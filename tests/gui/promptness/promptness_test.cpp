@@ -1,4 +1,4 @@
-/// How soon the window answers. Run while no other test does, and once: what is late fails.
+/// Tests how soon the window answers. It runs alone, and once: late answers fail.
 #include "glove_dock.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway_test/paths.h"
@@ -49,7 +49,7 @@ TEST_F(Promptness, CancelsPlanningWithin100Milliseconds) {
   EXPECT_TRUE(part<QPushButton>("plan").isEnabled());
 }
 
-// What an emulated glove reads, and when it was read first.
+// Counts of an emulated glove, and when they were first read.
 struct Step {
   std::atomic<std::uint16_t> counts{80};
   std::atomic<Clock::rep> stamp{0};

@@ -44,7 +44,7 @@
 namespace handway::test {
 namespace {
 
-/// Where file dialogs begin, as long as it lives.
+/// Sets the folder in which file dialogs begin, as long as it lives.
 class CurrentFolder {
  public:
   explicit CurrentFolder(const std::filesystem::path& folder) : before_(QDir::currentPath()) {
@@ -64,12 +64,12 @@ struct ReachingHand {
   bool is_reference;  ///< Its files are in the reference robots.
   const char* arm;
   const char* hand;
-  const char* mount;  ///< Of the hand on the robot `arm`.
+  const char* mount;  ///< Mount of the hand on the robot `arm`.
   const char* goal;
   const char* finger_joint;
 };
 
-/// Where the postures come from. All are of an emulated hand.
+/// Sources of the postures. All are of an emulated hand.
 enum class Postures {
   kRecording,
   kEmulator,
@@ -135,7 +135,7 @@ void write_table(const std::filesystem::path& map) {
   }
 }
 
-/// As Ninapro's: 22 columns of degrees called "angles".
+/// Writes a file like Ninapro's: 22 columns of degrees called "angles".
 void write_matlab_file(const std::filesystem::path& file) {
   std::vector<double> by_column;
   const std::vector<device::GloveAngles> rows = exploring_hand();
@@ -320,7 +320,7 @@ class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<B
         return open_file(QStringLiteral("data_set.mat"));
     }
   }
-  /// The same for all, as file dialogs go on where the last one ended.
+  /// Returns one folder for all, because file dialogs continue where the last one ended.
   [[nodiscard]] static const std::filesystem::path& folder() {
     static const ScratchFolder kFolder;
     return kFolder.path();

@@ -28,7 +28,7 @@ namespace {
 
 class OneHistory : public HandsOn {
  protected:
-  /// Of the scene, of what the planner is asked for and of how the glove drives the hand.
+  /// Returns the edited state of the scene, of the planner's settings and of the glove's mapping.
   [[nodiscard]] std::string all_that_is_edited() const {
     std::ostringstream all;
     all << written();

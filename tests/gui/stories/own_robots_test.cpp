@@ -182,7 +182,7 @@ class OwnRobots : public ::testing::Test {
   void play_to_the_end();
 
   ScratchFolder folder_;
-  QString name_;  ///< Of the pictures.
+  QString name_;  ///< Name of the pictures.
   std::unique_ptr<gui::MainWindow> window_;
   QElapsedTimer clock_;
 };
@@ -197,7 +197,7 @@ std::filesystem::path copy_robot(const std::filesystem::path& urdf,
 }
 
 void OwnRobots::open_arm(const std::filesystem::path& urdf) {
-  // Where the dialog opens: the story before may have left it elsewhere.
+  // Sets the folder in which the dialog opens: the story before may have left it elsewhere.
   QFileDialog(window_.get()).setDirectory(QString::fromStdString(urdf.parent_path().string()));
   choose_file([this] { click("start_browse"); }, QStringLiteral("open_dialog"),
               QString::fromStdString(urdf.filename().string()), QStringLiteral("1_open"));
@@ -224,7 +224,7 @@ void OwnRobots::mount_hand(const std::filesystem::path& urdf, const char* link) 
   picture(QStringLiteral("5_mounted"));
 }
 
-// Of the selected robot.
+// Sets up the selected robot.
 void OwnRobots::set_up(const std::filesystem::path& urdf) {
   choose_in_menu(QStringLiteral("Edit"), QStringLiteral("Robot setup…"));
   auto* write = window_->findChild<QPushButton*>(QStringLiteral("setup_write"));

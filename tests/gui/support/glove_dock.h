@@ -28,7 +28,7 @@ class GloveDock : public WindowTest {
   /// Connects to an emulated glove and waits until it streams.
   void connect_to_emulator();
   [[nodiscard]] bool waits_for(device::StreamState state) const;
-  /// What the emulated sensors read from now on.
+  /// Sets the counts that the emulated sensors read from now on.
   void set_counts(std::uint16_t counts) { *counts_ = counts; }
   void unplug() { emulator_.reset(); }
 

@@ -34,7 +34,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   return taken;
 }
 
-// How long pictures take is up to the graphics card, also where a press paints at once.
+// The time to paint depends on the graphics card, also if a press paints at once.
 bool WatchedApplication::paint(QObject* receiver, QEvent* event) {
   if (is_painting_) {
     return QApplication::notify(receiver, event);

@@ -5,7 +5,7 @@
 
 namespace handway::test {
 
-/// How long the GUI thread was busy.
+/// Period in which the GUI thread was busy.
 struct Stall {
   double ms = 0.0;
   QString event;  ///< "Resize at SceneView"
@@ -37,7 +37,7 @@ class WatchedApplication : public QApplication {
   bool paint(QObject* receiver, QEvent* event);
 
   inline static Stall longest_;
-  inline static double painting_ms_ = 0.0;  ///< Of the event.
+  inline static double painting_ms_ = 0.0;  ///< Painting time of the event.
   inline static bool is_painting_ = false;
   inline static int depth_ = 0;
 };

@@ -53,7 +53,7 @@ class WindowTest : public ::testing::Test {
   void show_dock(const char* name) const;
   /// Saves a picture of the window in the folder $HANDWAY_PICTURES, if there is one.
   void keep_picture(const char* name) const;
-  /// What the plan panel says.
+  /// Returns the text of the plan panel's result.
   [[nodiscard]] std::string result() const;
 
   [[nodiscard]] gui::MainWindow& window() const { return *window_; }

@@ -1,4 +1,5 @@
-/// How much of the robot is seen when a scene opens: the share of its pixels that nothing covers.
+/// Tests how much of the robot is visible when a scene opens: the share of its pixels that nothing
+/// covers.
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 #include "view3d/scene_view.h"

@@ -30,7 +30,7 @@ class Clicks : public WindowTest {
     QObject::disconnect(connection);
     return kind;
   }
-  /// Where such a thing is clicked, on a grid.
+  /// Returns the places on a grid where such an item is clicked.
   [[nodiscard]] std::vector<QPoint> places_of(ItemKind kind) const {
     constexpr int kStep = 12;  // px
     std::vector<QPoint> places;

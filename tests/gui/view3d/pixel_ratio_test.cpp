@@ -1,5 +1,5 @@
-/// What is sharp on a screen of more pixels than it has units of layout. On others it says nothing
-/// new: CTest runs it with two pixels for each (PixelRatio2).
+/// Tests that texts and icons are sharp on a screen of more pixels than units of layout. On others
+/// it says nothing new: CTest runs it with two pixels for each (PixelRatio2).
 #include "features/editing/editing_test.h"
 #include "view3d/scene_view.h"
 

@@ -106,7 +106,7 @@ TEST(ControlSpace, TakesAnArmThatStaysWhereItIs) {
   EXPECT_TRUE(there_and_back(*space, problem.goal).isApprox(problem.goal, 1e-9));
 }
 
-/// What searches of the flat arm go for.
+/// Fixture of the targets that searches of the flat arm sample.
 class TargetsOfTheFlatArm : public testing::Test {
  protected:
   Configuration draw(TargetSampler& targets, std::uint64_t sample) {

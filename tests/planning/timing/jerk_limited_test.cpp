@@ -73,7 +73,7 @@ TEST(SmoothArc, TurnsFromEdgeToEdgeWithoutAJumpOfCurvature) {
   }
 }
 
-// Where jerk alone counts the least time for a way d is (32 d / j)^(1/3).
+// If jerk alone counts, the least time for a distance d is (32 d / j)^(1/3).
 TEST(JerkLimited, IsNearTheLeastTimeOfAStraightLine) {
   const BlendedPath path = smooth({{Vector2d(0, 0), Vector2d(1, 0.5)}}, 0.0);
   const double least = std::cbrt(32.0 * 1.0 / 20.0);

@@ -27,7 +27,7 @@ struct Nearest {
   double gap = 10.0;      ///< m
 };
 
-/// Where the sweep is nearest to the post.
+/// Returns the place where the sweep is nearest to the post.
 Nearest nearest_to_post(const PlanningProblem& problem) {
   const auto checker = problem.checker->clone();
   Nearest nearest;

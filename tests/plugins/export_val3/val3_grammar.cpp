@@ -7,14 +7,14 @@
 namespace handway::test {
 namespace {
 
-/// What opens a block, and what closes it.
+/// Words that open a block, and those that close it.
 const std::map<std::string, std::string, std::less<>> kBlocks = {
     {"begin", "end"}, {"if", "endIf"}, {"for", "endFor"}, {"while", "endWhile"}};
 
 const std::set<std::string, std::less<>> kLanguage = {
     "else", "elseIf", "to", "step", "do", "until", "call", "return", "and", "or", "true", "false"};
 
-/// Those of the library that six-axis applications use (VAL3 reference manual, chapters 3 to 8).
+/// Words of the library that six-axis applications use (VAL3 reference manual, chapters 3 to 8).
 const std::set<std::string, std::less<>> kLibrary = {
     "abs",       "delay",     "disablePower", "enablePower", "herej",
     "isInRange", "isPowered", "movej",        "popUpMsg",    "resetMotion",

@@ -168,7 +168,7 @@ constexpr const char* kFreeProblem = R"(<Problem name="Free">
 </Problem>
 )";
 
-// Where the body is, in the world.
+// Returns the pose of the body in the world.
 Pose body_pose(const geometric::Scene& scene, const geometric::Configuration& q) {
   const RobotModel& model = *scene.robots.front().model;
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));

@@ -1,4 +1,4 @@
-/// What is read of a robot as MJCF.
+/// Tests reading of robots as MJCF.
 #include "mjcf_reader.h"
 
 #include "handway/geometric/robot/robot_model.h"

@@ -1,4 +1,4 @@
-/// What is wrong with a MoveIt problem is told with file, line, what was found and expected.
+/// Tests that errors in a MoveIt problem are reported with file, line, what was found and expected.
 #include "small_problem.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-/// What is read of a MoveIt problem, and that it is planned for.
+/// Tests reading of MoveIt problems, and planning for them.
 #include "moveit_problem.h"
 
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
@@ -44,7 +44,7 @@ TEST(MoveitProblem, IsKnownByItsKeys) {
   EXPECT_FALSE(importer.can_read(problem.folder() / "robots" / "crane.urdf"));
 }
 
-// As RViz exports them: since Noetic objects have a pose of their own.
+// RViz exports such texts: since Noetic objects have a pose of their own.
 TEST(MoveitProblem, ReadsScenesAsText) {
   const SmallProblem problem;
   const std::filesystem::path file = problem.folder() / "kitchen.scene";
@@ -644,7 +644,7 @@ TEST(MoveitProblem, RefusesPosesThatAreNone) {
   EXPECT_THAT(refused("frame_id: room", "frame_id: rom"), HasSubstr("the frame \"rom\""));
 }
 
-// As moveit::kinematic_constraints::OrientationConstraint measures it.
+// Measures like moveit::kinematic_constraints::OrientationConstraint.
 bool is_allowed(const Eigen::Matrix3d& R, const Eigen::Vector3d& tolerance, bool rotation_vector) {
   const Eigen::AngleAxisd turn(R);
   const Eigen::Vector3d off = rotation_vector

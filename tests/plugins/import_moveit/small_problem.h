@@ -28,7 +28,7 @@ class SmallProblem {
                const std::string& to) const;
 
   [[nodiscard]] planning::LoadedScene read() const;
-  /// What reading is refused with.
+  /// Returns the message with which reading is refused.
   [[nodiscard]] std::string refusal() const;
 
  private:

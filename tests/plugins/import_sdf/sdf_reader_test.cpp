@@ -1,4 +1,4 @@
-/// What is read of a robot as SDF.
+/// Tests reading of robots as SDF.
 #include "sdf_reader.h"
 
 #include "handway/geometric/robot/robot_model.h"
@@ -159,7 +159,7 @@ TEST(SdfReader, SplitsJointsWithSeveralAxes) {
   EXPECT_EQ(model.upper()[model.find_variable("roll").value()], 2.0);
 }
 
-// As grippers of SDF 1.11 have them.
+// Grippers of SDF 1.11 are like this.
 TEST(SdfReader, CouplesJointsThatMimicOthers) {
   const auto following = [](const std::string& how) {
     return SdfRobot("<axis><xyz>0 1 0</xyz></axis>",
@@ -178,7 +178,7 @@ TEST(SdfReader, CouplesJointsThatMimicOthers) {
               HasSubstr("multiplier \"two\""));
 }
 
-// As most worlds are: sun and ground come with Gazebo, the robot has a folder of its own.
+// Most worlds are like this: sun and ground come with Gazebo, the robot has a folder of its own.
 TEST(SdfReader, DoesWithoutIncludesThatAreNotThere) {
   const SdfRobot robot;
   std::filesystem::create_directories(robot.folder() / "crane");

@@ -44,7 +44,7 @@ class PmdBasisIo : public ::testing::Test {
     return read_pmd_basis(file());
   }
 
-  // What is said of the text, without the folder's name.
+  // Returns the message about the text, without the folder's name.
   [[nodiscard]] std::string complaint(const std::string& text) const {
     try {
       static_cast<void>(read(text));

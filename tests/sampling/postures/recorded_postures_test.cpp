@@ -26,7 +26,7 @@ PostureTable random_postures(const PmdBasis& basis, int count) {
   return table;
 }
 
-// What the search must find, by looking at all.
+// Returns the distance that the search must find, by linear search.
 double least_distance(const PmdBasis& basis, const PostureTable& table,
                       const Eigen::VectorXd& posture) {
   Eigen::MatrixXd apart = table.postures.rowwise() - posture.transpose();

@@ -39,8 +39,8 @@ inline sampling::PmdBasis sah_published_basis() {
   return basis;
 }
 
-/// The same with the thumb as a free joint and its component in the directions
-/// set to 0 (TX90_RHand_5PMD_thumb.rob): the paper's thumb base and PMDs.
+/// Returns this basis with the thumb as a free joint and its component in the directions set to 0
+/// (TX90_RHand_5PMD_thumb.rob): the paper's thumb base and PMDs.
 inline sampling::PmdBasis sah_thumb_basis() {
   sampling::PmdBasis basis = sah_published_basis();
   basis.source = "TX90_RHand_5PMD_thumb.rob";

@@ -23,7 +23,7 @@ constexpr milliseconds kNap{5};
 // A thread that wakes up so much late had no processor: tests allow for less.
 constexpr milliseconds kHoldUp{30};
 
-/// How long the machine has stood still at a stretch, found by a thread that does nothing but nap.
+/// Measures the longest time that the machine stood still, by a thread that only sleeps.
 class HoldUpWatch {
  public:
   HoldUpWatch()

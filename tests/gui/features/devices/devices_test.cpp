@@ -99,7 +99,7 @@ class Devices : public WindowTest {
     click("devices_run");
     ASSERT_TRUE(QTest::qWaitFor([&] { return progressed.size() > 5; }, kPatienceMs));
   }
-  /// Where the robot was measured.
+  /// Returns whether the measured robot is free.
   [[nodiscard]] bool is_free() const {
     const auto& problem = window().document().problem();
     std::stop_source never;

@@ -131,7 +131,7 @@ class EndOfTheProgram : public ::testing::Test {
 
 class MovingForEver : public MovingRobot {};
 
-/// Not a test of its own: what those below run in another process.
+/// This is not a test of its own: those below run it in another process.
 TEST_F(MovingForEver, DISABLED_UntilItIsEnded) {
   connect_to(qEnvironmentVariable("HANDWAY_TEST_ARM"), qEnvironmentVariable("HANDWAY_TEST_HAND"));
   const gui::ProgramEnd end(driver());

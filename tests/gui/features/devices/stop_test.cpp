@@ -122,7 +122,7 @@ class Stop : public MovingRobot {
     ASSERT_TRUE(waits_for(gui::MotionDriver::State::kConnected));
   }
 
-  /// What a person clicks on: seen, and nothing over it.
+  /// Presses the button that a user would click: visible, and nothing over it.
   static void press_stop_of(const QWidget& dialog) {
     auto* stop = dialog.findChild<QPushButton*>(QStringLiteral("stop"));
     ASSERT_TRUE(stop);
@@ -162,7 +162,7 @@ std::map<std::string, int> dialogs_in_the_sources() {
   const std::filesystem::path gui = source_dir() / "gui";
   for (const auto& entry : std::filesystem::recursive_directory_iterator(gui)) {
     const std::string suffix = entry.path().extension().string();
-    // What asks where to save counts where it is called.
+    // Calls of the functions that ask where to save count at their callers.
     if ((suffix != ".cpp" && suffix != ".h") || entry.path().stem() == "file_dialogs") {
       continue;
     }

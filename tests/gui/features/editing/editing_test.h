@@ -36,7 +36,7 @@ class EditingTest : public WindowTest {
   [[nodiscard]] const geometric::ObjectDisplay& display(const char* name) const {
     return scene().display.of(name);
   }
-  /// Where a point of the world is in the view.
+  /// Returns the position of a point of the world in the view.
   [[nodiscard]] QPoint seen(const Eigen::Vector3d& p_W) const {
     const gui::SceneView& view = window().view();
     return gui::place_of(view.camera(), view.size(), p_W).toPoint();

@@ -1,4 +1,5 @@
-/// What people do with the pointer, besides clicking: menus, dragging with numbers, drag and drop.
+/// Tests what users do with the pointer, besides clicking: menus, dragging with numbers, drag and
+/// drop.
 #include "features/editing/editing_test.h"
 #include "features/editing/mesh_import.h"
 #include "features/editing/scene_tree.h"
@@ -32,7 +33,7 @@ class Pointing : public EditingTest {
   [[nodiscard]] QTreeWidgetItem& row(const char* text) const {
     return *tree().findItems(QLatin1String(text), Qt::MatchExactly | Qt::MatchRecursive).front();
   }
-  /// What the menu that is open offers; it is closed.
+  /// Returns the entries of the open menu, and closes it.
   [[nodiscard]] QStringList offered() const {
     QStringList texts;
     if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
@@ -56,7 +57,7 @@ class Pointing : public EditingTest {
                      Qt::ShiftModifier);
     QCoreApplication::sendEvent(&view(), &move);
   }
-  /// As if rows were dragged there.
+  /// Drops rows there, as if dragged.
   void drop(const char* names, QWidget& onto, const QPoint& place) const {
     QMimeData data;
     data.setData(QLatin1String(gui::SceneTree::kDraggedObjects), names);

@@ -32,7 +32,7 @@ class RecoveringWork : public EditingTest {
   }
 };
 
-/// Not a test of its own: what the test below runs in another process, and kills.
+/// This is not a test of its own: the test below runs it in another process, and kills it.
 TEST_F(RecoveringWork, DISABLED_WorkThatIsKilled) {
   open(QString::fromLocal8Bit(qgetenv("HANDWAY_TEST_SCENE")).toStdString());
   QSignalSpy stored(&tool<gui::Recovery>().autosave(), &gui::Autosave::stored);

@@ -59,7 +59,7 @@ TEST_F(ExportDialogTest, ShowsTheFilesBeforeItWritesThem) {
               AllOf(HasSubstr("Cleared"), HasSubstr("The motion takes"),
                     HasSubstr("Assumed acceleration limits")));
   ASSERT_EQ(field<QListWidget>("export_files").count(), 1);
-  // Of a long file the beginning is shown.
+  // Only the beginning of a long file is shown.
   const std::string shown = field<QPlainTextEdit>("export_content").toPlainText().toStdString();
   EXPECT_THAT(shown, HasSubstr("shoulder"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));

@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// As long as it lives no file of this program can become larger: a disk that is full.
+// Limits the size of files of this program as long as it lives, like a full disk.
 class LimitedFiles {
  public:
   explicit LimitedFiles(rlim_t bytes) {
@@ -66,7 +66,7 @@ class Pictures : public WindowTest {
     WindowTest::TearDown();
   }
 
-  /// What the program leaves is a film for those who look for ffmpeg.
+  /// Makes the script the program that is found as ffmpeg.
   void use_program(const std::string& script) const {
     const fs::path folder = cell().folder() / "bin";
     fs::create_directories(folder);

@@ -156,7 +156,7 @@ TEST_F(CapturePages, CompareTheBasisWithAnother) {
   EXPECT_THAT(text.text().toStdString(), HasSubstr("Postures of this basis"));
 }
 
-/// Of the hand that ships with the scene, whose fingers can be retargeted.
+/// Pages for the hand that ships with the scene, whose fingers can be retargeted.
 class CapturePagesOfAHand : public WindowTest {
  protected:
   void SetUp() override {

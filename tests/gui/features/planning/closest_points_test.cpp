@@ -9,7 +9,7 @@ namespace {
 
 class ClosestPointsInTheView : public WindowTest {
  protected:
-  /// What the monitor says of the start, moved by this much in the shoulder.
+  /// Returns the monitor's report on the start, moved by this much in the shoulder.
   gui::CollisionReport report(double shoulder) {
     gui::CollisionReport latest;
     const auto connection =

@@ -1,4 +1,4 @@
-/// Which joints move, chosen in the Plan panel.
+/// Tests the choice of the joints that move in the Plan panel.
 #include "handway/geometric/setup/moving_group.h"
 
 #include "features/editing/editing_test.h"

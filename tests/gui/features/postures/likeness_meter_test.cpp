@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// What a person reads of a row: its number.
+/// Returns the number that a row shows.
 std::string number_in(const QWidget& row) {
   return row.findChildren<QLabel*>().last()->text().toStdString();
 }

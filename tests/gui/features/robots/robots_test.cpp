@@ -72,7 +72,7 @@ class Robots : public EditingTest {
     opener();
     EXPECT_FALSE(timer.isActive()) << "no file dialog was opened";
   }
-  /// Whether a scene of `name` alone is open in a moment.
+  /// Returns whether a scene of `name` alone opens soon.
   [[nodiscard]] bool opens_alone(const std::string& name) const {
     return wait_until([&] {
       const auto& opened = window().document().scene();

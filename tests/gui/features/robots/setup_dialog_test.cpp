@@ -41,7 +41,7 @@ class RobotSetup : public EditingTest {
                 .findItems(QLatin1String(joint), Qt::MatchExactly)
                 .front();
   }
-  /// Whose the joints are, by the boxes: "arm", "hand", "arm and hand" or "".
+  /// Returns the owner of a joint by the boxes: "arm", "hand", "arm and hand" or "".
   [[nodiscard]] std::string owner_of(const char* joint) const {
     const bool arm = row_of(joint).checkState(1) == Qt::Checked;
     const bool hand = row_of(joint).checkState(2) == Qt::Checked;

@@ -78,7 +78,7 @@ class WristPage : public WindowTest {
   void unplug() { emulator_.reset(); }
 
   [[nodiscard]] gui::WristPage& page() const { return WindowTest::tool<gui::WristPage>(); }
-  /// How far the tool is from where it was when the clutch was closed, m.
+  /// Returns the motion of the tool since the clutch was closed, m.
   [[nodiscard]] Eigen::Vector3d way() const { return tool() - grip_; }
   [[nodiscard]] bool waits_for_way(const Eigen::Vector3d& wanted) const {
     return QTest::qWaitFor([&] { return (way() - wanted).norm() < kExact; }, kPatienceMs);

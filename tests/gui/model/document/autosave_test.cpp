@@ -14,7 +14,8 @@
 namespace handway::test {
 namespace {
 
-/// Not a test of its own: stores a scene with more and more objects, and tells how many.
+/// This is not a test of its own: it stores a scene with more and more objects, and prints how
+/// many.
 TEST(Autosave, DISABLED_StoresWithoutEnd) {
   HANDWAY_NEED_DISPLAY();
   const std::filesystem::path file =

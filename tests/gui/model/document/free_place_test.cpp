@@ -10,7 +10,7 @@ using geometric::Box;
 
 class FreePlaces : public EditingTest {
  protected:
-  /// Whether the first robot touches anything, as shown, at start or at goal.
+  /// Returns whether the first robot is free as shown, at start and at goal.
   [[nodiscard]] bool robot_is_free() const {
     const auto world = std::make_shared<const geometric::CollisionWorld>(scene());
     const auto checker = geometric::make_collision_checker(world, geometric::CheckerKind::kFcl);

@@ -11,7 +11,7 @@
 namespace handway::gui {
 namespace {
 
-/// What stands between a new scene and a robot that can be used; empty: nothing.
+/// Returns the fault that prevents using the robot of a new scene; empty if there is none.
 std::string fault_of(const planning::LoadedScene& loaded) {
   auto scene = std::make_shared<geometric::Scene>(*loaded.scene);
   const geometric::RobotInstance& robot = scene->robots.front();

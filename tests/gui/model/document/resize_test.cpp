@@ -52,7 +52,7 @@ TEST(Resizing, ScalesMeshesAllAround) {
 class ResizingByHand : public EditingTest {
  protected:
   [[nodiscard]] gui::ResizeTool& tool() const { return WindowTest::tool<gui::ResizeTool>(); }
-  /// Of the post, at the top.
+  /// Returns the position of the knob at the top of the post.
   [[nodiscard]] QPoint top() const { return tool().places().back(); }
 };
 

@@ -1,4 +1,4 @@
-/// Where the window is, kept between runs.
+/// Tests that the place of the window is kept between runs.
 #include "widgets/panels/dock_layout.h"
 
 #include <QMainWindow>

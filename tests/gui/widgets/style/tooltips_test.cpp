@@ -11,7 +11,7 @@
 namespace handway::test {
 namespace {
 
-// Of the tool tip that is shown over a widget; 0 if there is none.
+// Returns the width of the tool tip that is shown over a widget; 0 if there is none.
 int width_of(const QString& tip) {
   QWidget widget;
   widget.setToolTip(tip);
@@ -28,7 +28,7 @@ int width_of(const QString& tip) {
   return width;
 }
 
-// What Qt shows in one line was wider than the screen with large text.
+// Qt would show this in one line, wider than the screen with large text.
 TEST(Tooltips, AreBrokenIntoLines) {
   if (!QCoreApplication::instance()) {
     GTEST_SKIP() << "no display";

@@ -25,7 +25,7 @@ class FloodingProxy {
 
   /// @param message what is repeated; a whole one of the device's protocol, or anything else.
   void flood(const std::string& message);
-  /// The same with what the device sent last. @pre it has sent something.
+  /// Floods with what the device sent last. @pre it has sent something.
   void flood();
   /// Takes nothing of what the host says from now on.
   void stop_reading() { reads_ = false; }
@@ -39,9 +39,9 @@ class FloodingProxy {
   std::uint16_t device_;
   int listener_ = -1;
   std::uint16_t port_ = 0;
-  std::mutex mutex_;   ///< Of the two.
+  std::mutex mutex_;   ///< Guards the next two members.
   std::string flood_;  ///< Empty: none.
-  std::string last_;   ///< What the device sent last.
+  std::string last_;   ///< Last message of the device.
   std::atomic<bool> reads_ = true;
   std::atomic<std::uint64_t> flooded_ = 0;
   std::jthread thread_;  ///< Last: it uses all the others.

@@ -26,7 +26,7 @@ struct KnownProblem {
 /// @throws InputError if the file can't be read.
 [[nodiscard]] planning::LoadedScene load(const KnownProblem& problem);
 
-/// What collision checking needs of a scene that has a query.
+/// Collision world and query of a scene with start and goal.
 struct CollisionProblem {
   explicit CollisionProblem(const geometric::Scene& scene);
 

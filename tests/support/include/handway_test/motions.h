@@ -11,7 +11,7 @@ namespace handway::test {
 /// Four waypoints of tx90_sah_problem(): hand and arm move, then the hand alone, then both.
 [[nodiscard]] planning::Path tx90_sah_path();
 
-/// That path timed at `speed`, with arcs or with stops.
+/// Returns that path timed at `speed`, with arcs or with stops.
 [[nodiscard]] planning::Motion tx90_sah_motion(bool arcs = true, double speed = 1.0);
 
 }  // namespace handway::test

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-/// Where tests find their files.
+/// Paths of the files of tests.
 namespace handway::test {
 
 /// The project's root folder.

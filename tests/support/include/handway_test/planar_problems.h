@@ -22,7 +22,7 @@ namespace handway::test {
                                                        const geometric::Configuration& start,
                                                        const geometric::Configuration& goal);
 
-/// Nothing between start and goal.
+/// Returns a problem without obstacles between start and goal.
 [[nodiscard]] planning::PlanningProblem open_problem();
 
 /// The stretched hand sweeps across a post: the fingers have to spread.
@@ -33,7 +33,7 @@ namespace handway::test {
 [[nodiscard]] planning::PlanningProblem endless_problem(double shoulder_start,
                                                         double shoulder_goal);
 
-/// The same from 2.7 rad to -2.7 rad, with a wall where the shorter arc would lead through.
+/// Returns this problem from 2.7 rad to -2.7 rad, with a wall in the way of the shorter arc.
 [[nodiscard]] planning::PlanningProblem endless_problem_with_wall();
 
 /// Start and goal are free, but the goal's upper arm stands between two walls

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-/// What a program takes of the machine.
+/// Resources of the machine that a program uses.
 namespace handway::test {
 
 /// The most memory that this process has had resident so far, bytes.
@@ -15,7 +15,7 @@ namespace handway::test {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-/// What this thread has had of a core so far, s; what other programs take does not count.
+/// Returns the processor time of this thread so far, s; time of other programs is not included.
 /// @param clock CLOCK_PROCESS_CPUTIME_ID: all threads together.
 [[nodiscard]] inline double cpu_seconds(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) {
   timespec time{};

@@ -13,9 +13,9 @@ namespace handway::test {
 /// joints "joint_1" to "joint_6".
 [[nodiscard]] geometric::RobotDescription tx90_urdf_style();
 
-/// The same arm in modified Denavit-Hartenberg form, every axis being z, as the
-/// `.rob` files write it: links "Base", "Shoulder", "ForeArm", "Elbow", "Arm",
-/// "Wrist", "Tcp", joints of the links' names.
+/// Returns this arm in modified Denavit-Hartenberg form, every axis being z, as the `.rob` files
+/// write it: links "Base", "Shoulder", "ForeArm", "Elbow", "Arm", "Wrist", "Tcp", joints of the
+/// links' names.
 [[nodiscard]] geometric::RobotDescription tx90_dh_style();
 
 /// Adds the right SAH hand (four fingers, 13 variables, distal joints coupled
