@@ -257,7 +257,7 @@ void PlanPanel::rebuild_form(bool from_defaults) {
       parameters.begin(), parameters.end(), [](const planning::Parameter& parameter) {
         return parameter.key == "objective" || parameter.key.starts_with("weight_");
       });
-  form_ = new ParameterForm(parameters);
+  form_ = new ParameterForm(parameters, form_place_->parentWidget());
   form_place_->addWidget(form_);
   connect(form_, &ParameterForm::edited, this,
           [this, &planner](const std::string& key, const std::string& value) {

@@ -42,6 +42,7 @@ QString help_of(const Parameter& parameter) {
 
 }  // namespace
 
+// Each widget is made inside of its parent: one that moves into a parent is styled once more.
 ParameterForm::ParameterForm(const std::vector<Parameter>& parameters, QWidget* parent)
     : QWidget(parent), layout_(new QFormLayout(this)) {
   layout_->setContentsMargins(0, 0, 0, 0);
@@ -59,7 +60,7 @@ ParameterForm::ParameterForm(const std::vector<Parameter>& parameters, QWidget* 
       layout_->addRow(box);
       names_.emplace_back(parameter.key, box);
     } else {
-      auto* name = new QLabel(label);
+      auto* name = new QLabel(label, this);
       name->setToolTip(help_of(parameter));
       name->setBuddy(field);
       layout_->addRow(name, field);
@@ -109,13 +110,13 @@ QWidget* ParameterForm::make_field(const Parameter& parameter) {
     emit edited(key, value);
   };
   if (const bool* flag = std::get_if<bool>(&parameter.value)) {
-    auto* box = new QCheckBox;
+    auto* box = new QCheckBox(this);
     box->setChecked(*flag);
     connect(box, &QCheckBox::toggled, this, [report](bool on) { report(on ? "true" : "false"); });
     return box;
   }
   if (const auto* choice = std::get_if<Choice>(&parameter.value)) {
-    auto* list = new QComboBox;
+    auto* list = new QComboBox(this);
     for (const std::string& option : choice->options) {
       list->addItem(QString::fromStdString(option));
     }
@@ -128,7 +129,7 @@ QWidget* ParameterForm::make_field(const Parameter& parameter) {
                              ? QString()
                              : QStringLiteral(" ") + QString::fromStdString(parameter.unit);
   if (const int* number = std::get_if<int>(&parameter.value)) {
-    auto* field = new QSpinBox;
+    auto* field = new QSpinBox(this);
     constexpr double kMost = std::numeric_limits<int>::max();
     field->setRange(static_cast<int>(std::max(parameter.lower, -kMost)),
                     static_cast<int>(std::min(parameter.upper, kMost)));
@@ -139,7 +140,7 @@ QWidget* ParameterForm::make_field(const Parameter& parameter) {
             [report](int entered) { report(std::to_string(entered)); });
     return field;
   }
-  auto* field = new NumberField(parameter.lower, parameter.upper);
+  auto* field = new NumberField(parameter.lower, parameter.upper, this);
   field->setSuffix(suffix);
   field->setValue(std::get<double>(parameter.value));
   connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
