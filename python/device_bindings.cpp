@@ -78,7 +78,7 @@ std::unique_ptr<device::RobotEmulator> emulate(const SceneModel& scene, const st
   return std::make_unique<device::HandEmulator>(at_start(device::HandControllerSettings()), port);
 }
 
-// A file, or by its name one that ships.
+// Finds a file, or one that ships by its name.
 fs::path mapping_file(const std::string& name) {
   const fs::path shipped = geometric::resource_dir() / "mappings" / (name + ".yaml");
   return !fs::exists(name) && fs::exists(shipped) ? shipped : fs::path(name);

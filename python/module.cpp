@@ -96,8 +96,8 @@ void refuse_none_as_self_of(const py::handle& type) {
   }
 }
 
-// An instance that was made by __new__ alone holds nothing. pybind11 would give it memory of any
-// content when it is first used as an argument.
+// An instance made by __new__ alone has no value. pybind11 would give it uninitialised memory on
+// its first use as an argument.
 void refuse_uninitialised_instances(const py::module_& module) {
   for (const auto& [name, object] : module.attr("__dict__").cast<py::dict>()) {
     if (!py::isinstance<py::type>(object)) {

@@ -25,7 +25,7 @@ std::vector<std::string> options_of(const Parameter& parameter) {
   return choice != nullptr ? choice->options : std::vector<std::string>{};
 }
 
-/// A parameter with its value at the time of asking.
+/// A parameter with its value at the time of access.
 struct ParameterView {
   Parameter parameter;
   py::object value;

@@ -29,8 +29,8 @@ Batch configurations(const SceneModel& scene, const Array& q) {
 
 constexpr std::size_t kFewRows = 200;  // so many are answered before anybody would press Ctrl+C
 
-/// Answers to all rows, from a checker of one's own, without the interpreter's lock. Many rows can
-/// be interrupted.
+/// Answers to all rows, from a separate checker, without the interpreter's lock. Many rows can be
+/// interrupted.
 template <typename Value, typename Question>
 std::vector<Value> ask_each(const SceneModel& scene, const Batch& batch, const Question& question) {
   std::vector<Value> answers;
@@ -162,7 +162,7 @@ py::array_t<double> pose_array(const Pose& X) {
   return py::array_t<double>({4, 4}, matrix.data());
 }
 
-// One number for all axes, or three.
+// Reads one number for all axes, or three.
 Eigen::Vector3d tolerance_from(const Array& array, const std::string& argument) {
   const Eigen::Vector3d tolerance = array.ndim() == 0
                                         ? Eigen::Vector3d::Constant(*array.data()).eval()

@@ -69,7 +69,7 @@ std::vector<fs::path> published_problems(const fs::path& folder) {
 
 /// Returns the default scenes of `handway bench`: the scenes that ship, by name; and, if
 /// $HANDWAY_REFERENCE_DIR is set, the published problems 1 to 4.
-/// @throws InputError if that folder holds none of them.
+/// @throws InputError if that folder has none of them.
 std::vector<fs::path> bench_scenes() {
   std::vector<fs::path> scenes = shipped_scenes();
   if (const char* reference = std::getenv("HANDWAY_REFERENCE_DIR")) {
@@ -205,7 +205,7 @@ bool query_is_valid(const SceneBench& bench) {
   });
 }
 
-// Refuses an unknown planner and a folder that can't be written to at once.
+// Refuses an unknown planner and a folder that is not writable at the start.
 planning::PluginManager checked_extensions(const BenchOptions& options) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
@@ -262,7 +262,7 @@ std::vector<PlanBench> bench_variant(const BenchScene& scene, const BenchOptions
   return plans;
 }
 
-// The variants of a file; `use` is handed each that was found.
+// The variants of a file; `use` is called with each one found.
 template <typename Use>
 VariantBench make_variants(const fs::path& file, const BenchOptions& options,
                            const planning::PluginManager& plugins, const Use& use) {

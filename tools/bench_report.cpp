@@ -228,7 +228,7 @@ namespace {
 
 constexpr double kMega = 1e6;
 
-// Three significant digits or a whole number; "-" for what does not exist.
+// Three significant digits or a whole number; "-" for missing values.
 std::string shown(double value) {
   if (!std::isfinite(value)) {
     return "-";

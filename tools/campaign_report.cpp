@@ -135,7 +135,7 @@ ReportTable ecdf_table(const Campaign& campaign, std::span<const CampaignCell> c
   return table;
 }
 
-/// A row for each problem, planner and measure: what a box plot draws.
+/// A row for each problem, planner and measure: the values of a box plot.
 ReportTable box_plot_table(const Campaign& campaign, std::span<const CampaignCell> cells) {
   ReportTable table{{"problem", "planner", "measure", "lower_whisker", "quartile_1", "median",
                      "quartile_3", "upper_whisker", "outliers"},
@@ -181,7 +181,7 @@ ReportTable comparison_table(const Campaign& campaign,
 /// A planner's times in a drawing.
 struct PlotSeries {
   std::string label;
-  std::vector<double> values;  ///< s; of runs without a path infinite.
+  std::vector<double> values;  ///< s; infinite for runs without a path.
 };
 
 constexpr double kWidth = 760.0;
@@ -192,7 +192,7 @@ constexpr double kRowHeight = 26.0;
 constexpr double kTop = 12.0;
 constexpr double kAxisHeight = 40.0;
 constexpr double kShortest = 1e-6;  // s; what is shorter is drawn here
-// Okabe and Ito's colours, that all eyes distinguish.
+// Okabe and Ito's colours, which colour-blind viewers distinguish.
 constexpr std::array<const char*, 7> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                 "#e69f00", "#56b4e9", "#000000"};
 
@@ -398,8 +398,8 @@ ReportTable failures(const Campaign& campaign, std::span<const CampaignCell> cel
   return table;
 }
 
-// The cells that curves and boxes are drawn of: where there are many, those that no heat
-// map shows.
+// The cells for drawings of curves and boxes: if there are many, those that no heat map
+// shows.
 std::vector<CampaignCell> curves_of(std::span<const CampaignCell> cells,
                                     std::span<const ParameterGrid> grids) {
   std::vector<CampaignCell> drawn(cells.begin(), cells.end());

@@ -79,7 +79,7 @@ CalibrationFit joined(const CalibrationFit& poses, const CalibrationFit& free) {
   return result;
 }
 
-/// Lines of sensors that no pose covers, ranges of the joints and, of landmarks, bones.
+/// Lines of sensors without a pose, ranges of the joints and, for landmarks, bones.
 CalibrationFit with_free_motion(const CalibrateOptions& options,
                                 std::optional<CalibrationFit> poses) {
   const device::Recording motion = device::read_recording(options.free);

@@ -25,7 +25,7 @@ namespace handway::tools {
 namespace {
 
 struct GloveShowOptions {
-  std::uint64_t frames = 0;  ///< Stop after so many; 0: at Ctrl+C or the end.
+  std::uint64_t frames = 0;  ///< Number of frames; 0: until Ctrl+C or the end.
   bool json = false;
 };
 
@@ -37,7 +37,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kRefresh{100};
 
-/// Takes frames on the stream's thread, for the main thread to show.
+/// Takes frames on the stream's thread, for display by the main thread.
 class Latest {
  public:
   explicit Latest(std::uint64_t wanted) : wanted_(wanted) {}
@@ -81,7 +81,7 @@ void add_glove_show_options(CLI::App& command, GloveShowOptions& options) {
   command.add_flag("--json", options.json, "One JSON object a line instead of a table");
 }
 
-/// Shows what a glove measures: on a terminal a table that is refreshed, else a line a frame.
+/// Shows a glove's measurements: on a terminal a table that is refreshed, else one line per frame.
 /// @throws geometric::InputError if it can't be connected.
 /// @returns the exit code.
 int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& options) {

@@ -134,7 +134,7 @@ int record(const RecordOptions& options) {
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
   device::GloveStream stream(make_glove(options.device), {}, handlers);
-  // The clock runs on while the glove is away: a duration is over when it is over.
+  // The duration includes time in which the glove is away.
   using Clock = std::chrono::steady_clock;
   std::optional<Clock::time_point> first;
   while (!stop.stop_requested() && !recorder.complete() && !stream.wait(milliseconds(20))) {

@@ -99,7 +99,7 @@ struct GuideChoice {
   bool yes = false;
 };
 
-/// Robots in ROS that are led.
+/// Robots in ROS that follow the guidance.
 class LedRobots {
  public:
   LedRobots(const std::string& text, const planning::PlanningProblem& problem)
@@ -115,7 +115,7 @@ class LedRobots {
     }
   }
 
-  // @throws InputError if a joint stands elsewhere than the path begins.
+  // @throws InputError if a joint is far from the path's beginning.
   void connect(const planning::Configuration& start, double tolerance,
                const std::stop_token& stop) {
     for (std::size_t i = 0; i < robots_.size(); ++i) {

@@ -66,7 +66,7 @@ class TimeColors {
   [[nodiscard]] double fastest() const { return least_; }
   [[nodiscard]] double slowest() const { return most_; }  ///< Upper end of the scale.
 
-  /// 0 for the least time, 1 for the most, and for one without an end.
+  /// Share of the scale: 0 for the least time, 1 for the most, and for infinite ones.
   [[nodiscard]] double share(double time) const {
     return std::isfinite(time) ? std::log(time / least_) / std::log(most_ / least_) : 1.0;
   }
@@ -76,7 +76,7 @@ class TimeColors {
   double most_ = 0.0;
 };
 
-// To three digits, in milliseconds below a second.
+// Formats three digits, in milliseconds below a second.
 std::string time_text(double time) {
   constexpr double kMilli = 1e-3;
   const bool small = time < 1.0;
@@ -190,7 +190,7 @@ using planning::Campaign;
 using planning::CampaignPlanner;
 using planning::ParameterTexts;
 
-// Numbers by their size, before words.
+// Sorts numbers by their size, before words.
 bool comes_first(const std::string& a, const std::string& b) {
   const std::optional<double> left = geometric::parse_number(a);
   const std::optional<double> right = geometric::parse_number(b);
@@ -229,7 +229,7 @@ std::vector<Sheet> sheets_of(const Campaign& campaign, const std::string& planne
   return sheets;
 }
 
-// Rows and columns that lack a combination go, the emptiest first.
+// Removes rows and columns that lack a combination, the emptiest first.
 std::optional<ParameterGrid> grid_of(const Sheet& sheet) {
   std::set<std::string> xs;
   std::set<std::string> ys;

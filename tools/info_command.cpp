@@ -112,7 +112,7 @@ void print_basis(const sampling::PmdBasis& basis) {
             basis.joints.size(), basis.free_joints.size(), basis.directions.size(), basis.source);
 }
 
-// Start or goal: free of collision or not, and what touches or is closest.
+// Start or goal: whether it is free of collision, and the touching or closest pairs.
 struct End {
   const char* which;
   bool within_limits = true;
@@ -166,7 +166,7 @@ void print_ends(const std::vector<End>& ends, const geometric::CollisionChecker&
   print_out("pairs of bodies that are checked: {}\n", checker.world().pairs().size());
 }
 
-// In how many free configurations the robot was found to keep each goal pose.
+// For each goal pose, the number of free configurations found that reach it.
 std::vector<std::ptrdiff_t> counts_of(const geometric::Scene& scene,
                                       const planning::PoseGoalSolutions& solutions) {
   std::vector<std::ptrdiff_t> counts;

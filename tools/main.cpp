@@ -120,7 +120,7 @@ int flushed(int exit_code) {
   return exit_code == handway::tools::kDone ? handway::tools::kNotWritten : exit_code;
 }
 
-// " for FILE (N MB)", of the largest file among the arguments; empty if none is a file.
+// Text " for FILE (N MB)", of the largest file among the arguments; empty if none is a file.
 std::string largest_input(int argc, char** argv) {
   std::string name;
   std::uintmax_t largest = 0;

@@ -16,7 +16,7 @@ using planning::Campaign;
 using planning::CampaignCell;
 using planning::RunRecord;
 
-// OMPL's own names of how a run ended, in the order of ompl::base::PlannerStatus.
+// OMPL's names of the results of a run, in the order of ompl::base::PlannerStatus.
 constexpr const char* kStatuses =
     "status|Unknown status|Invalid start|Invalid goal|Unrecognized goal type|Timeout|"
     "Approximate solution|Exact solution|Crash|Abort";
@@ -71,7 +71,7 @@ std::string run_line(const RunRecord& run) {
   return line + "\n";
 }
 
-// Without quotes, bars and ends of lines, which the log's readers take for their own.
+// Removes quotes, bars and ends of lines, which the log's readers would interpret.
 std::string plain(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return c == '"' || c == '`' || c == '|' || c == '\n' || c == '\''; }, '_');

@@ -45,7 +45,7 @@ std::string states(const SensorQuality& sensor) {
          (sensor.saturated ? "  saturated" : "");
 }
 
-/// Rows, rate, repetitions, gaps and warnings of a recording, and what each sensor went through.
+/// Prints rate, repetitions, gaps and warnings of a recording, and the range of each sensor.
 std::string quality_text(const MappedRecording& recording) {
   const device::RecordingQuality& quality = recording.quality;
   std::string text;

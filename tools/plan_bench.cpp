@@ -48,7 +48,7 @@ std::vector<Configuration> draw(const CollisionWorld& world, const Configuration
   return configurations;
 }
 
-// Questions to one checker.
+// Queries to one checker.
 struct Series {
   std::size_t count;
   std::function<void(std::size_t)> ask;
@@ -122,7 +122,7 @@ CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& worl
   geometric::ContinuousCollisionChecker fast_edges(*fast, motion, kResolution);
   geometric::ContinuousCollisionChecker fcl_edges(*fcl, motion, kResolution);
 
-  // Asking once before the clock runs also fills what the fast checker remembers.
+  // One query before the measurement also fills the fast checker's cache.
   CollisionBench bench;
   int in_collision = 0;
   int free_edges = 0;

@@ -234,7 +234,7 @@ BasisStudy study_recordings(const std::vector<MappedRecording>& recordings,
   only_kinematics.self_collision = false;
   const auto fingertips = device::normalised_fingertips(
       std::make_shared<const device::FingertipRetargeter>(hand, only_kinematics), mapper);
-  // Scaled together: a range is that of all.
+  // Scaled together: a range is that of all recordings.
   const Eigen::MatrixXd samples = normalised_samples(recordings, mapper, normalisation);
   std::vector<sampling::RecordedHand> hands;
   Eigen::Index first = 0;

@@ -21,7 +21,7 @@ constexpr const char* kStyle =
     "svg,img{max-width:100%;height:auto}";
 constexpr const char* kDrawingStyle = "svg text{font:12px sans-serif;fill:#222}";
 
-// Text from files as text: neither HTML nor marks of Markdown.
+// Escapes text from files: neither HTML nor marks of Markdown.
 std::string escaped(const std::string& text) {
   const std::string plain = geometric::printable(text);
   std::string result;

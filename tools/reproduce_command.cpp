@@ -33,11 +33,11 @@ struct ReproduceOptions {
   bool resume = false;
 };
 
-/// A campaign that ships, and the table that it is for.
+/// A campaign that ships, with its table.
 struct Part {
   int table;
   const char* name;
-  const char* published = nullptr;  ///< The published file it is all about, if it is.
+  const char* published = nullptr;  ///< Its published file, if it is about a single one.
   bool beside_the_paper = false;    ///< At most the runs of its file.
 };
 constexpr const char* kProblem4 = "auro/TX90_RHand_ICRA10_5PMD-shelfT2_new.xml";

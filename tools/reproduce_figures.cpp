@@ -40,7 +40,7 @@ constexpr std::array<PostureFigure, 4> kFigures = {
      {9, "The hand over both of the first two principal motion directions", "grid"},
      {10, "Variance covered by the first principal motion directions", "variance"}}};
 
-/// Joints that Fig. 7 plots over each other, and what it finds.
+/// Joints that Fig. 7 plots over each other, with its results.
 struct JointPair {
   const char* first;
   const char* second;
@@ -66,7 +66,7 @@ std::string text_of(Normalisation normalisation) {
   return normalisation == Normalisation::kLimits ? "joints by limits" : "joints by own range";
 }
 
-// People's recordings leave the hand's joint limits: by these, little would be seen of them.
+// People's recordings leave the hand's joint limits: scaling by these would hide most of them.
 std::vector<Studied> study_all(std::string& problem) {
   const fs::path shipped = geometric::resource_dir() / "recordings" / "free_hand.csv";
   std::vector<Studied> all;
@@ -87,7 +87,7 @@ std::vector<Studied> study_all(std::string& problem) {
   return all;
 }
 
-// A joint that a recording never moves correlates with none.
+// A joint without motion in a recording correlates with none.
 ReportTable correlation_table(const std::vector<Studied>& all) {
   ReportTable table{{"Joints", "numbers", "published"}, {}};
   for (const Studied& one : all) {
@@ -154,7 +154,7 @@ const std::set<int>& posture_figures() {
 /// published files, the recordings of people in it, mapped by the paper's Table 1, and draws those
 /// of `figures` that are figures of postures to `postures/RECORDING`. The numbers of 7 and 10 are
 /// in `figure_7.csv` and `figure_10.csv` beside it.
-/// @throws InputError if a file can't be written or the recording that ships not be read.
+/// @throws InputError if a file can't be written or the recording that ships can't be read.
 std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
                                                  const fs::path& folder) {
   if (std::ranges::none_of(figures, [](int f) { return posture_figures().contains(f); })) {
@@ -301,7 +301,7 @@ const std::set<int>& film_figures() {
 /// and draws them as film strips: `figure_N.png` and `.svg`, made of `figure_N.yaml` and paths as
 /// CSV in the folder `figure_N`.
 /// @param time_limit_s of each plan; a row without a path has a note.
-/// @throws InputError if a file can't be written or a scene not be read.
+/// @throws InputError if a file can't be written or a scene can't be read.
 std::vector<ReproducedFigure> reproduce_films(const std::set<int>& figures,
                                               const planning::PluginManager& plugins,
                                               double time_limit_s, const fs::path& folder) {

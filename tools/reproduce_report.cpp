@@ -23,7 +23,7 @@
 namespace handway::tools {
 namespace {
 
-/// A row of Table 2 or 4: the means that were published, and what a run has for it.
+/// A row of Table 2 or 4: the published means, and the corresponding value of a run.
 struct PaperRow {
   std::string label;
   std::vector<double> published;  ///< A number a column; NaN: not applicable.
@@ -47,7 +47,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double number(std::uint64_t count) { return static_cast<double>(count); }
 
-// The share, in %, of the roadmap's sampled nodes that were drawn with `count` PMDs.
+// The share, in %, of the roadmap's sampled nodes with `count` PMDs.
 double share_with_pmds(const RunRecord& run, std::size_t count) {
   if (run.nodes_per_pmds.size() < 2) {
     return kNone;
@@ -129,7 +129,7 @@ struct MeasuredColumn {
 
 using planning::CampaignCell;
 
-// Over the runs that found a path, where there is such a number.
+// Mean over the runs that found a path, if the number exists.
 std::vector<double> values_of(const PaperRow& row, const CampaignCell& cell) {
   std::vector<double> values = cell.of_solved({"", "", row.value});
   std::erase_if(values, [](double value) { return std::isnan(value); });

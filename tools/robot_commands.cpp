@@ -17,8 +17,8 @@
 namespace handway::tools {
 namespace {
 
-// The joints of `group` of the robot in the scene that was named, where it starts; without a scene
-// those of `ours`.
+// The joints of the robot's `group` in the named scene, at its start; without a scene those of
+// `ours`.
 template <typename Settings>
 Settings emulator_settings(const EmulatedDeviceChoice& choice, const std::string& group,
                            EmulatedPosture ours) {

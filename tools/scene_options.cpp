@@ -236,8 +236,8 @@ std::optional<GivenPose> given_pose_of(const std::string& text) {
   return pose;
 }
 
-// The palm of the hand that moves, or what else the arm carries.
-// @throws InputError if several hands may be meant.
+// The palm of the moving hand, or the arm's other tool.
+// @throws InputError if several hands are possible.
 std::string palm_of(const std::string& option, const planning::LoadedScene& loaded) {
   const geometric::Scene& scene = *loaded.scene;
   const geometric::RobotModel& model = *scene.robots.front().model;

@@ -38,11 +38,11 @@ constexpr int kMostSteps = 300;
 /// Variables and pairs of one branch of the palm.
 struct Finger {
   std::vector<int> variables;
-  std::vector<int> pairs;         ///< All that it takes part in.
+  std::vector<int> pairs;         ///< All pairs with its links.
   std::vector<int> object_pairs;  ///< Pairs with the objects.
 };
 
-// The palm's child that `link` hangs from; -1: it does not hang from the palm.
+// The palm's child above `link`; -1: `link` is not below the palm.
 int branch_of(const RobotModel& model, int palm, int link) {
   while (link >= 0 && model.parent(link) != palm) {
     link = model.parent(link);
@@ -125,7 +125,7 @@ class FingerClosing {
     });
   }
 
-  // Against the gradient of the distance, of joints that are not at a limit.
+  // Direction against the gradient of the distance, of joints that are not at a limit.
   [[nodiscard]] Configuration closing_direction(const Configuration& q, double distance) {
     Configuration direction = Configuration::Zero(q.size());
     for (const int v : finger_.variables) {
@@ -190,7 +190,7 @@ struct Unit {
   std::vector<std::size_t> objects;  ///< Indices in the scene.
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   bool rests = false;                      ///< On something else.
-  std::map<std::string, double> contacts;  ///< m into other objects, in the scene as it is.
+  std::map<std::string, double> contacts;  ///< Depth in other objects in the original scene, m.
 };
 
 /// Motion of a unit: a rotation about its middle, then a shift.
@@ -237,7 +237,7 @@ std::vector<Unit> movable_units(const Scene& scene) {
   return units;
 }
 
-// A robot that can do nothing but lower what it carries.
+// A robot that can only lower its attached objects.
 geometric::RobotInstance lift() {
   geometric::RobotDescription robot;
   robot.name = "lift";
@@ -370,7 +370,7 @@ class VariantGenerator::Parts {
   }
 
  private:
-  /// A variant that is being made.
+  /// A variant under construction.
   struct Placement {
     Scene scene;
     std::shared_ptr<const CollisionWorld> world;
@@ -425,7 +425,7 @@ class VariantGenerator::Parts {
     return nearest;
   }
 
-  /// Puts a unit where its motion brings it.
+  /// Moves a unit by its motion.
   void move(Placement& placement, std::size_t u) const {
     const Unit& unit = units_[u];
     for (const std::size_t i : unit.objects) {
@@ -489,7 +489,7 @@ class VariantGenerator::Parts {
   }
 
   /// Shifts a unit towards the robot at the goal, or away from it, until `gap` is left, or as far
-  /// as it may move; then back to where it fits. A step of the gap's excess can't go too far.
+  /// as it may move; then back to a free place. A step by the gap's excess can't overshoot.
   void approach(Placement& placement, std::size_t u, double gap) const {
     const Eigen::Vector3d from = placement.motions[u].shift;
     for (int step = 0; step < kMostApproachSteps; ++step) {

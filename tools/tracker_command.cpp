@@ -47,7 +47,7 @@ std::string tracker_statistics_line(const StreamStatistics& s, const ReceptionFa
       faults.doubtful, s.reconnects);
 }
 
-/// Every sensor's last pose (mm, deg) and button; below them how the stream runs.
+/// Every sensor's last pose (mm, deg) and button; below them the state of the stream.
 std::string tracker_table(const std::map<int, TrackerSample>& sensors, const char* state,
                           const StreamStatistics& statistics, const ReceptionFaults& faults) {
   std::string text = fmt::format("{:<7}{:>9}{:>9}{:>9}{:>10}{:>11}{:>8}{:>8}\n", "sensor", "x mm",
@@ -283,7 +283,7 @@ int show(const LiveOptions& options) {
   return kDone;
 }
 
-/// handway tracker live: what a tracker measures, as it comes.
+/// handway tracker live: a tracker's measurements as they come.
 void add_tracker_live(CLI::App& tracker, int& exit_code) {
   auto options = std::make_shared<LiveOptions>();
   CLI::App* command = tracker.add_subcommand("live", "Show what a tracker measures");

@@ -63,7 +63,7 @@ enum WorkerTag : int {
   kFailed = 14,   ///< std::string: the reason why it can't continue.
 };
 
-/// The leader's own worker: a thread that is given runs one by one.
+/// The leader's own worker: a thread that receives runs one by one.
 class OwnWorker {
  public:
   OwnWorker(const RunExecutor& executor, std::stop_token stop)
@@ -150,7 +150,7 @@ class Dealer {
   OwnWorker& own_;
   std::span<const RunSpec> runs_;
   std::size_t next_ = 0;
-  int busy_ = 0;  ///< Runs given and not answered.
+  int busy_ = 0;  ///< Runs without an answer yet.
   bool stopped_ = false;
 };
 
@@ -198,11 +198,11 @@ bool Dealer::collect_own(std::vector<RunRecord>& records) {
 /// one to idle processes, itself included (on a second thread), and collects the records. No
 /// process waits busily.
 ///
-/// One each process, made before anything else talks to MPI.
+/// One for each process, made before any other use of MPI.
 class MpiTeam final : public planning::ProcessTeam {
  public:
   MpiTeam();
-  /// The leader sends the others home.
+  /// The leader makes the others return from serve().
   ~MpiTeam() override;
   MpiTeam(const MpiTeam&) = delete;
   MpiTeam& operator=(const MpiTeam&) = delete;

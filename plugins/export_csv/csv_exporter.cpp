@@ -14,7 +14,7 @@
 namespace handway::export_csv {
 namespace {
 
-/// Text in rows and columns: times as planning::csv_time(), other numbers as the shortest that read
+/// Text in rows and columns: times by planning::csv_time(), other numbers as the shortest that read
 /// back to the same bits.
 class CsvTable {
  public:

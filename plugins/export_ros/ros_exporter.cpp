@@ -62,7 +62,7 @@ Message joint_trajectory(const planning::Motion& motion, RosVersion version) {
   return {{"header", header(version)}, {"joint_names", names}, {"points", points}};
 }
 
-/// moveit_msgs/RobotState: where the motion begins, with the coupled joints.
+/// moveit_msgs/RobotState: the start of the motion, with the coupled joints.
 Message start_state(const planning::Motion& motion, RosVersion version) {
   Message names = Message::array();
   Message positions = Message::array();
@@ -123,7 +123,8 @@ void write_value(YAML::Emitter& out, const Message& message) {
   }
 }
 
-/// The message as YAML, arrays of plain values on a line; numbers read back to the same bits.
+/// The message as YAML, with arrays of plain values on one line; numbers read back to the same
+/// bits.
 std::string to_yaml(const Message& message) {
   YAML::Emitter out;
   out.SetDoublePrecision(std::numeric_limits<double>::max_digits10);

@@ -42,8 +42,8 @@ aiMatrix4x4 matrix_of(const Pose& X) {
   return matrix;
 }
 
-// Normals of the corners of all triangles: the mean of those of the triangles around that lie
-// within the angle of the corner's own.
+// Normals of the corners of all triangles: the mean of those of adjacent triangles within the angle
+// of the corner's own.
 std::vector<Eigen::Vector3d> corner_normals(const TriangleMesh& mesh) {
   const TriangleMesh joined = geometric::welded(mesh);
   std::vector<Eigen::Vector3d> areas;  // normals, as long as twice the area
@@ -128,7 +128,7 @@ class SceneGraph {
     nodes_.push_back(std::move(node));
   }
 
-  // Owns all that has been added.
+  // Owns all added elements.
   std::unique_ptr<aiScene> scene(const std::string& name) && {
     auto scene = std::make_unique<aiScene>();
     scene->mRootNode = new aiNode(name);

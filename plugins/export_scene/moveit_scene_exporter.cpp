@@ -298,7 +298,7 @@ std::vector<std::filesystem::path> MoveitSceneExporter::do_write(
                                                 folder / (robot + ".srdf")};
   write_urdf(with_whole_group(model), written.front());
   const auto write = [&](const char* name, const Message& message) {
-    // JSON is YAML, but for a line a key.
+    // Writes JSON, which is YAML, with one key per line.
     std::string text;
     for (const auto& [key, value] : message.items()) {
       text += key + ": " + value.dump() + "\n";

@@ -36,7 +36,7 @@ void check_arm(const planning::Motion& motion) {
   }
 }
 
-/// The speed and acceleration of the share done of a move that the joints' limits allow.
+/// The speed and acceleration of a move's share done that the joints' limits allow.
 struct ShareLimits {
   double velocity = std::numeric_limits<double>::infinity();      ///< 1/s
   double acceleration = std::numeric_limits<double>::infinity();  ///< 1/s²
@@ -117,7 +117,7 @@ std::string text_of(pugi::xml_document& document) {
   return text.str();
 }
 
-/// Without an exponent, as VAL3's literals are.
+/// Writes numbers without an exponent, as VAL3's literals.
 std::string number(double value) { return fmt::format("{:.6f}", value); }
 
 pugi::xml_node add_data(pugi::xml_node all, const char* name, const char* type, std::size_t size) {
@@ -155,7 +155,7 @@ std::string program(const char* name, std::initializer_list<Local> locals, const
   return text_of(document);
 }
 
-/// NAME.pjx: the programs and the data that belong together.
+/// Writes NAME.pjx: the list of programs and data.
 std::string project_file(const std::string& name) {
   pugi::xml_document document;
   pugi::xml_node project =
@@ -171,7 +171,7 @@ std::string project_file(const std::string& name) {
   return text_of(document);
 }
 
-/// NAME.dtx: `jPath` (deg), `mMove`, `nPause` (s), one of each for every point, `nPoints`,
+/// Writes NAME.dtx: `jPath` (deg), `mMove`, `nPause` (s), one of each for every point, `nPoints`,
 /// `nTolerance` (deg) and `tHand`. No move blends into the next.
 std::string data_file(const std::vector<ArmMove>& moves) {
   pugi::xml_document document;
@@ -212,7 +212,7 @@ std::string data_file(const std::vector<ArmMove>& moves) {
   return text_of(document);
 }
 
-/// start.pgx: waits for power and calls runPath.
+/// Writes start.pgx: waits for power and calls runPath.
 std::string start_program() {
   return program("start", {}, R"(begin
   if isPowered()==false
@@ -230,8 +230,8 @@ std::string stop_program() {
 end)");
 }
 
-/// runPath.pgx: refuses to run unless the arm stands at the first point and all points are
-/// in range; then goes from point to point.
+/// Writes runPath.pgx: refuses to run unless the arm is at the first point and all points are in
+/// range; then goes from point to point.
 std::string run_path_program() {
   return program("runPath", {{"l_i", "num"}, {"l_jHere", "jointRx"}}, R"(begin
   l_jHere=herej()

@@ -43,7 +43,7 @@ namespace {
 // To be changed with the result of read_inventor_mesh().
 constexpr int kVersion = 1;
 
-/// A mesh as archives take it.
+/// A mesh in a form for archives.
 struct Numbers {
   std::vector<double> vertices;          ///< x y z of each, m
   std::vector<std::uint32_t> triangles;  ///< Three vertices of each.

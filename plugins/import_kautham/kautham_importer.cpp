@@ -133,7 +133,8 @@ class SceneBuilder {
     return controlled_robot(*model);
   }
 
-  // True if all robots have the same list of controls; else each has its own, one after the other.
+  // Returns whether all robots have the same list of controls; else each has its own, one after the
+  // other.
   bool read_controls(std::vector<KauthamRobot>& robots, const std::vector<BaseLimits>& limits) {
     if (!problem_.controls.empty()) {
       read_kautham_controls(found(problem_.controls), robots);
@@ -197,8 +198,8 @@ class SceneBuilder {
     }
   }
 
-  // The file of this name in the problem's folder or where Kautham's programs look for models, in
-  // ../../models and its like; with a warning, in other letters.
+  // The file of this name in the problem's folder or in the model folders of Kautham's programs,
+  // ../../models and the like; with a warning if its name differs in case.
   [[nodiscard]] std::filesystem::path found(const std::filesystem::path& written) {
     std::filesystem::path file = geometric::existing_file(folder_ / written);
     std::error_code ignored;
@@ -223,7 +224,7 @@ class SceneBuilder {
       add_links(*geometric::load_robot(file), obstacle, name);
       return;
     }
-    // Meshes have millimetres times scale, or, where the problem is in metres, these.
+    // Meshes have millimetres times scale, or, if the problem is in metres, metres.
     const double scale = obstacle.scale * problem_.units.length / geometric::kMillimetre;
     const InventorMesh& mesh = meshes_.load(file, scale);
     scene_->objects.push_back({unique_name(scene_->objects, name),
@@ -284,8 +285,8 @@ class SceneBuilder {
   InventorMeshes meshes_;
 };
 
-/// Opens all files that the problem names and puts the scene together. The first
-/// robot is the one to plan for; `basis` is its hand's.
+/// Opens all files that the problem names and makes the scene. The first robot is the one to plan
+/// for; `basis` is its hand's.
 /// @throws InputError if one of the files can't be read, or the query's number
 /// of controls is not that of the robots.
 planning::LoadedScene make_scene(const KauthamProblem& problem) {

@@ -37,7 +37,7 @@ Pose zero_pose(const KauthamJoint& joint) {
          Eigen::Translation3d(0.0, 0.0, joint.d);
 }
 
-// The turn about, or the slide along, z by q: commutes with Rz(theta) Tz(d).
+// The rotation about, or the slide along, z by q: commutes with Rz(theta) Tz(d).
 Pose motion(const KauthamJoint& joint, double q) {
   Pose X = Pose::Identity();
   if (joint.rotational) {
@@ -78,7 +78,7 @@ bool is_coupled(const KauthamRobot& robot, int joint, std::vector<std::string>& 
   return alike && differing.empty();
 }
 
-// For each joint the one that leads it; itself if it is not coupled.
+// For each joint its leader; itself if it is not coupled.
 std::vector<int> find_leaders(const KauthamRobot& robot, std::vector<std::string>& warnings) {
   std::vector<int> leaders;
   leaders.reserve(robot.joints.size());
@@ -153,8 +153,8 @@ std::vector<bool> arm_joints(const KauthamRobot& robot) {
   return result;
 }
 
-// Ends of the base's range in the frame of the Home, as Kautham reckons them: those of the two
-// corners' coordinates there.
+// Ends of the base's range in the frame of the Home, by Kautham's rule: the coordinates of the two
+// corners there.
 BaseLimits home_limits(const BaseLimits& limits, const Pose& X_WH) {
   const auto corner = [&](auto end) -> Eigen::Vector3d {
     return X_WH.inverse() * Eigen::Vector3d(end(limits[0]), end(limits[1]), end(limits[2]));

@@ -139,7 +139,7 @@ struct Fit {
   Eigen::VectorXd offset;
   double lower = 0.0;  ///< Leader's range in which the loop closes.
   double upper = 0.0;
-  double gap = 0.0;  ///< m, the largest that the proportions leave.
+  double gap = 0.0;  ///< m, the largest remaining gap.
 };
 
 Fit fitted(const Linkage& linkage) {

@@ -16,15 +16,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* kNameInMemory = "handway.xml";
 
-// MuJoCo's own way with errors is to end the program.
+// MuJoCo handles errors by ending the program.
 void throw_error(const char* message) { throw std::runtime_error(message); }
 
 std::vector<std::string>* caught = nullptr;
 
 void catch_warning(const char* message) { caught->emplace_back(message); }
 
-/// MuJoCo's handlers of errors and warnings are for the whole program: ours for as long as this is
-/// there.
+/// MuJoCo's handlers of errors and warnings are for the whole program: this sets its own during its
+/// lifetime.
 class Handlers {
  public:
   explicit Handlers(std::vector<std::string>& warnings)
@@ -53,7 +53,7 @@ class MemoryFiles {
   MemoryFiles(const MemoryFiles&) = delete;
   MemoryFiles& operator=(const MemoryFiles&) = delete;
 
-  // False if its name is too long.
+  // Returns false if its name is too long.
   bool add(const std::string& name, const std::string& text) {
     if (mj_makeEmptyFileVFS(files_.get(), name.c_str(), static_cast<int>(text.size())) != 0) {
       return false;
@@ -92,7 +92,7 @@ Refusal refusal_of(const std::string& message) {
 
 ModelPointer compile_text(const fs::path& file, const std::string& text, Refusal& refusal) {
   MemoryFiles files;
-  // MuJoCo looks for the other files from where this one seems to be.
+  // MuJoCo searches other files relative to the apparent place of this one.
   if (!files.add(kNameInMemory, text)) {
     refusal.reason = "no room for it";
     return nullptr;
@@ -110,7 +110,7 @@ ModelPointer compile_text(const fs::path& file, const std::string& text, Refusal
   }
 }
 
-// The mesh that MuJoCo refused, if it is one: we can read it ourselves.
+// Leaves out the refused mesh, if a mesh is the reason: Handway can read it itself.
 bool leave_out_mesh(const Refusal& refusal, Compiled& compiled) {
   if (refusal.line == 0 || refusal.line > compiled.text.places.size()) {
     return false;

@@ -298,7 +298,7 @@ class Reader {
     return scale;
   }
 
-  // @throws InputError if what collides has no shape.
+  // @throws InputError if a colliding geometry has no shape.
   void settle_meshes() const {
     for (const auto& [name, mesh] : compiled_.text.meshes) {
       const auto counted = replaced_.find(name);
@@ -337,7 +337,7 @@ class Reader {
     return geometric::Mesh{{}, Eigen::Vector3d::Ones(), known};
   }
 
-  // Could any geometries of the two bodies be in contact, by their masks?
+  // Returns whether geometries of the two bodies can be in contact, by their masks.
   [[nodiscard]] bool masks_meet(int a, int b) const {
     const auto geoms = [&](int body) {
       return std::pair(model_->body_geomadr[body],
@@ -414,7 +414,7 @@ class Reader {
     return model_->wrap_type[model_->tendon_adr[tendon]] == mjWRAP_JOINT;
   }
 
-  // The sum of coefficients times joints is `length`: the last joint follows the others.
+  // Equality: the sum of coefficients times joints is `length`; the last joint follows the others.
   void couple_along(int tendon, double length, const std::string& name) {
     const int begin = model_->tendon_adr[tendon];
     const int last = begin + model_->tendon_num[tendon] - 1;

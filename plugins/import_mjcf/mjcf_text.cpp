@@ -52,8 +52,8 @@ bool is_left_out_attribute(std::string_view element, std::string_view name) {
 
 using Schema = std::map<std::string, std::set<std::string>>;  // attributes by element
 
-// MuJoCo prints `element (?)  attribute attribute …`, and more of them on lines of their own. It
-// stands for `body` and `worldbody` as `(world)body`.
+// MuJoCo prints `element (?)  attribute attribute …`, and further attributes on separate lines.
+// `body` and `worldbody` are printed as `(world)body`.
 Schema printed_schema() {
   constexpr std::size_t kRoom = std::size_t{1} << 18;
   std::vector<char> text(kRoom);
@@ -274,7 +274,7 @@ class Writer {
 
   fs::path folder_;  ///< Folder of the first file.
   const FaultyMeshes& faulty_;
-  std::vector<Source> files_;  ///< The first, and what it includes down to where we are.
+  std::vector<Source> files_;  ///< Stack of files: the first, and the nested includes.
   std::string mesh_folder_;
   std::map<std::string, int> references_;  ///< Number of geometries per mesh.
   MjcfText result_;

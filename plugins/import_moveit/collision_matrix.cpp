@@ -31,7 +31,7 @@ namespace {
 
 using geometric::AllowedCollisions;
 
-/// The matrix by names: of pairs, and of single bodies where a pair is not named.
+/// The matrix by names: of pairs, and of single bodies for unnamed pairs.
 struct Matrix {
   std::map<AllowedCollisions::Pair, bool> pairs;
   std::map<std::string, bool> defaults;
@@ -95,7 +95,7 @@ Matrix matrix_of(const YamlElement& element) {
 
 namespace {
 
-/// Pairs of links that a matrix allows or forbids otherwise than the SRDF.
+/// Pairs of links on which a matrix differs from the SRDF.
 void take_pairs_of_links(const Matrix& matrix, geometric::Scene& scene) {
   const geometric::RobotDescription& robot = scene.robots.front().model->description();
   const auto is_named = [&](const std::string& link) {

@@ -9,7 +9,7 @@
 
 namespace handway::import_moveit {
 
-/// A flag as rostopic and ros2 write it, or as a number.
+/// Reads a flag in the form of rostopic and ros2, or as a number.
 [[nodiscard]] bool flag(const geometric::YamlElement& element);
 
 /// Names in `scene` of a collision object's shapes, by its id.

@@ -87,7 +87,7 @@ Eigen::Matrix3d rotation_of(const YamlElement& constraint, const Frames& frames)
          read_rotation(constraint.need("orientation")).toRotationMatrix();
 }
 
-// About x, y and z, rad.
+// Rotations about x, y and z, rad.
 Eigen::Vector3d rotation_tolerance(const YamlElement& constraint) {
   Eigen::Vector3d tolerances = Eigen::Vector3d::Zero();
   Eigen::Index axis = 0;
@@ -151,7 +151,7 @@ std::vector<PoseGoal> with_positions(const YamlElement& constraint, const Frames
   return goals;
 }
 
-// A link whose frame stands for one of the world must not move along the path.
+// A link whose frame is used as a frame of the world must not move along the path.
 void need_fixed_frame(const YamlElement& constraint, const RobotModel& model) {
   const std::optional<std::string> frame = frame_name(constraint);
   const std::optional<int> link = frame ? model.find_link(*frame) : std::nullopt;
@@ -165,15 +165,15 @@ void need_fixed_frame(const YamlElement& constraint, const RobotModel& model) {
 
 constexpr double kFree = 3.14;  // rad: as people write π
 
-/// An axis of a link stays near where it should be.
+/// Cone: an axis of a link stays near its target.
 struct Cone {
   Eigen::Index axis;  ///< 0: x.
   double angle;       ///< rad
 };
 
-// Inside of tolerances of the angles a, b, c of R = Rx(a) Ry(b) Rz(c): cos a cos b is the cosine of
-// the angle that z is off, cos b cos c that of x; up to a right angle neither is less than the
-// angles in it.
+// Cones inside of tolerances of the angles a, b, c of R = Rx(a) Ry(b) Rz(c): cos a cos b is the
+// cosine of z's deviation, cos b cos c that of x; up to a right angle neither deviation is less
+// than its angles.
 std::vector<Cone> cones_of_angles(const Eigen::Vector3d& tolerance) {
   return {{2, std::min(tolerance.x(), tolerance.y())}, {0, tolerance.z()}};
 }
@@ -200,7 +200,7 @@ std::vector<Cone> cones_within(const YamlElement& constraint) {
     case 1: {
       tolerance.maxCoeff(&free);
       const double least = tolerance.minCoeff();
-      // Half a turn about an axis off by α/2 is the rotation vector that is farthest off.
+      // The farthest rotation vector is half a turn about an axis off by α/2.
       return {{free, is_rotation_vector ? 2.0 * std::asin(least / std::numbers::pi) : least}};
     }
     case 2:

@@ -62,8 +62,8 @@ std::vector<int> variables_of(const RobotModel& model, const YamlElement& group)
                "a group of the robot's SRDF", geometric::advise_name(group.text(), names));
 }
 
-/// MoveIt's seven numbers of a floating joint as its variables here: rot_x to rot_w of `values` are
-/// replaced by yaw, pitch and roll.
+/// Converts MoveIt's seven numbers of a floating joint to its variables here: rot_x to rot_w of
+/// `values` are replaced by yaw, pitch and roll.
 std::map<std::string, double> with_angles(const RobotModel& model,
                                           std::map<std::string, double> values) {
   for (const geometric::BaseJoint& base : model.description().base_joints) {
@@ -90,9 +90,9 @@ std::map<std::string, double> with_angles(const RobotModel& model,
   return values;
 }
 
-/// The joints' values that `values` gives, in the order of the configuration; the others as in
-/// `rest`. Fixed and coupled joints are passed over.
-/// @param[in,out] unknown gets the joints that the robot has not, each once.
+/// The joints' values in `values`, in the order of the configuration; the others as in `rest`.
+/// Fixed and coupled joints are ignored.
+/// @param[in,out] unknown gets the joints that the robot lacks, each once.
 Configuration with_values(const RobotModel& model, const std::map<std::string, double>& values,
                           const Configuration& rest, std::set<std::string>& unknown) {
   Configuration q = rest;
@@ -195,7 +195,7 @@ class ProblemReader {
     }
   }
 
-  // A start that is no difference to the scene's state stands for what that carries, too.
+  // A start that is not a difference to the scene's state replaces its attached objects, too.
   void take_start_state(const YamlElement& state, World& world) {
     state.refuse_slips(
         {"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
@@ -238,7 +238,7 @@ class ProblemReader {
     }
   }
 
-  // Sets where the robot stands, too.
+  // Sets the robot's pose, too.
   [[nodiscard]] Configuration start_of(const RobotModel& model) {
     Configuration q = model.neutral();
     for (const auto& state : {top_.find("robot_state"), request_ ? request_->find("start_state")
@@ -256,8 +256,8 @@ class ProblemReader {
     return q;
   }
 
-  // `q` with a planar or floating joint at `X`; a virtual joint that does not move gives the place
-  // of the robot instead.
+  // Returns `q` with a planar or floating joint at `X`; a fixed virtual joint sets the pose of the
+  // robot instead.
   [[nodiscard]] Configuration with_base_at(const RobotModel& model, const std::string& name,
                                            const Pose& X, const Configuration& q) {
     const geometric::RobotDescription& robot = model.description();
@@ -279,7 +279,7 @@ class ProblemReader {
     return with_values(model, values, q, unknown_joints_);
   }
 
-  // If the first goal has a pose, all that have one; else the first alone.
+  // If the first goal has a pose, all goals with a pose are used; else the first alone.
   void read_goals() {
     request_->refuse_slips({"start_state", "goal_constraints", "path_constraints", "group_name"});
     const YamlElement list = request_->need("goal_constraints");
@@ -312,7 +312,7 @@ class ProblemReader {
     }
   }
 
-  // With a pose: of the joints that the first goal names; the others are as at the start.
+  // With a pose: values of the joints that the first goal names; the others are as at the start.
   [[nodiscard]] Configuration goal_of(const RobotModel& model) {
     const YamlElement& goal = goals_.front();
     goal.refuse_slips({"name", "joint_constraints", "position_constraints",
@@ -333,7 +333,8 @@ class ProblemReader {
     return with_values(model, values, scene_->robots.front().configuration, unknown_joints_);
   }
 
-  // Planar and floating joints go as far as the request's workspace, and to start and goal.
+  // Planar and floating joints get the range of the request's workspace, extended to start and
+  // goal.
   [[nodiscard]] std::shared_ptr<const RobotModel> within_workspace(
       const std::shared_ptr<const RobotModel>& model) const {
     geometric::RobotDescription robot = model->description();

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using geometric::InputError;
 using geometric::Pose;
 
-// In a row, as short as they read back to the same.
+// Writes numbers in a row, each as the shortest that reads back to the same.
 YAML::Node list_of(std::span<const double> numbers) {
   YAML::Node list(YAML::NodeType::Sequence);
   list.SetStyle(YAML::EmitterStyle::Flow);
@@ -213,7 +213,7 @@ class SceneText {
   std::vector<std::string> lines_;
   std::size_t line_ = 0;
   std::vector<std::string> words_;  ///< Words of the line.
-  std::size_t at_ = 0;              ///< The next of these.
+  std::size_t at_ = 0;              ///< Index of the next word.
 };
 
 }  // namespace

@@ -55,7 +55,7 @@ bool is_binary(const YamlElement& octomap) {
   return word == "True" || word == "1" || (word != "False" && word != "0" && binary->flag());
 }
 
-/// Looks whether bytes hold a whole tree of at most 16 levels: the library takes that for granted.
+/// Checks that bytes hold a complete tree of at most 16 levels: the library assumes that.
 class TreeBytes {
  public:
   explicit TreeBytes(const std::string& bytes) : bytes_(bytes) {}
@@ -260,7 +260,7 @@ constexpr geometric::Color kColor{0.55, 0.62, 0.68};
 constexpr double kSmallestNormal = 1e-9;
 constexpr double kOnPlane = 1e-6;  // m
 
-// shape_msgs/SolidPrimitive's numbers, and the words of MotionBenchMaker.
+// Numbers of shape_msgs/SolidPrimitive, and the words of MotionBenchMaker.
 std::string kind_of(const YamlElement& type) {
   static const std::map<std::string, std::string> kKinds = {
       {"1", "box"}, {"2", "sphere"}, {"3", "cylinder"}, {"4", "cone"}};
@@ -471,13 +471,14 @@ bool is_attached(const std::string& id, World& world) {
          object_called(names->second.front(), world).attachment.has_value();
 }
 
-// The pose of a message in what its object is fixed to.
+// The pose of a message in the frame to which its object is fixed.
 Pose pose_of(const YamlElement& object, const Pose& X_PF) {
   const std::optional<YamlElement> pose = object.find("pose");
   return pose ? X_PF * read_pose(*pose) : X_PF;
 }
 
-// @param X_PF of the object's frame in what it is fixed to. @param X_WP of that in the world.
+// @param X_PF pose of the object's frame in its carrier. @param X_WP pose of the carrier in the
+// world.
 void add_object(const YamlElement& object, const Pose& X_PF, const Pose& X_WP,
                 const std::optional<geometric::Attachment>& attachment, World& world) {
   const Pose X_PO = pose_of(object, X_PF);
@@ -491,7 +492,7 @@ void add_object(const YamlElement& object, const Pose& X_PF, const Pose& X_WP,
   }
 }
 
-// Poses of shapes in a message that moves them, too; as many as the object has.
+// Poses of shapes in a message that also moves them; as many as the object has.
 std::vector<Pose> shape_poses(const YamlElement& object) {
   std::vector<Pose> poses;
   for (const char* key : {"primitive_poses", "mesh_poses", "plane_poses"}) {
@@ -502,7 +503,7 @@ std::vector<Pose> shape_poses(const YamlElement& object) {
   return poses;
 }
 
-// Moves an object to the message's pose, with its shapes as they are or where the message has them.
+// Moves an object to the message's pose, with its shapes unchanged or at the message's poses.
 void move_object(const YamlElement& object, const Pose& X_PF, World& world) {
   const std::string id = object.need("id").text();
   const auto whole = world.objects.find(id);
@@ -573,7 +574,7 @@ void take_world_object(const YamlElement& object, World& world) {
   add_object(object, X_WF, Pose::Identity(), std::nullopt, world);
 }
 
-// octomap_msgs/OctomapWithPose, or the bare map.
+// Reads octomap_msgs/OctomapWithPose, or the bare map.
 void add_octomap(const YamlElement& message, World& world) {
   if (!message.is_map()) {
     return;
@@ -689,7 +690,7 @@ bool has_shapes(const YamlElement& object) {
          !object.items_of("planes").empty();
 }
 
-// Fixes an object of the world to the link, or what a link carries to the world.
+// Attaches an object of the world to the link, or detaches a link's objects.
 void fix_to(const std::string& id, const Pose& X_NewOld,
             const std::optional<geometric::Attachment>& attachment, World& world) {
   world.objects[id].X_PO = X_NewOld * world.objects[id].X_PO;

@@ -64,7 +64,7 @@ using geometric::Shape;
 
 Eigen::Vector3d vector_of(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
 
-// A model's folder as Gazebo finds it, or a package's.
+// A model's folder by Gazebo's rules, or a package's.
 std::optional<fs::path> model_folder(const std::string& name, const fs::path& folder) {
   if (const std::optional<fs::path> found = geometric::find_package(name, folder)) {
     return found;
@@ -121,7 +121,7 @@ Pose pose_of(const ignition::math::Pose3d& pose) {
   return X;
 }
 
-// A geometry as shapes of our own, with their poses in its frame; empty for one of another kind.
+// A geometry as Handway's shapes, with their poses in its frame; empty for one of another kind.
 std::vector<std::pair<Shape, Pose>> shapes_of(const sdf::Geometry& geometry, const fs::path& folder,
                                               const std::string& where) {
   if (const sdf::Box* box = geometry.BoxShape()) {
@@ -185,7 +185,7 @@ class Reader {
     config.SetFindCallback([this](const std::string& uri) { return included(uri); });
     sdf::Root root;
     sdf::Errors errors = root.Load(robot_.file.string(), config);
-    // A world without its sun or its ground is a world for planning.
+    // Sun and ground of a world are not needed for planning.
     const auto lost = std::stable_partition(errors.begin(), errors.end(), [](const auto& error) {
       return error.Code() != sdf::ErrorCode::URI_LOOKUP;
     });
@@ -216,7 +216,7 @@ class Reader {
     throw InputError({robot_.file.string(), element, found, expected, advice});
   }
 
-  // The file or folder of an included model; empty if it is nowhere.
+  // The file or folder of an included model; empty if it is not found.
   [[nodiscard]] std::string included(const std::string& uri) const {
     const std::size_t colon = uri.find("://");
     const fs::path rest = colon == std::string::npos ? uri : uri.substr(colon + 3);

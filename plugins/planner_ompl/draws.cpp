@@ -64,7 +64,7 @@ class CountedGoal final : public ob::GoalState {
   Draws& draws_;
 };
 
-/// Counts a draw that the space's sampler did not count.
+/// Counts a sample that the space's sampler did not count.
 class CountedInformedSampler final : public ob::InformedSampler {
  public:
   CountedInformedSampler(const ob::ProblemDefinitionPtr& definition, unsigned int most_calls,

@@ -29,7 +29,7 @@ ompl::base::PlannerPtr make(const ompl::base::SpaceInformationPtr& information) 
   return std::make_shared<Kind>(information);
 }
 
-// The parameters of OMPL's that are offered, each for all planners that take it.
+// The offered parameters of OMPL, each for all planners that have it.
 
 const MethodSetting kRange = {
     "range",

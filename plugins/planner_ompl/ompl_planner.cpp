@@ -53,8 +53,8 @@ Search::Search(planning::PlanningContext& context, const Method& method,
   }
 }
 
-// All generators but those of samplers are made here, so that the seeds they get depend
-// on the run alone.
+// All generators but those of samplers are made here, so that their seeds depend on the run
+// alone.
 void Search::set_up(const Method& method, const std::vector<planning::Parameter>& settings) {
   const SeedingLock lock = lock_seeding();
   seed_ompl(lock, draws_);
@@ -87,7 +87,7 @@ void Search::set_goal_and_start() {
   information_->freeState(end);
 }
 
-// Every path is good enough if the first one is taken.
+// Every path is accepted if the first one is taken.
 void Search::set_objective() {
   if (!traits_.improves) {
     return;
@@ -160,7 +160,7 @@ bool Search::proved(const planning::Path& path) {
   return end == path.waypoints.end();
 }
 
-// Undirected edges are there once for each direction.
+// Undirected edges occur once for each direction.
 std::vector<std::pair<int, int>> Search::edges_of(const ob::PlannerData& graph,
                                                   const std::vector<Configuration>& nodes) const {
   std::vector<std::pair<int, int>> edges;

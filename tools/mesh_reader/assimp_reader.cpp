@@ -27,7 +27,7 @@ constexpr const char* kAdvice = "Open the file in a mesh viewer, or export it ag
 
 [[noreturn]] void refuse(const std::string& found) { throw Refusal("", found, kExpected, kAdvice); }
 
-// Files that a mesh names may be anything too.
+// Files that a mesh names may be of any kind.
 class RegularFiles final : public Assimp::DefaultIOSystem {
  public:
   bool Exists(const char* file) const override {
@@ -42,7 +42,7 @@ class RegularFiles final : public Assimp::DefaultIOSystem {
 
 using Matrix = aiMatrix4x4t<double>;
 
-// By how much a frame enlarges at most, along one of its axes.
+// Largest enlargement by a frame, along one of its axes.
 double enlargement(const Matrix& X) {
   return std::sqrt(
       std::max({X.a1 * X.a1 + X.b1 * X.b1 + X.c1 * X.c1, X.a2 * X.a2 + X.b2 * X.b2 + X.c2 * X.c2,

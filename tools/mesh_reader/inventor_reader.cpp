@@ -46,7 +46,7 @@ namespace {
 constexpr double kMillimetre = 1e-3;  // m
 constexpr const char* kExpectedInventor = "an Open Inventor or VRML file";
 
-// Takes Coin's messages while it lives, instead of letting them go to stderr.
+// Receives Coin's messages during its lifetime, instead of stderr.
 class CoinMessages {
  public:
   CoinMessages() {
@@ -54,11 +54,11 @@ class CoinMessages {
     SoDebugError::setHandlerCallback([](const SoError*, void*) {}, nullptr);
   }
 
-  // The first complaint about a file as Coin words it; empty if there was none. A picture
-  // that is missing costs no triangle: it is kept apart.
+  // Coin's first error about a file; empty if there was none. A missing picture costs no triangle:
+  // it is stored separately.
   [[nodiscard]] const std::string& first() const { return first_; }
 
-  // Complaints about textures, one a line.
+  // Errors about textures, one a line.
   [[nodiscard]] const std::string& textures() const { return textures_; }
 
  private:
@@ -83,7 +83,7 @@ class CoinMessages {
   std::string textures_;
 };
 
-// "Coin read error: WHAT\n\tOccurred at line 4 in FILE", taken apart.
+// Parses "Coin read error: WHAT\n\tOccurred at line 4 in FILE".
 [[noreturn]] void refuse_as_coin_says(const std::string& coin_message) {
   static const std::regex kForm(
       R"((?:Coin read error:\s*)?([^]*?)\s*Occurred at line\s+(\d+) in (.*)\s*)");
@@ -102,7 +102,7 @@ class LenientInput final : public SoInput {
  public:
   SbBool pushFile(const char* name) override { return SoInput::pushFile(found(name).c_str()); }
 
-  // The file that is meant from where Coin looks, or else the name itself.
+  // The file that Coin means by its name, or else the name itself.
   static std::string found(const char* name) {
     const SbStringList& folders = getDirectories();
     for (int i = 0; i < folders.getLength(); ++i) {
@@ -119,7 +119,7 @@ class LenientInput final : public SoInput {
     return name;
   }
 
-  // Names of which this was so, as they are written; a process reads one file.
+  // Names, as written, of files found with differences in case; a process reads one file.
   static std::set<std::string>& in_other_letters() {
     static std::set<std::string> names;
     return names;
@@ -229,7 +229,7 @@ class IndexCheck {
   }
 };
 
-// Gathers triangles, vertices of the same place once.
+// Collects triangles, with vertices of the same place merged.
 struct Collector {
   Mesh& mesh;
   std::map<std::array<float, 3>, std::uint32_t> index_of = {};

@@ -73,7 +73,7 @@ void limit(int resource, rlim_t value) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
-// Beyond any of them the process ends by a signal, or gets no more memory.
+// Limits beyond which the process ends by a signal, or gets no more memory.
 void set_limits(const MeshRequest& request) {
   const double whole = std::floor(request.seconds);
   itimerval timer{};

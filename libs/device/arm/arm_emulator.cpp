@@ -49,7 +49,7 @@ void Val3Controller::do_fail() {
   }
 }
 
-// Along the queue, from target to target, for `dt` s.
+// Moves along the queue, from target to target, for `dt` s.
 void Val3Controller::follow(double dt) {
   const double pace = active_fault() == FaultKind::kSlow ? 0.5 : 1.0;
   Eigen::VectorXd at = commanded();

@@ -48,10 +48,10 @@ JointRanges tx90_joints() {
 
 namespace {
 
-/// A point for the VAL3 server, and when it is sent.
+/// A point for the VAL3 server, with the time to send it.
 struct Val3Point {
-  double due = 0.0;  ///< s of the motion's time: not earlier.
-  double end = 0.0;  ///< s: when the arm is there.
+  double due = 0.0;  ///< Earliest time of sending, s of the motion.
+  double end = 0.0;  ///< Time of arrival, s of the motion.
   SimpleMessage message;
 };
 
@@ -60,11 +60,11 @@ inline constexpr std::size_t kVal3PointsAhead = 8;
 
 // Smallest motion that can be sent to an arm (float32), rad.
 constexpr double kNoMove = 1e-6;
-// The least share of its velocity that the controller takes.
+// Least share of its velocity that the controller accepts.
 constexpr double kLeastVelocity = 1e-4;
 
-// The points of a trajectory but the first, where the arm stands. Points at which it does
-// not move are left out, and what follows them waits until they are over.
+// The points of a trajectory without the first, at which the arm is. Points without motion are left
+// out; the next ones wait for the end of the pause.
 // @pre check_trajectory().
 std::vector<Val3Point> val3_points(const JointTrajectory& trajectory, const JointRanges& joints) {
   std::vector<Val3Point> points;
@@ -109,7 +109,7 @@ constexpr double kFullMargin = 0.05;
 constexpr milliseconds kTryAgain{10};
 constexpr std::size_t kQueue = 10;
 
-/// Hands what has come to `take`, message by message. @returns as read_turn().
+/// Passes pending messages to `take`, one by one. @returns as read_turn().
 template <typename Take>
 bool read_messages(ByteLink& link, SimpleMessageParser& parser, const Take& take) {
   return read_turn(link, milliseconds(1), [&](std::span<const std::uint8_t> bytes) {
@@ -132,13 +132,13 @@ struct Val3Arm::Wire {
   std::optional<RobotStatus> status;
 
   std::vector<Val3Point> points;
-  std::size_t accepted = 0;  ///< Points that the controller has taken.
+  std::size_t accepted = 0;  ///< Number of points that the controller accepted.
   bool running = false;      ///< A motion is being sent.
   bool asked = false;        ///< A point was sent, and not answered yet.
   Clock::time_point asked_at;
-  std::optional<Clock::time_point> refused_since;  ///< The next point, first.
+  std::optional<Clock::time_point> refused_since;  ///< Time of the next point's first refusal.
   Clock::time_point try_again;                     ///< After a full queue.
-  std::size_t released = 0;  ///< Points that may be sent: fewer while it holds.
+  std::size_t released = 0;  ///< Number of points that may be sent: fewer during a pause.
 
   void send(const SimpleMessage& message) const {
     motion->write(encode(message), ByteLink::kLongestCommand);
@@ -190,8 +190,8 @@ void Val3Arm::do_start() {
   wire_->refused_since.reset();
 }
 
-// The arm runs on through the points that it was sent and on to the first that ends late
-// enough, and stands there.
+// The arm continues through the points already sent up to the first that ends late enough, and
+// rests there.
 double Val3Arm::do_pause(double time) {
   const auto& points = wire_->points;
   std::size_t last = wire_->accepted + (wire_->asked ? 1 : 0);

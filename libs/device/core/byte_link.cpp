@@ -224,7 +224,7 @@ std::unique_ptr<ByteLink> open_tcp_link(const std::string& name, const TcpAddres
     link->context().run_for(kStopPeriod);
   }
   if (error == boost::asio::error::would_block) {
-    // The handler refers to this frame: it has to be gone before.
+    // The handler refers to this frame: it has to be destroyed first.
     error_code ignored;
     link->stream().close(ignored);
     link->context().run();

@@ -102,7 +102,7 @@ struct DeviceEmulator::Running {
   std::atomic<bool> plugged = true;
   std::atomic<std::uint64_t> records = 0;
   std::atomic<std::uint64_t> fault_count = 0;
-  std::jthread thread;  ///< Last: it uses all the others.
+  std::jthread thread;  ///< Last: it uses all other members.
 
   void run(const std::stop_token& stop);
   void send(DeviceUnit::Bytes bytes, double now);

@@ -163,7 +163,7 @@ void StreamThread::hand_over() {
   counter_.resynchronised(source_->resynchronisations());
 }
 
-// Reads until there is nothing more to be read. @returns why.
+// Reads until the end of the samples. @returns the reason.
 StreamState StreamThread::read(const std::stop_token& stop) {
   try {
     while (!stop.stop_requested()) {

@@ -32,8 +32,8 @@ namespace handway::device {
 template <typename Device, typename Ports>
 class EmulatorThread {
  public:
-  /// @param period in which it reports its state, s. @param settings of the device.
-  /// @param ports what they are made of. @throws DeviceError if one is taken.
+  /// @param period of its state reports, s. @param settings of the device.
+  /// @param ports arguments of their constructor. @throws DeviceError if one is taken.
   template <typename Settings, typename... Arguments>
   EmulatorThread(double period, const Settings& settings, const Arguments&... ports)
       : device_(settings),
@@ -83,7 +83,7 @@ class EmulatorThread {
   Ports ports_;
   std::string address_;
   double period_;        ///< s
-  std::jthread thread_;  ///< Last: it uses all the others.
+  std::jthread thread_;  ///< Last: it uses all other members.
 };
 
 /// Interface of a RobotEmulator's thread.
@@ -116,7 +116,7 @@ class RunningRobot final : public RobotEmulator::Running {
 /// now)` for answers, `feedback()` for reports, and `connection_lost()`.
 class LinePort {
  public:
-  /// @param scheme of its address: "hand". @param port 0: any that is free.
+  /// @param scheme of its address: "hand". @param port 0: any free one.
   LinePort(std::string scheme, std::uint16_t port) : scheme_(std::move(scheme)), port_(port) {}
 
   [[nodiscard]] std::string address() const { return scheme_ + "://" + port_.address(); }

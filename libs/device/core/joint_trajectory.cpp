@@ -10,7 +10,7 @@
 namespace handway::device {
 namespace {
 
-// Positions that come from files were rounded, and so were limits.
+// Positions and limits from files were rounded.
 constexpr double kAngleTolerance = 1e-6;
 constexpr double kVelocityTolerance = 2e-3;
 

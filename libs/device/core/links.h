@@ -34,11 +34,11 @@ class ReadBudget {
   Clock::time_point deadline_ = Clock::now() + kLongest;
 };
 
-/// Takes what has come over a link, within a ReadBudget that begins with the first bytes.
+/// Reads pending bytes of a link, within a ReadBudget that begins with the first bytes.
 /// @param wait for the first bytes.
 /// @param take is called with each piece, a span of bytes that is never empty. Its exceptions end
 /// the turn.
-/// @returns whether that was all; false: more waits than one turn may take.
+/// @returns whether all pending bytes were read; false: more are waiting than one turn may take.
 /// @throws DeviceError if the other end is gone.
 template <typename Take>
 bool read_turn(ByteLink& link, std::chrono::milliseconds wait, Take&& take) {

@@ -46,7 +46,7 @@ class FileDescriptor {
     ::fcntl(fd_, F_SETFD, FD_CLOEXEC);
   }
 
-  /// Waits until there is something to read. @returns whether there is.
+  /// Waits for readable bytes. @returns whether there are any.
   [[nodiscard]] bool wait_readable(std::chrono::microseconds timeout) const {
     pollfd waiting{fd_, POLLIN, 0};
     const timespec time{timeout.count() / 1000000, timeout.count() % 1000000 * 1000};
@@ -70,7 +70,7 @@ class HostPort {
   /// Waits for bytes from a host, at most `timeout`. @returns how many there are.
   virtual std::size_t read(std::span<std::uint8_t> bytes, std::chrono::microseconds timeout) = 0;
 
-  /// Sends what a host takes; the rest is lost, as on a line without flow control.
+  /// Sends the bytes that a host accepts; the rest is lost, as on a line without flow control.
   virtual void write(std::span<const std::uint8_t> bytes) = 0;
 
  protected:
@@ -95,8 +95,8 @@ class HostPort {
 /// @throws geometric::InputError for a wrong address; DeviceError if the host does not exist.
 [[nodiscard]] std::unique_ptr<HostPort> send_to_udp_port(const std::string& receiver);
 
-/// A TCP port of this computer that one host at a time may connect to; a new connection takes
-/// the place of the last.
+/// A TCP port of this computer to which one host at a time may connect; a new connection replaces
+/// the last.
 class TcpHostPort final : public HostPort {
  public:
   /// @param port 0: any free one.
@@ -122,7 +122,7 @@ class TcpHostPort final : public HostPort {
   int connections_ = 0;
 };
 
-/// Notices that a port's host is gone, or that another took its place.
+/// Detects that a port's host is gone, or was replaced.
 class HostWatch {
  public:
   explicit HostWatch(const TcpHostPort& port) : port_(port) {}
@@ -150,7 +150,7 @@ class DelayedBytes {
   }
   void clear() { waiting_.clear(); }
 
-  /// When send() has something to do again, s; nothing if nothing waits.
+  /// Next time for send(), s; nothing if nothing waits.
   [[nodiscard]] std::optional<double> next_due() const {
     return waiting_.empty() ? std::nullopt : std::optional(waiting_.front().first);
   }
@@ -174,13 +174,13 @@ class DelayedBytes {
 /// @throws DeviceError if the host is not known.
 [[nodiscard]] sockaddr_in resolve_ipv4(const std::string& name, const TcpAddress& address);
 
-/// A UDP port that datagrams are taken from.
+/// A UDP port that receives datagrams.
 class UdpReceiver {
  public:
   /// @throws DeviceError if the port is taken or not allowed, or the host isn't this computer.
   UdpReceiver(const std::string& name, const TcpAddress& address);
 
-  /// Waits for a datagram. @returns its length, of which what fits is put into `bytes`; nothing
+  /// Waits for a datagram. @returns its length, of which the part that fits is in `bytes`; nothing
   /// after `timeout` without one.
   [[nodiscard]] std::optional<std::size_t> receive(std::span<std::uint8_t> bytes,
                                                    std::chrono::microseconds timeout);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kParts = 24;
 
-// 0 to 1 for 0 to 1, with velocity and acceleration 0 at both ends.
+// Maps 0 … 1 to 0 … 1, with velocity and acceleration 0 at both ends.
 double minimum_jerk(double s) {
   s = std::clamp(s, 0.0, 1.0);
   return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));

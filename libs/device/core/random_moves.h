@@ -11,13 +11,13 @@
 
 namespace handway::device {
 
-/// Random numbers that are the same for the same seed everywhere: the distributions of the
-/// standard library differ from one to the next, these don't.
+/// Random numbers that are the same for the same seed on all platforms, unlike the distributions of
+/// the standard library.
 class SeededRandom {
  public:
   explicit SeededRandom(std::uint64_t seed) : bits_(seed) {}
 
-  /// From 0 up to, but not, 1.
+  /// Uniform in [0, 1).
   double uniform() { return static_cast<double>(bits_() >> 11U) * 0x1.0p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
@@ -27,7 +27,7 @@ class SeededRandom {
     return radius * std::cos(2.0 * std::numbers::pi * uniform());
   }
 
-  /// From 0 to `size` - 1.
+  /// Uniform integer from 0 to `size` - 1.
   std::size_t index(std::size_t size) { return bits_() % size; }
 
   std::uint64_t bits() { return bits_(); }
@@ -39,7 +39,7 @@ class SeededRandom {
 /// Pace of a hand that moves from target to target.
 struct MovePace {
   double reaction = 0.3;       ///< Duration of the smallest move, s.
-  double per_unit = 0.3;       ///< More for each unit that the farthest coordinate moves, s.
+  double per_unit = 0.3;       ///< Added duration per unit of the farthest coordinate, s.
   double longest_rest = 0.25;  ///< Pause on a target: from 0 to this, s.
 };
 

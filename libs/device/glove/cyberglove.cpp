@@ -55,7 +55,7 @@ void set_rate(CyberGloveCommands& commands, const std::string& device, double ra
   }
 }
 
-// Brings a CyberGlove interface unit from any state to where it can be sampled: 22 or 18
+// Brings a CyberGlove interface unit from any state to one in which it can be sampled: 22 or 18
 // sensors, neither time stamp nor status in its records.
 // @returns everything but `device`; nothing if the port is silent.
 // @throws DeviceError if another device than a CyberGlove answers, the unit has no glove, or the
@@ -146,7 +146,7 @@ struct CyberGlove::Session {
   std::deque<GloveFrame> frames;            ///< Arrived and not yet taken.
   bool unplugged = false;
   bool too_fast = false;
-  Clock::time_point last_sign;  ///< When the last record came, or sampling began.
+  Clock::time_point last_sign;  ///< Time of the last record, or start of sampling.
   Clock::time_point next_poll;
   bool awaits_poll = false;
 };

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kTries = 3;
 constexpr double kBaseRate = 115200.0;
-// Long enough for a unit to finish the record that it was sending.
+// Long enough for a unit to finish its present record.
 constexpr milliseconds kQuiet{100};
 constexpr milliseconds kSlice{50};
 // Bytes that may precede an answer: records of a stream that is ending.

@@ -39,7 +39,7 @@ class CyberGloveCommands {
   /// Ends a stream that may be running, and discards pending bytes.
   void stop_stream(const std::stop_token& stop);
 
-  /// "?X". @returns its data; nothing if there was no good answer to any of three tries.
+  /// Sends "?X". @returns its data; nothing if none of three tries had a good answer.
   [[nodiscard]] std::optional<CyberGloveReply> query(char letter, std::size_t data_length,
                                                      const std::stop_token& stop);
 
@@ -67,11 +67,11 @@ class CyberGloveCommands {
 /// query), decimal numbers, CR.
 struct TextCommand {
   bool query = false;
-  char letter = 0;                      ///< Upper-case, as of the binary form.
+  char letter = 0;                      ///< In upper case, as in the binary form.
   std::vector<std::uint8_t> arguments;  ///< Binary form: words as two bytes.
 };
 
-/// @param line with its CR. @returns nothing if it is no command.
+/// @param line with its CR. @returns nothing if it is not a command.
 [[nodiscard]] std::optional<TextCommand> read_text_command(std::span<const std::uint8_t> line);
 
 /// `line` CR LF.

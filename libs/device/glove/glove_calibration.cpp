@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-/// The `.cal` text files of other programs, as read_calibration() documents them.
+/// The `.cal` text files of other programs, as documented in read_calibration().
 
 namespace handway::device {
 namespace {
@@ -238,7 +238,7 @@ PersonRanges read_ranges(const YamlElement& map) {
   return ranges;
 }
 
-// Fingers that are left out are those of a typical hand.
+// Missing fingers are those of a typical hand.
 HandBones read_bones(const YamlElement& map) {
   map.allow_keys({"thumb", "index", "middle", "ring", "little"});
   HandBones bones = typical_bones();

@@ -18,7 +18,7 @@ constexpr double kRestartTime = 1.75;    // s
 constexpr double kCommandTimeout = 1.0;  // s, after which a half command is forgotten.
 constexpr double kBacklog = 0.25;        // s
 
-// Bytes that follow the letter of a binary command; those that are no settings are elsewhere.
+// Bytes that follow the letter of a binary command of a setting; other commands are elsewhere.
 std::optional<std::size_t> argument_bytes(char letter) {
   switch (letter) {
     case 'B':

@@ -32,8 +32,8 @@ struct SensorRange {
   double high;
 };
 
-// In four lines: thumb; index and middle; ring with the abduction of the index before it; little
-// with that of the ring before it, its own abduction, palm arch, wrist.
+// Four lines: thumb; index and middle; ring with the abduction of the index before it; little with
+// that of the ring before it, its own abduction, palm arch, wrist.
 // clang-format off
 // The middle of a free hand's postures.
 const SensorDegrees kMiddlePosture{
@@ -96,9 +96,9 @@ constexpr std::array<int, kMovedFingers> kProximal{4, 7, 11, 15};
 constexpr std::array<std::pair<int, int>, 3> kAbductions{{{10, 4}, {14, 11}, {18, 15}}};
 
 constexpr double kDistalShare = 2.0 / 3.0;
-// Seeds far enough apart for every kind of move to have its own numbers.
+// Offsets of seeds, so that every kind of move has its own numbers.
 constexpr std::uint64_t kStreams = 1000;
-// Fingers bent so far can't spread any more, degrees.
+// Flexion from which fingers can't spread any more, degrees.
 constexpr double kLockedFlexion = 90.0;
 
 constexpr MovePace kWholeHand{};

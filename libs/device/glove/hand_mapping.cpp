@@ -265,7 +265,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Palm and wrist are beyond what cameras, headsets and many gloves measure.
+/// Many gloves, cameras and headsets don't measure palm and wrist.
 bool is_of_fingers(int sensor) {
   const std::vector<int> fingers = landmark_sensors();
   return std::ranges::find(fingers, sensor) != fingers.end();

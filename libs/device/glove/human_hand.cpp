@@ -16,14 +16,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// In lengths of the hand.
+/// Lengths relative to the length of the hand.
 struct FingerShape {
   Vector3d base;                  ///< In the palm's frame.
   std::array<double, 3> lengths;  ///< Lengths of the bones from there on.
 };
 
-// Metacarpals end where Buchholz puts the knuckles along the hand; across it they are spread over
-// its breadth, 0.44 of its length.
+// Metacarpals end at Buchholz's places of the knuckles along the hand; across it they are spread
+// over its breadth, 0.44 of its length.
 const std::array<FingerShape, kFingers> kFingerShapes{{
     {Vector3d(0.12, 0.11, -0.04), {0.251, 0.196, 0.158}},
     {Vector3d(0.446, 0.125, 0.0), {0.245, 0.143, 0.097}},
@@ -165,7 +165,7 @@ double& angle_of(GloveAngles& angles, const std::string& sensor) {
   return angles.angles.at(static_cast<std::size_t>(*find_sensor(sensor)));
 }
 
-/// From one bone to the next in the plane that both bend in, rad, -π to π.
+/// Angle from one bone to the next in the plane in which both bend, rad, -π to π.
 double turn(double from, double to) { return std::remainder(to - from, 2.0 * std::numbers::pi); }
 
 /// Angle of a finger towards the thumb's side, rad.

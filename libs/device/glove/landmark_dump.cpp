@@ -27,7 +27,7 @@ constexpr double kUsualPicture = 4.0 / 3.0;
 constexpr double kShortestPalm = 0.05;  // m, from the wrist to the knuckle of the middle finger
 constexpr double kLongestPalm = 0.14;
 
-// Letters and digits apart, in small letters: "INDEX_FINGER_TIP_x", "x12".
+// Separates letters and digits, in small letters: "INDEX_FINGER_TIP_x", "x12".
 std::vector<std::string> pieces_of(std::string_view name) {
   std::vector<std::string> pieces;
   int kind = 0;
@@ -165,8 +165,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// Coordinates in metres, from those of a picture or of another unit.
-// @returns what they were taken for; empty for metres.
+// Converts coordinates of a picture or of another unit to metres.
+// @returns the unit inferred; empty for metres.
 std::string settle_units(std::vector<SeenHand>& hands) {
   // World landmarks are around the middle of the hand; in a picture only points estimated beyond
   // its edge are negative.
@@ -204,7 +204,7 @@ std::string settle_units(std::vector<SeenHand>& hands) {
                                                                : "coordinates that are no metres");
 }
 
-// Fingers bend towards the palm: of the wrong hand they would bend backwards.
+// Fingers bend towards the palm: for the wrong hand they would bend backwards.
 bool is_left(const std::vector<SeenHand>& hands) {
   double as_right = 0.0;
   double as_left = 0.0;

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-/// Landmarks as scripts with MediaPipe and other hand trackers write them: tables with a column for
+/// Landmarks in files of scripts with MediaPipe and other hand trackers: tables with a column for
 /// every coordinate, and JSON of any nesting.
 
 namespace handway::device {
@@ -46,9 +46,9 @@ using LandmarkColumns = std::array<std::size_t, 63>;
 [[nodiscard]] bool is_landmark_document(std::string_view text);
 
 /// Every array of 21 points in a JSON document, or in lines of JSON, is a hand: the first of each
-/// frame, of its world landmarks if there are some. Times are what a key beside or around is called
-/// so.
-/// @throws InputError if it is no JSON, or has no hand.
+/// frame, of its world landmarks if there are some. Times are values of keys with such a name
+/// beside or around it.
+/// @throws InputError if it is not JSON, or has no hand.
 [[nodiscard]] Recording read_landmark_document(const std::filesystem::path& file,
                                                std::string_view text,
                                                const std::vector<TextLine>& lines);

@@ -35,7 +35,7 @@ constexpr std::string_view kUdp = "udp://";
 constexpr std::string_view kTcp = "landmarks://";
 constexpr milliseconds kLineSlice{20};
 constexpr std::size_t kLongestDatagram = 4096;
-// Datagrams don't overtake each other by so much: the sender's clock was set back, s.
+// Step back by which the sender's clock must have been reset, not datagrams overtaken, s.
 constexpr double kClockSetBack = 1.0;
 
 TcpAddress parse_landmark_address(const std::string& address) {
@@ -256,7 +256,7 @@ namespace {
 
 constexpr double kLandmarkBacklog = 0.25;  // s
 
-/// Before a camera, half a metre away, turning to and fro.
+/// Pose of the hand before the camera: half a metre away, turning to and fro.
 geometric::Pose hand_pose(double time) {
   const geometric::Pose X_CH = geometric::pose_from_rpy(
       Eigen::Vector3d(0.05 * std::sin(0.7 * time), 0.03 * std::sin(0.9 * time), 0.5),

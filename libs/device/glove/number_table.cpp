@@ -26,7 +26,8 @@ bool is_remark(const TextLine& line) {
   return text.empty() || text.starts_with('#') || text.starts_with('%');
 }
 
-/// The cells of a line with so many (0: as it has), but for an empty one behind the last separator.
+/// The cells of a line with that number of cells (0: any), without an empty one behind the last
+/// separator.
 std::vector<std::string_view> cells_of(const TextLine& line, char separator, std::size_t columns) {
   std::vector<std::string_view> parts = cells(line.text, separator);
   if (parts.size() == columns + 1 && columns > 0 && parts.back().empty()) {
@@ -78,7 +79,7 @@ NumberTable read_text_table(const std::filesystem::path& file, std::span<const T
   if (!separator && !lines.empty()) {
     separator = separator_of(lines[lines.size() > 1 ? lines.size() - 2 : 0].text);
   }
-  // Titles above the table are no line of it.
+  // Titles above the table are not part of it.
   while (lines.size() > 2 && is_title(lines[0], lines[1], *separator)) {
     lines.erase(lines.begin());
   }

@@ -15,16 +15,16 @@
 
 namespace handway::device {
 
-/// A cell where nothing was measured.
+/// A cell without a measurement.
 inline constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-/// A cell of text, as a label.
+/// A cell of text, such as a label.
 inline constexpr double kWord = std::numeric_limits<double>::infinity();
 
 /// Numbers in rows, kGap or kWord for other cells.
 struct NumberTable {
   std::vector<std::string> names;  ///< Names of columns; empty without a header.
   Eigen::MatrixXd values;          ///< Numbers; dates and clock times in s.
-  std::vector<std::size_t> lines;  ///< In the file, of each row; empty: the row's own number.
+  std::vector<std::size_t> lines;  ///< Line of each row in the file; empty: the row's own number.
   std::vector<std::string> warnings;
   std::vector<geometric::CellContent> contents = {};  ///< Kinds of columns; empty: all numbers.
 

@@ -56,8 +56,8 @@ void add_field(std::string& text, const char* key, const std::string& value) {
   }
 }
 
-// The lines before the first row. @throws std::invalid_argument for a sensor that isn't
-// there, one twice, or none.
+// The lines before the first row. @throws std::invalid_argument for an unknown sensor, one twice,
+// or none.
 std::string header_text(const RecordingHeader& header) {
   check_sensors(header);
   std::string text = fmt::format("{}\n", kRecordingMark);

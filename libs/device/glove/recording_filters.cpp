@@ -21,16 +21,16 @@ class Butterworth {
   /// @param cutoff frequency of the -3 dB point over the sampling rate, in (0, 0.5).
   explicit Butterworth(double cutoff);
 
-  /// Forwards and backwards: no delay, twice the attenuation.
+  /// Filters forwards and backwards: no delay, twice the attenuation.
   [[nodiscard]] Eigen::VectorXd both_ways(const Eigen::VectorXd& signal) const;
 
  private:
-  /// In place, beginning as if the first value had lasted for ever.
+  /// Filters in place, as if the first value had lasted for ever before.
   void run(Eigen::VectorXd& signal) const;
 
   double gain_ = 1.0;                  ///< b0 = b2; b1 = 2 b0.
   double first_ = 0.0, second_ = 0.0;  ///< a1, a2.
-  Eigen::Index settling_ = 0;          ///< Samples to continue both ends by.
+  Eigen::Index settling_ = 0;          ///< Number of samples that continue both ends.
 };
 
 Butterworth::Butterworth(double cutoff) {

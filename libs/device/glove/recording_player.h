@@ -27,11 +27,11 @@ inline constexpr double kMidScale = 128.0;
   return static_cast<std::uint16_t>(std::clamp(std::round(value), 1.0, 255.0));
 }
 
-/// The frames of a recording as counts, and where they are in time.
+/// The frames of a recording as counts, with their times.
 class RecordingPlayer {
  public:
-  /// Angles become counts by `calibration`; all counts are brought to 1 … 255, and sensors
-  /// that the recording doesn't have are 0.
+  /// Angles become counts by `calibration`; all counts are clamped to 1 … 255, and sensors missing
+  /// in the recording are 0.
   /// @throws geometric::InputError if the recording has no rows.
   RecordingPlayer(const Recording& recording, const GloveCalibration& calibration);
 
@@ -40,7 +40,7 @@ class RecordingPlayer {
   [[nodiscard]] const GloveFrame& frame(std::size_t index) const { return frames_[index]; }
   /// Mean time from one frame to the next, s; 0.01 for a single frame.
   [[nodiscard]] double period() const { return period_; }
-  /// From the first frame of one round to the first of the next, s.
+  /// Period from the first frame of one round to the first of the next, s.
   [[nodiscard]] double duration() const { return frames_.back().time + period_; }
   /// The last frame that isn't after `time`. @param time s, 0 to duration().
   [[nodiscard]] const GloveFrame& frame_at(double time) const;

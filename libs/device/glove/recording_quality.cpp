@@ -52,7 +52,8 @@ SensorQuality assess_sensor(const Recording& recording, Eigen::Index column) {
   return quality;
 }
 
-/// The mean of the steps about the median: of times in whole milliseconds the median alone is off.
+/// The mean of the steps about the median: the median alone is inexact for times in whole
+/// milliseconds.
 double usual_step(const Eigen::VectorXd& steps, double median) {
   double sum = 0.0;
   Eigen::Index count = 0;

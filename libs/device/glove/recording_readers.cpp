@@ -160,7 +160,7 @@ class CsvReader {
     if (is_remark(line)) {
       return;
     }
-    // A number that is cut may look whole: only the end of the line shows.
+    // A number that is cut off may look complete: only the end of the line tells.
     const std::vector<std::string_view> parts = cells(line.text, separator_);
     const std::size_t columns = recording_.header.sensors.size() + 1;
     if (!line.ended) {
@@ -228,7 +228,7 @@ constexpr std::size_t kCells = kDateCells + 1 + kSlots;
 
 using Row = std::array<double, kCells>;
 
-// Seconds since 1970 of the first six cells; nothing if they are no date and time.
+// Seconds since 1970 from the first six cells; nothing if they are not a date and time.
 std::optional<double> seconds(const Row& row) {
   const auto whole = [](double value) { return value == std::floor(value); };
   for (std::size_t i = 0; i + 1 < kDateCells; ++i) {
@@ -313,7 +313,8 @@ Recording read_virtual_hand_log(const std::filesystem::path& file,
                        row->at(kDateCells + 1 + slot));
       check_angle(file, line, sensor, angles.back());
     }
-    // Times in such files have 10 µs; their difference has noise of the large numbers.
+    // Times in such files have a resolution of 10 µs; their differences have the rounding of large
+    // numbers.
     rows.add(line, std::round((*time - *begin) * 1e5) / 1e5, angles);
   };
   take_rows(file, lines, recording.warnings, is_virtual_hand_row, take);

@@ -51,13 +51,13 @@ inline constexpr double kWidestAngle = 2.0 * std::numbers::pi;
 
 /// Passes every line that isn't blank to `take`, except a last one that is cut off, as a program
 /// leaves that is killed while it writes: a warning names it.
-/// @param is_row whether a line without its end is a row all the same.
+/// @param is_row returns whether a line without its end is a row nevertheless.
 void take_rows(const std::filesystem::path& file, const std::vector<TextLine>& lines,
                std::vector<std::string>& warnings,
                const std::function<bool(const TextLine&)>& is_row,
                const std::function<void(const TextLine&)>& take);
 
-/// Rows gathered while reading, and the checks that all formats share.
+/// Rows collected while reading, with the common checks of all formats.
 class RecordedRows {
  public:
   RecordedRows(const std::filesystem::path& file, std::size_t columns);

@@ -15,11 +15,11 @@ namespace handway::device {
 /// Names of all sensors, for advice on misspelt ones.
 [[nodiscard]] std::vector<std::string> sensor_names();
 
-/// Index of the sensor with that name, or with that one letter, which `element` is about.
+/// Index of the sensor with that name, or with that one letter, used in `element`.
 /// @throws InputError about the element if the name is unknown.
 [[nodiscard]] int named_sensor(const geometric::YamlElement& element, const std::string& name);
 
-/// Index of the sensor that any program, or a data set, may call so.
+/// Index of the sensor with that name in any program or data set.
 [[nodiscard]] std::optional<int> sensor_by_any_name(const std::string& name);
 
 /// The words of a column's name: letters and digits, in small letters.

@@ -70,7 +70,7 @@ bool rises(const Eigen::MatrixXd& values, Eigen::Index column) {
          (values.col(column).tail(last).array() > values.col(column).head(last).array()).all();
 }
 
-/// VirtualHand's angles in so many columns from column `first` on.
+/// Columns of VirtualHand's angles, from column `first` on.
 std::vector<ColumnUse> virtual_hand_columns(Eigen::Index first, Eigen::Index count) {
   std::vector<ColumnUse> columns;
   for (int sensor = 0; sensor < kGloveSensors; ++sensor) {
@@ -191,7 +191,7 @@ Recording recording_of(const std::filesystem::path& file, const NumberTable& tab
 namespace {
 
 /// Columns by the names of their header.
-/// @throws InputError if none is a sensor's, or two are the same one's.
+/// @throws InputError if none is a sensor's, or two are of the same sensor.
 TableLayout named_layout(const std::filesystem::path& file, const NumberTable& table) {
   TableLayout layout;
   layout.rate = kUsualRate;
@@ -230,9 +230,9 @@ TableLayout named_layout(const std::filesystem::path& file, const NumberTable& t
   return layout;
 }
 
-/// Columns without names: 18 or 22 in the order of a glove's records, or VirtualHand's 23 angles,
-/// or its 22 and a label; times before them, if the first column rises all along. Labels may stand
-/// on either side.
+/// Finds columns without names: 18 or 22 in the order of a glove's records, or VirtualHand's 23
+/// angles, or its 22 and a label; times before them, if the first column rises all along. Labels
+/// may be on either side.
 TableLayout numbered_layout(const std::filesystem::path& file, const NumberTable& table) {
   const auto [first, end, times] = measured_columns(table);
   const Eigen::Index measured = end - first;
@@ -277,7 +277,7 @@ bool bends(int sensor) {
   return name.ends_with("MPJ") || name.ends_with("PIJ") || name.ends_with("DIJ");
 }
 
-/// Names the row and the column of the first value beyond `most`, and how many there are.
+/// Names the row and the column of the first value beyond `most`, and the number of such values.
 [[noreturn]] void refuse_widest(const std::filesystem::path& file, const NumberTable& table,
                                 const TableLayout& layout, double most) {
   Eigen::Index first_row = 0;
@@ -308,8 +308,8 @@ bool bends(int sensor) {
            " a map of the table's columns (YAML), with gains."});
 }
 
-/// Counts, rad or degrees, and where bending counts negative, by the numbers.
-/// @returns what it was taken for.
+/// Infers counts, rad or degrees, and the sign of bending, from the numbers.
+/// @returns the inference in words.
 std::string settle_numbers(const std::filesystem::path& file, const NumberTable& table,
                            TableLayout& layout) {
   double least = 0.0;

@@ -29,10 +29,10 @@ struct TableLayout {
   std::optional<double> time_unit;     ///< The named one, s.
   double rate = 1.0;                   ///< Hz, without times.
   std::string order;                   ///< Order of columns without names; may be empty.
-  std::vector<std::string> left_over;  ///< Names of columns that are nothing of the glove's.
+  std::vector<std::string> left_over;  ///< Names of columns that don't belong to the glove.
 };
 
-/// Rows a second of a glove's table without times, Hz.
+/// Rate of a glove's table without times, Hz.
 inline constexpr double kUsualRate = 100.0;
 
 /// The columns between labels on either side; times before them are dates and clock times, or
@@ -47,13 +47,13 @@ struct MeasuredColumns {
 /// Finds the columns of times by their names.
 void find_times(const NumberTable& table, TableLayout& layout);
 
-/// The times of those rows of a table as settle_times() makes them, with its warnings.
+/// The times of those rows of a table, made by settle_times(), with its warnings.
 [[nodiscard]] std::vector<double> times_of(const std::filesystem::path& file,
                                            const NumberTable& table, const TableLayout& layout,
                                            const std::vector<Eigen::Index>& rows,
                                            std::vector<std::string>& warnings);
 
-/// The cell of a column that isn't all gaps.
+/// A non-gap cell of a column.
 [[nodiscard]] double cell_of(const NumberTable& table, Eigen::Index row, const ColumnUse& use);
 
 /// Columns in the order of a glove's records, from column `first` on.

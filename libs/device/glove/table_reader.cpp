@@ -21,7 +21,7 @@
 namespace handway::device {
 namespace {
 
-/// The landmarks of a table that has them: by their names, or 63 columns without names.
+/// The landmarks of a table: by their names, or 63 columns without names.
 std::vector<SeenHand> hands_in(const std::filesystem::path& file, const NumberTable& table,
                                std::vector<std::string>& warnings) {
   std::optional<LandmarkColumns> columns = landmark_columns(table.names);

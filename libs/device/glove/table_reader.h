@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-/// Tables of postures that are no recordings yet: see read_recording().
+/// Tables of postures of other programs: see read_recording().
 
 namespace handway::device {
 

@@ -28,7 +28,7 @@ using geometric::text_lines;
 using geometric::TextLine;
 using geometric::trimmed;
 
-/// `key: "text"` as a line; nothing for an empty text.
+/// Writes `key: "text"` as a line; nothing for an empty text.
 [[nodiscard]] std::string text_field(const std::string& key, const std::string& text);
 
 /// Factor of an angle of VirtualHand that makes flexion positive, and abduction positive when the

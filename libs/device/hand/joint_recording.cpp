@@ -50,7 +50,7 @@ void name_others(const JointTable& rows, std::vector<std::string>& warnings) {
                                  more > 0 ? fmt::format(" and {} more", more) : ""));
 }
 
-// Joints that no row has stay in the middle.
+// Joints without any value stay in the middle.
 void fill_missing(const RobotModel& hand, JointTable& rows, std::vector<std::string>& warnings) {
   std::vector<std::string> missing;
   const geometric::Configuration neutral = hand.neutral();
@@ -104,7 +104,7 @@ void keep_whole_rows(JointTable& rows, std::vector<std::string>& warnings) {
   rows.values = std::move(kept.values);
 }
 
-// A joint that several columns are named after.
+// Finds a joint that several columns are named after.
 void name_repeated(const RobotModel& hand, const JointTable& rows,
                    std::vector<std::string>& warnings) {
   for (int v = 0; v < hand.variable_count(); ++v) {
@@ -116,7 +116,7 @@ void name_repeated(const RobotModel& hand, const JointTable& rows,
   }
 }
 
-// Single values that are no angles in any unit: the rows that hold them are left out.
+// Single values that are not angles in any unit: their rows are left out.
 void leave_out_absurd_rows(const RobotModel& hand, JointTable& rows,
                            std::vector<std::string>& warnings) {
   constexpr double kAbsurd = 1000.0;   // rad or degrees

@@ -43,7 +43,7 @@ using Clock = TrajectoryClient::Clock;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLongestAnswer{1000};
-// A margin before what the hand takes as silence.
+// Margin before the hand's timeout.
 constexpr std::chrono::duration<double> kAlive{0.5 * kHandAlivePeriod};
 // Delay until the hand reacts to a pause, s.
 constexpr double kPauseNotice = 0.02;
@@ -55,9 +55,9 @@ struct NetworkHand::Wire {
   std::uint16_t port = 0;
   std::unique_ptr<ByteLink> link;
   LineBuffer lines;
-  std::string answer;  ///< The word that "ok" came for last.
+  std::string answer;  ///< The word of the last "ok".
   std::string phase;
-  bool watched = false;  ///< It has to run or hold, and not to fail.
+  bool watched = false;  ///< Supervised: it has to run or pause without faults.
   Clock::time_point spoken;
 
   void send(std::string_view text, milliseconds timeout = ByteLink::kLongestCommand) {

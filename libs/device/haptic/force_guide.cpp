@@ -17,7 +17,7 @@ ToolCurve::ToolCurve(std::vector<Eigen::Vector3d> points) : points_(std::move(po
   }
 }
 
-// The one with length that `s` is on. @pre length() > 0
+// The segment with length that contains `s`. @pre length() > 0
 std::size_t ToolCurve::segment(double s) const {
   const auto after = std::ranges::upper_bound(arc_, s);
   if (after != arc_.end() && after != arc_.begin()) {
@@ -70,9 +70,9 @@ double ToolCurve::nearest(const Eigen::Vector3d& point, double from, double to) 
 
 namespace {
 
-// A hand isn't faster, m/s: no farther is the nearest point searched, from sample to sample.
+// Largest speed of a hand, m/s: it bounds the search of the nearest point from sample to sample.
 constexpr double kSearch = 0.02;  // m of the hand
-// Assistance ends softly so near to the goal, m of the hand.
+// Distance from the goal in which assistance fades out, m of the hand.
 constexpr double kGoal = 0.01;
 constexpr double kArrived = 0.003;
 

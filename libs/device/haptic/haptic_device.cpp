@@ -65,7 +65,7 @@ void HapticDevice::release() {
   try {
     do_apply(Eigen::Vector3d::Zero());
   } catch (const std::exception&) {
-    // The connection is gone: the device's own watchdog lets go.
+    // The connection is lost: the device's own watchdog ends the force.
     return;
   }
 }
@@ -90,7 +90,7 @@ struct NetworkHaptic::Wire {
     link->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
                 ByteLink::kLongestCommand);
   }
-  // Waits for bytes, and hands what has come to `take`, line by line. @returns as read_turn().
+  // Waits for bytes, and passes them to `take`, line by line. @returns as read_turn().
   template <typename Take>
   bool receive(milliseconds timeout, const Take& take) {
     return read_turn(*link, timeout, [&](std::span<const std::uint8_t> bytes) {

@@ -14,9 +14,9 @@ constexpr double kStep = 5e-4;  // s, of the integration
 // Speed of the hand that returns the handle, m/s, and distance that counts as returned, m.
 constexpr double kReturnSpeed = 0.25;
 constexpr double kReturned = 0.002;
-// A share of the workspace, of each half edge, that it uses.
+// Share of each half edge of the workspace that the hand uses.
 constexpr double kEdge = 0.9;
-// A hand at rest for so long, s, slower than that, m/s, presses again.
+// Rest after which the hand presses again: duration, s, and speed, m/s.
 constexpr double kRest = 0.8;
 constexpr double kRestSpeed = 0.004;
 // Rate of the tremor's rotation, rad/s, about each axis.

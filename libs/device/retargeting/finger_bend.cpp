@@ -36,8 +36,8 @@ constexpr double kContradiction = 0.35;  // of evidence on each side
 constexpr int kCurlSteps = 8;
 constexpr int kCloudPoints = 256;
 
-/// The middle of the end of a finger, in the palm's frame: of its outermost shape, or its fingertip
-/// where that is a frame.
+/// The middle of the end of a finger, in the palm's frame: that of its outermost shape, or its
+/// fingertip if that is a frame.
 Vector3d end_of(PalmKinematics& palm, const RobotFinger& finger, const Configuration& q) {
   constexpr double kEnd = 0.9;  // of the distance of its farthest point
   if (finger.p_LT.isZero()) {
@@ -79,7 +79,7 @@ std::vector<Turn> turns_of(PalmKinematics& palm, const std::vector<int>& chain,
   return turns;
 }
 
-/// From a joint to the next one that is somewhere else, or to the fingertip.
+/// The vector from a joint to the next one in another place, or to the fingertip.
 Vector3d phalanx(const std::vector<Turn>& turns, std::size_t i, const Vector3d& tip) {
   for (std::size_t next = i + 1; next < turns.size(); ++next) {
     if ((turns[next].origin - turns[i].origin).norm() > kSamePlace) {
@@ -89,8 +89,8 @@ Vector3d phalanx(const std::vector<Turn>& turns, std::size_t i, const Vector3d& 
   return tip - turns[i].origin;
 }
 
-/// The joints that bend a finger about the axis that most have in common, the outermost deciding
-/// where as many have another one.
+/// The joints that bend a finger about the axis that most have in common; the outermost decides if
+/// two axes have equally many.
 std::vector<Turn> bending_turns(const std::vector<Turn>& turns, const Vector3d& tip) {
   std::vector<Turn> best;
   for (std::size_t i = 0; i < turns.size(); ++i) {
@@ -205,8 +205,8 @@ void find_asymmetry(const RobotModel& model, const RobotFinger& finger, FingerBe
   bend.asymmetry = whole > 0.0 ? std::clamp(difference / whole, -1.0, 1.0) : 0.0;
 }
 
-/// `q` with a finger curled: its bending joints at `share` of their range from straight to where
-/// they go farther. @returns the side to that they go about the axis.
+/// Sets `q` to a curled finger: its bending joints at `share` of their range from straight to the
+/// farther limit. @returns the side to which they turn about the axis.
 double curl(const RobotModel& model, const RobotFinger& finger, const FingerBend& bend,
             double share, Configuration& q) {
   double side = 0.0;
@@ -223,7 +223,7 @@ double curl(const RobotModel& model, const RobotFinger& finger, const FingerBend
   return side;
 }
 
-/// In [0, 1): the i-th number of the van der Corput sequence in a base.
+/// The i-th number in [0, 1) of the van der Corput sequence in a base.
 double radical_inverse(int i, int base) {
   double result = 0.0;
   double share = 1.0;
@@ -440,7 +440,7 @@ FingerBend bend_of(PalmKinematics& palm, const std::vector<int>& chain, const Ro
   bend.knuckle = finger.p_PB;
   bend.rates.assign(finger.variables.size(), 0.0);
   bend.is_at_knuckle.assign(finger.variables.size(), true);
-  // Joints that bend the finger are drawn straight at 0, or as near to it as they get.
+  // Joints that bend the finger are drawn straight at 0, or as near to it as possible.
   for (const Turn& turn :
        bending_turns(turns_of(palm, chain, finger, q), end_of(palm, finger, q))) {
     q[turn.variable] = std::clamp(0.0, model.lower()[turn.variable], model.upper()[turn.variable]);

@@ -14,7 +14,7 @@ namespace handway::device {
 /// Returns -1 for negative values, else 1.
 [[nodiscard]] inline double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
-/// Returns whether the joint that carries `link` moves it: limits that leave no room are a fixed
+/// Returns whether the joint that carries `link` moves it: a joint without a range is a fixed
 /// joint.
 [[nodiscard]] bool joint_moves(const geometric::RobotModel& model, int link);
 
@@ -47,7 +47,7 @@ class PalmKinematics {
 struct FingerBend {
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();     ///< Unit vector, or zero if nothing bends it.
   Eigen::Vector3d knuckle = Eigen::Vector3d::Zero();  ///< Position of the first bending joint, m.
-  /// The finger's variables where its phalanges are in line, rad: shape [variables].
+  /// The finger's variables with aligned phalanges, rad: shape [variables].
   std::vector<double> straight;
   /// Rotation of all phalanges about the axis for each variable: shape [variables], 0 for one that
   /// does not bend the finger.

@@ -11,7 +11,7 @@ namespace handway::device {
 
 namespace {
 
-/// Postures of some joints as postures of all the hand's.
+/// Converts postures of some joints to postures of all the hand's.
 class HandPostures {
  public:
   HandPostures(const std::vector<std::string>& joints, const FingertipRetargeter& hand)

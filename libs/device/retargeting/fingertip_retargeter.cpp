@@ -117,7 +117,7 @@ struct FingertipRetargeter::Problem {
   std::vector<Pose> X_BL;
   std::vector<geometric::Jacobian> jacobians;
 
-  /// The tip of a finger in the palm's frame, and how it moves with the robot's variables.
+  /// The tip of a finger in the palm's frame, and its motion with the robot's variables.
   Vector3d tip(const RobotFinger& finger, std::size_t place) {
     const geometric::RobotModel& model = *self.hand_;
     const Pose& X_BP = X_BL[static_cast<std::size_t>(self.fingers_.palm)];
@@ -299,8 +299,8 @@ Eigen::VectorXd FingertipRetargeter::posture(const HandLandmarks& landmarks,
   return out_of_collision(posture, last);
 }
 
-// From the last posture, or from the open hand where that comes much nearer: fingers that have run
-// into each other come free again.
+// Starts from the last posture, or from the open hand if that comes much nearer: so fingers in
+// contact come free again.
 Eigen::VectorXd FingertipRetargeter::out_of_collision(const Eigen::VectorXd& posture,
                                                       const Eigen::VectorXd& last) const {
   const std::lock_guard lock(checking_);
@@ -319,7 +319,7 @@ Eigen::VectorXd FingertipRetargeter::out_of_collision(const Eigen::VectorXd& pos
   return *from_last;
 }
 
-// Finger by finger, as far as each can go: one that is blocked does not hold the others.
+// Moves finger by finger, each as far as it can: a blocked one does not hold the others.
 std::optional<Eigen::VectorXd> FingertipRetargeter::advanced(const Eigen::VectorXd& from,
                                                              const Eigen::VectorXd& to) const {
   if (checker_->first_collision(from)) {

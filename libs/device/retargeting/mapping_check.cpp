@@ -30,7 +30,7 @@ constexpr double kBends = 0.15;            // of a finger's reach, towards the p
 constexpr double kBeyond = 2.0 * kDegree;  // of limits
 constexpr double kMostClamped = 0.5;       // of a motion, or of samples
 
-/// A hand that is closed by a share.
+/// A hand closed by a share.
 GloveAngles closed_by(double share) {
   GloveAngles angles;
   angles.angles.fill(0.0);
@@ -46,7 +46,7 @@ GloveAngles closed_by(double share) {
   return angles;
 }
 
-/// A robot's hand as a mapping poses it.
+/// A robot's hand in a posture of a mapping.
 class PlayedHand {
  public:
   PlayedHand(const HandMapping& mapping, const RobotModel& model)
@@ -72,7 +72,7 @@ class PlayedHand {
     }
   }
 
-  /// From the finger's base in the frame of a right hand's palm, in lengths of the finger.
+  /// Vector from the finger's base in the frame of a right hand's palm, in lengths of the finger.
   [[nodiscard]] Vector3d tip(const RobotFinger& finger) {
     const Vector3d p_H =
         hand_.R_PH.transpose() * (palm_.tip(finger, q_) - finger.p_PB) / finger.reach;

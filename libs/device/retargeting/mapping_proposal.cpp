@@ -79,7 +79,7 @@ class HandAtRest {
     const Vector3d a_P = palm().linear().transpose() *
                          (X_BL_[static_cast<std::size_t>(link)].linear() * model_.joint(link).axis);
     const Vector3d a_H = hand_.R_PH.transpose() * a_P;
-    // Turns of a hand in the mirror go the other way around.
+    // Rotations of a mirrored hand have the reverse direction.
     return hand_.left ? Vector3d(-a_H.x(), -a_H.y(), a_H.z()) : a_H;
   }
   [[nodiscard]] Vector3d place(int variable) const {
@@ -129,7 +129,8 @@ class HandAtRest {
     const double range = upper(variable) - lower(variable);
     return motion / (static_cast<double>(samples) * (kShares.back() - kShares.front()) * range);
   }
-  /// The fingertip with the finger in the middle of its ranges. @param held a variable elsewhere.
+  /// The fingertip with the finger in the middle of its ranges. @param held a variable with another
+  /// value.
   [[nodiscard]] Vector3d middle_tip(const RobotFinger& finger,
                                     const std::pair<int, double>& held) const {
     Configuration q = q_;
@@ -141,7 +142,7 @@ class HandAtRest {
     model_.forward_kinematics(q, X_BL);
     return tip_at(finger, X_BL);
   }
-  /// Distance of a fingertip from where the other fingertips get to, at a share of the range of
+  /// Distance of a fingertip from the workspace of the other fingertips, at a share of the range of
   /// the finger's only joint, m.
   [[nodiscard]] double distance_to_others(const RobotFinger& finger, double share) const {
     constexpr int kSteps = 8;
@@ -234,7 +235,7 @@ class MappingProposer {
     add(variable, wire);
   }
 
-  /// One for one, from `zero` of the joint.
+  /// Maps one for one, from `zero` of the joint.
   void add_turning(int variable, const std::string& sensor, double sign, double zero) {
     JointWire wire;
     wire.sensor = sensor_called(sensor);
@@ -243,7 +244,7 @@ class MappingProposer {
     add(variable, wire);
   }
 
-  /// The sensor's typical range over the joint's whole range.
+  /// Maps the sensor's typical range to the joint's whole range.
   void add_spanning(int variable, const std::string& sensor, double sign) {
     JointWire wire;
     wire.sensor = sensor_called(sensor);
@@ -570,8 +571,8 @@ void fit_wire(const Span& span, bool reversed, double lower, double upper, Joint
 /// Distance of a mapped hand's fingertips from the human hand's, over a recording.
 class FingertipMeasure {
  public:
-  /// @param recording as it is mapped. @param truth what the person did: with sensors that are
-  /// reversed turned.
+  /// @param recording the input of the mapping. @param truth the person's motion: with reversed
+  /// sensors corrected.
   FingertipMeasure(const RobotModel& model, const Recording& recording, const Recording& truth,
                    const GloveCalibration& person)
       : model_(model),
@@ -614,7 +615,7 @@ class FingertipMeasure {
   std::vector<GloveAngles> truth_;
 };
 
-/// From one wire towards another.
+/// Interpolates from one wire towards another.
 JointWire between(const JointWire& from, const JointWire& to, double share) {
   JointWire wire = from;
   wire.gain = std::lerp(from.gain, to.gain, share);

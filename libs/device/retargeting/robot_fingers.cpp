@@ -56,8 +56,8 @@ std::vector<std::vector<int>> longest_of_branches(const std::vector<std::vector<
   return fingers;
 }
 
-/// Chains from the palm (not in them) to the fingertips; the palm is where they part. A part of the
-/// palm that moves may carry several fingers.
+/// Chains from the palm (excluded) to the fingertips; the palm is where they branch. A moving part
+/// of the palm may carry several fingers.
 std::pair<int, std::vector<std::vector<int>>> finger_chains(const RobotModel& model,
                                                             const std::vector<int>& leaves) {
   std::vector<std::vector<int>> chains;
@@ -176,8 +176,8 @@ void number_by_place(std::vector<FoundFinger>& fingers) {
   }
 }
 
-/// The joints of a finger where its tip is farthest from its base (`sign` 1) or nearest (-1). A
-/// joint that hardly changes that, as the first one, stays neutral.
+/// The joints of a finger with its tip farthest from its base (`sign` 1) or nearest (-1). A joint
+/// with little effect on that, as the first one, stays neutral.
 Configuration extreme(PalmKinematics& palm, const RobotFinger& finger, double sign) {
   constexpr int kSweeps = 3;
   constexpr int kSteps = 16;
@@ -283,7 +283,7 @@ void orient(const Directions& directions, RobotFingers& hand) {
   hand.R_PH = hand.left ? left : right;
 }
 
-/// The joints of a chain that move it.
+/// The moving joints of a chain.
 std::vector<int> variables_of(const RobotModel& model, const std::vector<int>& chain) {
   std::vector<int> variables;
   for (const int link : chain) {

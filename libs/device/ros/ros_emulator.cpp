@@ -119,7 +119,7 @@ void RosController::take(const RosTrajectory& trajectory) {
   }
 }
 
-// @throws RosbridgeError for what a rosbridge server complains about.
+// @throws RosbridgeError for messages that a rosbridge server rejects.
 void RosController::obey(std::uint64_t host, const RosbridgeMessage& message) {
   if (message.op == "advertise") {
     advertised_[message.topic] = message.type;

@@ -19,7 +19,7 @@ namespace {
 /// Length of motion that is sent to a device at once, s.
 struct WindowLength {
   double follow = 0.2;  ///< Planned motion, …
-  double brake = 0.25;  ///< and then evenly slower, to rest.
+  double brake = 0.25;  ///< and braking to rest.
 };
 
 constexpr double kFirst = 0.005;     // s: a point that is due at once is late when it arrives
@@ -28,8 +28,8 @@ constexpr double kBrakeStep = 0.01;  // s, while braking
 
 // Makes the next stretch of a motion, complete in itself: a device that receives no more follows it
 // to its end and rests, having braked on the planned path.
-// @param time where it begins, s of `motion`; its own times begin a few ms after 0 and end with
-// `length`, or where the motion does.
+// @param time its start, s of `motion`; its own times begin a few ms after 0 and end with `length`,
+// or with the motion.
 JointTrajectory motion_window(const JointTrajectory& motion, double time,
                               const WindowLength& length) {
   std::vector<double> own;
@@ -67,9 +67,9 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kSendPeriod{50};
 constexpr WindowLength kWindow;
-// A stop brakes in this time, s.
+// Duration of braking for a stop, s.
 constexpr double kStopBrake = 0.15;
-// So long a robot that is led may be behind, s.
+// Longest delay of a robot that follows positions, s.
 constexpr double kLeadSlack = 0.2;
 // Number of messages about other joints until giving up.
 constexpr int kPatience = 200;
@@ -81,11 +81,11 @@ struct RosRobot::Wire {
   RosAddress address;
   std::unique_ptr<WebSocketLink> link;
   Eigen::VectorXd position;
-  std::vector<bool> fresh;  ///< Joints that were reported since the last sample.
+  std::vector<bool> fresh;  ///< Joints reported since the last sample.
   std::vector<bool> known;
   int messages = 0;  ///< About joints.
   std::optional<RobotStatus> status;
-  bool watched = false;  ///< A motion is under way, or held.
+  bool watched = false;  ///< A motion is running, or paused.
   bool sending = false;
   Clock::time_point sent;
   double time = 0.0;  ///< Time of the motion at the last update().
@@ -161,7 +161,7 @@ void RosRobot::do_stop() {
   if (moving) {
     send_window(wire_->time_now(), 0.0, kStopBrake);
   } else if (wire_->link && phase() == MotionPhase::kPaused) {
-    // Not yet at the point where it was to hold, maybe.
+    // The robot may not have reached the point of the pause yet.
     RosTrajectory here{joints().names, {{kStopBrake}, measured().position.transpose()}};
     publish_motion(here);
   }
@@ -232,7 +232,7 @@ bool RosRobot::read() {
 
 void RosRobot::take(const RosbridgeMessage& message) {
   if (message.op == "status") {
-    // Many robots don't have this topic, nor the type.
+    // Many robots have neither this topic nor the type.
     if (message.level == "error" && message.id != kStatusId) {
       refuse(quote(message.text), "a rosbridge server that accepts the command",
              "Look whether topic and ROS version are right and the controller runs.");

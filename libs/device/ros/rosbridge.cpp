@@ -65,7 +65,7 @@ RosTrajectory trajectory(const Json& message) {
     }
     result.motion.times.push_back(duration(point.at("time_from_start")));
   }
-  // Only now: before, a short message could ask for any size.
+  // The check comes first: otherwise a short message could request any size.
   result.motion.positions.resize(static_cast<Eigen::Index>(positions.size()),
                                  static_cast<Eigen::Index>(result.names.size()));
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -77,7 +77,7 @@ RosTrajectory trajectory(const Json& message) {
 int integer(const Json& value) {
   constexpr std::int64_t kLeast = std::numeric_limits<int>::min();
   constexpr std::int64_t kMost = std::numeric_limits<int>::max();
-  // Beyond the range of int64_t they are no integers, or wrap to below 0.
+  // Numbers beyond the range of int64_t are not integers, or become negative.
   const bool fits = value.is_number_integer() && value.get<std::int64_t>() >= kLeast &&
                     value.get<std::int64_t>() <= kMost &&
                     !(value.is_number_unsigned() && value.get<std::int64_t>() < 0);

@@ -44,7 +44,7 @@ struct WebSocketLink::Stream {
   std::optional<std::string> received;  ///< Not taken yet: reading waits meanwhile.
   error_code broken;                    ///< Error that ended the reading.
 
-  // Handlers refer to this: none may be left.
+  // Handlers refer to this: none may remain.
   void abandon() {
     error_code ignored;
     socket.next_layer().close(ignored);
@@ -67,7 +67,7 @@ struct WebSocketLink::Stream {
                        "Look whether it is switched on and plugged in."});
   }
 
-  // Runs what `begin` starts with a handler until it is done.
+  // Runs the operation that `begin` starts with a handler until it is done.
   template <typename Begin>
   void finish(Clock::time_point deadline, const std::stop_token& stop, Begin begin) {
     error_code result = asio::error::would_block;
@@ -173,7 +173,7 @@ std::optional<std::string> WebSocketLink::receive(milliseconds timeout) {
 
 namespace {
 
-// A host that reads nothing loses what comes after so many messages.
+// A host that doesn't read loses messages beyond this number.
 constexpr std::size_t kMostWaiting = 1000;
 
 }  // namespace
@@ -187,7 +187,7 @@ struct WebSocketPort::Server {
     Host host;
     websocket::stream<tcp::socket> stream;
     boost::beast::flat_buffer incoming;
-    std::deque<std::string> outgoing;  ///< The first is under way.
+    std::deque<std::string> outgoing;  ///< The first is being sent.
     bool open = false;
 
     void accept();
@@ -270,7 +270,7 @@ WebSocketPort::Server::Server(std::uint16_t port) {
   listen();
 }
 
-// Handlers refer to sessions, and these to the server: none may be left.
+// Handlers refer to sessions, and these to the server: none may remain.
 WebSocketPort::Server::~Server() {
   error_code ignored;
   acceptor.close(ignored);

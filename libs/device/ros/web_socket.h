@@ -43,7 +43,7 @@ class WebSocketLink {
 /// A WebSocket server (RFC 6455, text messages) on a TCP port of this computer, for emulators.
 class WebSocketPort {
  public:
-  using Host = std::uint64_t;  ///< A connection; numbers are not used again.
+  using Host = std::uint64_t;  ///< A connection; numbers are not reused.
 
   struct Message {
     Host host = 0;
@@ -59,7 +59,7 @@ class WebSocketPort {
 
   [[nodiscard]] std::uint16_t port() const;
 
-  /// Serves connections for `duration`. @returns what came, in order.
+  /// Serves connections for `duration`. @returns the events, in order.
   [[nodiscard]] std::vector<Message> serve(std::chrono::microseconds duration);
 
   /// Connected hosts.

@@ -9,11 +9,11 @@ namespace handway::device {
 
 namespace {
 
-// No magnetic tracker reaches so far, m.
+// Range beyond all magnetic trackers, m.
 constexpr double kFarthest = 10.0;
 // Tolerance of a unit quaternion rounded to four decimals; random bytes hardly ever meet it.
 constexpr double kNormTolerance = 1e-3;
-// Angles come rounded: those at the end of their range may be a little beyond it, deg.
+// Angles are rounded: those at the end of their range may be slightly beyond it, deg.
 constexpr double kAngleTolerance = 0.01;
 
 bool may_be_true(const Eigen::Vector3d& position) {

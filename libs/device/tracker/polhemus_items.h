@@ -26,10 +26,10 @@ class LittleEndianReader {
   std::span<const std::uint8_t> bytes_;
 };
 
-/// The pose that position and orientation of a record make.
+/// The pose of a record's position and orientation.
 /// @param orientation azimuth, elevation and roll (deg), or a quaternion w, x, y, z.
-/// @returns nothing if a number can't be true: not finite, beyond 10 m, beyond an angle's range,
-/// no unit quaternion.
+/// @returns nothing if a number is impossible: not finite, beyond 10 m, beyond an angle's range, no
+/// unit quaternion.
 [[nodiscard]] std::optional<geometric::Pose> pose_from_angles(const Eigen::Vector3d& position,
                                                               const Eigen::Vector3d& angles);
 [[nodiscard]] std::optional<geometric::Pose> pose_from_quaternion(const Eigen::Vector3d& position,
@@ -44,7 +44,7 @@ class PoseItems {
   void set_angles(const Eigen::Vector3d& angles) { angles_ = angles; }
   void set_quaternion(const Eigen::Vector4d& wxyz) { quaternion_ = wxyz; }
 
-  /// @returns nothing if a number can't be true; the quaternion goes before the angles.
+  /// @returns nothing if a number is impossible; the quaternion takes precedence over the angles.
   [[nodiscard]] std::optional<geometric::Pose> pose() const;
 
  private:

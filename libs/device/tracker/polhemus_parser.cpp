@@ -48,7 +48,7 @@ std::size_t item_length(const FastrakFormat& format, int item) {
   }
 }
 
-// A number right in its field: blanks, sign, digits, point, digits.
+// A right-aligned number in its field: blanks, sign, digits, point, digits.
 std::optional<double> field_value(Bytes field) {
   std::string_view text(reinterpret_cast<const char*>(field.data()), field.size());
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
@@ -63,7 +63,7 @@ std::optional<double> field_value(Bytes field) {
              : std::nullopt;
 }
 
-// The numbers of one item. @returns nothing if there is something else.
+// The numbers of one item. @returns nothing for other characters.
 template <int Count>
 std::optional<Eigen::Matrix<double, Count, 1>> numbers(Bytes item, bool binary) {
   Eigen::Matrix<double, Count, 1> values;
@@ -107,7 +107,7 @@ ScanVerdict<PolhemusRecord> read_status(Bytes bytes) {
   return {kStatusLength, std::move(record)};
 }
 
-// Puts one item into `record` or `pose`. @returns whether it can be one.
+// Reads one item into `record` or `pose`. @returns whether it is valid.
 bool read_item(const FastrakFormat& format, int item, Bytes bytes, PolhemusRecord& record,
                PoseItems& pose) {
   switch (item) {

@@ -28,16 +28,16 @@ class PolhemusProtocol {
   PolhemusProtocol& operator=(const PolhemusProtocol&) = delete;
 
   [[nodiscard]] virtual std::string_view name() const = 0;
-  /// Ends what it is doing.
+  /// Command that ends the present activity.
   [[nodiscard]] virtual std::string stop_command() const = 0;
   /// Command that always gets a reply.
   [[nodiscard]] virtual std::string probe_command() const = 0;
-  /// Sets it up; between two of them it needs a pause.
+  /// Commands that set it up; with a pause between two of them.
   [[nodiscard]] virtual std::vector<std::string> set_up_commands() const = 0;
   [[nodiscard]] virtual std::string start_command() const = 0;
 
   virtual std::vector<PolhemusRecord> parse(std::span<const std::uint8_t> bytes) = 0;
-  /// Forgets the beginning of an incomplete record.
+  /// Discards the beginning of an incomplete record.
   virtual void reset() = 0;
   /// `doubtful` is left at 0.
   [[nodiscard]] virtual ReceptionFaults faults() const = 0;
@@ -148,7 +148,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kSlice{20};
 // A Fastrak needs some time after each command.
 constexpr milliseconds kCommandPause{20};
-// So long a silence means that the stream has ended.
+// Silence that means the end of the stream.
 constexpr milliseconds kQuiet{60};
 constexpr int kTries = 3;
 
@@ -160,8 +160,8 @@ struct PolhemusTracker::Session {
   std::deque<TrackerSample> samples;  ///< Arrived and not yet taken.
   std::uint64_t doubtful = 0;
   std::uint64_t replies = 0;
-  Clock::time_point last_pose;   ///< When the last data record came, or was to come first.
-  Clock::time_point last_reply;  ///< When it last answered.
+  Clock::time_point last_pose;   ///< Time of the last data record, or of the first expected one.
+  Clock::time_point last_reply;  ///< Time of its last answer.
   Clock::time_point last_probe;
   bool unplugged = false;
 
@@ -257,7 +257,7 @@ TrackerInfo PolhemusTracker::do_connect(const std::stop_token& stop) {
   return {address_, std::string(session_->protocol->name())};
 }
 
-// After too long a silence. @returns whether the unit lives, as far as is known yet.
+// Called after too long a silence. @returns whether the unit is alive, as far as is known yet.
 bool PolhemusTracker::look_for_life(Clock::time_point now) {
   Session& session = *session_;
   if (now - session.last_probe > settings_.timeout / 4) {

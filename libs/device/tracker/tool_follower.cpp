@@ -38,8 +38,8 @@ void check_workspace(const WorkspaceLimits& limits) {
 }
 
 Eigen::Vector3d nearest_inside(const WorkspaceLimits& limits, const Eigen::Vector3d& point) {
-  // Alternating projections onto two convex sets with a common point come as near to both as
-  // one likes (von Neumann 1933; Bregman 1965).
+  // Alternating projections onto two convex sets with a common point converge to both (von Neumann
+  // 1933; Bregman 1965).
   Eigen::Vector3d inside = point;
   for (int k = 0; k < kMostProjections; ++k) {
     const Eigen::Vector3d ball = in_ball(limits, inside);
@@ -177,7 +177,7 @@ void ToolFollower::follow(double dt, FollowStep& step) {
   goal_(variables) = next;
   const Eigen::VectorXd here = q_(variables);
   const Eigen::VectorXd left = next - here;
-  // All joints by the same share, so that none has to wait for another.
+  // Moves all joints by the same share, so that none has to wait for another.
   const double share = std::min(
       1.0, (top_speeds_ * dt).cwiseQuotient(left.cwiseAbs().cwiseMax(kArrived)).minCoeff());
   q_(variables) = here + share * left;

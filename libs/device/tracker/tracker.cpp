@@ -6,7 +6,7 @@ namespace handway::device {
 
 namespace {
 
-// Far above what rounding leaves of a unit quaternion.
+// Far above the rounding error of a unit quaternion.
 constexpr double kRigidTolerance = 1e-9;
 
 bool is_rigid(const geometric::Pose& X) {

@@ -52,7 +52,7 @@ class TrackerUnit : public DeviceUnit {
   double next_frame_ = 0.0;
 };
 
-/// Appends numbers as devices send them.
+/// Appends numbers in the devices' format.
 void append_u16(DeviceUnit::Bytes& bytes, std::uint16_t value);
 void append_u32(DeviceUnit::Bytes& bytes, std::uint32_t value);
 void append_float(DeviceUnit::Bytes& bytes, double value);

@@ -36,7 +36,7 @@ std::optional<Eigen::Matrix<double, Count, 1>> numbers(const Json& object, const
   return values;
 }
 
-// Sensor, time and button. @returns whether they can be true.
+// Reads sensor, time and button. @returns whether they are valid.
 bool read_rest(const Json& object, TrackerSample& sample) {
   const auto time = object.find("time");
   if (time == object.end() || !time->is_number() || !std::isfinite(time->get<double>())) {
@@ -102,7 +102,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kReadSlice{20};
-// Datagrams don't overtake each other by so much: the sender's clock was set back, s.
+// Step back by which the sender's clock must have been reset, not datagrams overtaken, s.
 constexpr double kRestart = 1.0;
 
 }  // namespace
@@ -110,7 +110,7 @@ constexpr double kRestart = 1.0;
 struct UdpTracker::Session {
   UdpReceiver receiver;
   std::deque<TrackerSample> samples;  ///< Arrived and not yet taken.
-  std::map<int, double> sent;         ///< By sensor, the sender's time of the last sample.
+  std::map<int, double> sent;         ///< Sender's time of each sensor's last sample.
   Clock::time_point last_sign = Clock::now();
 };
 

@@ -105,10 +105,10 @@ std::string range_text(const Parameter& parameter, double value) {
   return fmt::format("{:.6g}", value);
 }
 
-/// The values that a campaign gives a parameter: one, a list, or a range
-/// `{from: A, to: B, steps: N, scale: linear|log}` with both ends. Each is text that the
-/// parameter has accepted; in a range of a whole-numbered parameter they are rounded, and
-/// those that fall together are taken once. At least one.
+/// The values that a campaign gives a parameter: one, a list, or a range `{from: A, to: B, steps:
+/// N, scale: linear|log}` with both ends. Each is text that the parameter has accepted. In a
+/// range of a whole-numbered parameter they are rounded, and equal ones are taken once. At least
+/// one.
 /// @throws InputError naming the element.
 std::vector<std::string> parameter_values(const YamlElement& element, const Parameter& parameter) {
   std::vector<std::string> values;
@@ -180,7 +180,7 @@ Found find_problem(const std::string& text, const fs::path& folder) {
 
 /// The problems under a campaign's key `problems`.
 /// @param folder of the campaign's file.
-/// @throws InputError naming the element of one that is not there.
+/// @throws InputError naming the element of a missing problem.
 std::vector<CampaignProblem> campaign_problems(const YamlElement& list, const fs::path& folder) {
   std::vector<CampaignProblem> problems;
   for (const YamlElement& item : list.items()) {
@@ -297,7 +297,7 @@ class PlannerList {
     }
   }
 
-  // @param entry with those of its parameters that are not the defaults.
+  // @param entry with its parameters that differ from the defaults.
   void add_one(const YamlElement& item, CampaignPlanner entry) {
     const std::unique_ptr<Planner> planner = make_planner(entry, registry_);
     entry.parameters.clear();

@@ -59,7 +59,7 @@ Interval wilson_interval(std::size_t successes, std::size_t trials, double confi
   const double denominator = 1.0 + z * z / n;
   const double centre = (p + z * z / (2.0 * n)) / denominator;
   const double half = z / denominator * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
-  // At the ends the bound is 0 or 1 but for rounding.
+  // At the ends the bound is 0 or 1 up to rounding.
   return {successes == 0 ? 0.0 : centre - half, successes == trials ? 1.0 : centre + half};
 }
 

@@ -68,7 +68,7 @@ void for_each_field(Record& record, const Use& use) {
   use("certificate_checks", record.certificate_checks);
 }
 
-/// `text` for each of them.
+/// Returns `text` for each of them.
 std::string for_columns(const std::function<std::string(std::string_view name)>& text) {
   std::string all;
   const RunRecord record;
@@ -117,7 +117,7 @@ std::string run_schema() {
 }
 
 /// Adds a run; parameters: problem, planner, seed, version, then all fields, nodes_per_pmds and
-/// path. A run that is there stays.
+/// path. An existing run stays.
 std::string insert_run() {
   return fmt::format(
       "INSERT INTO run (problem, planner, seed, version, {} nodes_per_pmds, path) "
@@ -161,8 +161,8 @@ std::uint64_t seed_in(const Statement& row, int at) {
   return static_cast<std::uint64_t>(row.getColumn(at).getInt64());
 }
 
-/// Keeps other programs from working in a folder, as long as it lives; the system takes it
-/// back from a program that is killed.
+/// Locks a folder for this program during its lifetime; the system releases the lock of a killed
+/// program.
 class FolderLock {
  public:
   /// @throws InputError if another program holds it, or the folder can't be opened.
@@ -187,7 +187,7 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-/// Does `work` on the database in `file`. @throws InputError for what SQLite throws.
+/// Does `work` on the database in `file`. @throws InputError for exceptions of SQLite.
 template <typename Work>
 auto on_database(const fs::path& file, const Work& work) {
   try {

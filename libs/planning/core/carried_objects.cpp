@@ -26,8 +26,8 @@ bool moves(const RobotModel& model, int variable, int link) {
   return std::ranges::binary_search(geometric::chain_variables(model, link), variable);
 }
 
-/// A hand's joints without those of a wrist, which move all the others; and the link that all of
-/// them start from.
+/// A hand's joints without those of a wrist, which move all the others; and the common first
+/// link.
 struct Grip {
   std::vector<int> joints;
   int palm = 0;

@@ -190,7 +190,7 @@ MotionValidator::FirstFree MotionValidator::first_free(
   return result;
 }
 
-// One edge a thread and no more: a free edge often makes those after it needless.
+// At most one edge per thread: a free edge often makes the next ones unnecessary.
 std::function<bool(std::size_t)> MotionValidator::edges(std::vector<Edge> edges) {
   std::vector<std::optional<EdgeResult>> results(edges.size());
   return [this, edges = std::move(edges), results = std::move(results)](std::size_t index) mutable {

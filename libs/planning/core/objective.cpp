@@ -14,8 +14,8 @@ namespace handway::planning {
 namespace {
 
 // The weights of presets. That of human-likeness is for a length in multiples of the straight
-// motion's from start to goal: a hand whose mean distance gets smaller by 0.05 may make the path
-// longer by about as much as that motion is.
+// motion's from start to goal: lowering the hand's mean distance by 0.05 may lengthen the path by
+// about that motion.
 constexpr double kHumanLikenessWeight = 21.0;
 constexpr double kShortMotion = 0.25;  // a shorter one counts as this
 constexpr double kClearanceWeight = 4.0;
@@ -26,7 +26,8 @@ constexpr double kClearanceSpacing = 0.05;  // between distance queries of a cos
 constexpr double kQualitySpacing = 0.02;    // between those of path_quality(), and its postures
 constexpr double kEndSlope = 0.5;           // of an end's stretch, see path_quality()
 
-// From obstacles, m, at most kFarClearance. Fingers of one hand are always near each other.
+// Distance from obstacles, m, at most kFarClearance. Fingers of one hand are always near each
+// other.
 double clearance_at(geometric::CollisionChecker& checker, const Configuration& q) {
   const geometric::CollisionWorld& world = checker.world();
   checker.place(q);
@@ -57,7 +58,7 @@ double mean_norm(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return sum / 24.0;
 }
 
-/// A property at places along a path, with the length that each place stands for.
+/// A property at places along a path, with the length of the path for each place.
 class Profile {
  public:
   void add(double value, double length) {
@@ -77,7 +78,7 @@ class Profile {
   [[nodiscard]] double least() const { return *std::ranges::min_element(values_); }
   [[nodiscard]] double largest() const { return *std::ranges::max_element(values_); }
 
-  /// Without the stretches at both ends on which values fall towards the middle, by `slope` at
+  /// Removes the stretches at both ends on which values fall towards the middle, by `slope` at
   /// least.
   [[nodiscard]] Profile without_ends(double slope) const {
     std::size_t first = 0;

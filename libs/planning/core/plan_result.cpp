@@ -28,13 +28,13 @@ constexpr std::uint64_t kManyNodes = 200;
 int percent(double share) { return static_cast<int>(std::lround(100.0 * share)); }
 
 struct Stretch {
-  int from = 0;  ///< Tenths of the motion.
+  int from = 0;  ///< In tenths of the motion.
   int to = 10;
 
   [[nodiscard]] bool says_something() const { return to - from <= 5; }
 };
 
-// The shortest stretch of the motion that holds most of the rejections.
+// The shortest stretch of the motion with most of the rejections.
 Stretch narrowest(const std::vector<std::uint64_t>& tenths, std::uint64_t all) {
   Stretch best{0, static_cast<int>(tenths.size())};
   for (int from = 0; from < static_cast<int>(tenths.size()); ++from) {

@@ -127,7 +127,8 @@ class GoalPoseSearch {
     return joints;
   }
 
-  // Adds what reaches the pose, using a share of its tolerances. @returns whether anything does.
+  // Adds configurations that reach the pose, using a share of its tolerances. @returns whether
+  // there are any.
   bool solve(std::size_t pose, double tolerance_share) {
     const PoseGoal& goal = scene_.goal_poses[pose];
     if (!is_moved(goal)) {
@@ -209,7 +210,7 @@ class GoalPoseSearch {
   std::vector<int> moving_;
   Configuration reference_;
   PoseGoalSolutions found_;
-  std::optional<Configuration> colliding_;  ///< The first that was refused.
+  std::optional<Configuration> colliding_;  ///< The first refused one.
   std::map<int, int> refusals_;             ///< By pair.
   int refused_ = 0;
   int last_pair_ = 0;

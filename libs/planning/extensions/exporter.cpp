@@ -41,7 +41,7 @@ void check_limits(const Motion& motion) {
   }
 }
 
-// Joints that are neither of the arm nor of the hand and stay where they are.
+// Fixed joints that belong neither to the arm nor to the hand.
 std::vector<int> fixed_variables(const Motion& motion) {
   std::vector<int> fixed;
   const auto& waypoints = motion.path.waypoints;

@@ -34,8 +34,8 @@ using boost::dll::shared_library;
 
 constexpr const char* kEntryPoint = "handway_plugin";
 
-// Libraries stay loaded to the very end: objects made by their code may live as
-// long as the program.
+// Libraries stay loaded to the very end: objects made by their code may live as long as the
+// program.
 void keep_loaded(shared_library library) {
   static auto& libraries = *new std::vector<shared_library>;
   libraries.push_back(std::move(library));
@@ -133,7 +133,7 @@ void PluginManager::add(const Plugin& plugin, const fs::path& file) {
     throw std::runtime_error(
         fmt::format("plugin {} is loaded already, from {}", plugin.name, same->file.string()));
   }
-  // All or nothing: the registry is replaced only when nothing has been thrown.
+  // All or nothing: the registry is replaced only if nothing has thrown.
   PlannerRegistry planners = planners_;
   if (plugin.register_planners != nullptr) {
     plugin.register_planners(planners);
@@ -277,7 +277,7 @@ bool is_called(const std::string& object, const std::string& name) {
   return object == name || (object.starts_with(name + "_") && digits == name.size());
 }
 
-// The objects that $HANDWAY_HOLLOW names, in lines, are hollow.
+// Makes the objects named in $HANDWAY_HOLLOW, one per line, hollow.
 void hollow_out(geometric::Scene& scene) {
   const char* hollow = std::getenv("HANDWAY_HOLLOW");
   std::istringstream names(hollow != nullptr ? hollow : "");

@@ -48,7 +48,7 @@ void check_pose_end(const PlanningProblem& problem, const Configuration& end,
   check_end("end", expected, end, result);
 }
 
-// Waypoints that are no configurations of the robot leave nothing to compare.
+// Waypoints that are not configurations of the robot can't be compared.
 bool check_shape(const geometric::RobotModel& model, const Path& path, PathCheckResult& result) {
   if (path.empty()) {
     result.faults.emplace_back("The path has no waypoints.");
@@ -96,7 +96,7 @@ void check_turns(const geometric::RobotModel& model, const Path& path, PathCheck
   }
 }
 
-/// Walks along the path and keeps the worst it has seen.
+/// Walks along the path and keeps the worst place.
 class Walk {
  public:
   Walk(const PlanningProblem& problem, double resolution, PathCheckResult& result,
@@ -121,7 +121,7 @@ class Walk {
   }
 
  private:
-  // The most that a point travels (m), or that what a constraint holds does (m or rad).
+  // Largest travel of a point (m), or of a constraint's point or axis (m or rad).
   [[nodiscard]] double travel(const Configuration& delta) const {
     const geometric::CollisionWorld& world = checker_.world();
     double most = motion_.any_point(delta.cwiseAbs());
@@ -159,8 +159,9 @@ class Walk {
   }
 
   const std::stop_token& stop_;
-  geometric::FclChecker checker_;  ///< The reference, for what the planner must not decide itself.
-  std::unique_ptr<geometric::CollisionChecker> rangefinder_;  ///< For the clearance, faster.
+  geometric::FclChecker checker_;  ///< The reference checker, independent of the planner's.
+  std::unique_ptr<geometric::CollisionChecker> rangefinder_;  ///< Faster checker, for the
+                                                              ///< clearance.
   const geometric::MotionBound& motion_;
   double resolution_;
   PathCheckResult& result_;

@@ -36,7 +36,7 @@ constexpr double kJump = 1.0;                // rad: far above rounding, far bel
 constexpr std::size_t kMostNamed = 6;        // of joints at rest; of more
 constexpr std::size_t kFirstNamed = 3;       // these
 
-/// The link that the moving joint of this name moves; nothing without such a joint.
+/// The link moved by the moving joint of this name; nothing without such a joint.
 std::optional<int> moving_link(const RobotModel& model, std::string_view name) {
   for (int i = 1; i < model.link_count(); ++i) {
     if (model.joint(i).name == name && model.drive(i).variable >= 0) {
@@ -46,12 +46,12 @@ std::optional<int> moving_link(const RobotModel& model, std::string_view name) {
   return std::nullopt;
 }
 
-/// The joints that a file's columns hold values of; what couplings make of them is checked.
+/// The joints with values in a file's columns; values of coupled joints are checked.
 class JointColumns {
  public:
   JointColumns(const RobotModel& model, JointsAtRest* rest) : model_(model), rest_(rest) {}
 
-  /// @returns whether the robot has such a joint, and it moves.
+  /// @returns whether the robot has such a moving joint.
   bool append(std::string_view name) {
     const int link = moving_link(model_, name).value_or(0);
     links_.push_back(link);
@@ -74,7 +74,7 @@ class JointColumns {
     return std::nullopt;
   }
 
-  /// @param refuse called with a column that does not agree with a coupling, and what would.
+  /// @param refuse called with a column that contradicts a coupling, and the right value.
   template <typename Refuse>
   [[nodiscard]] Configuration configuration(const Eigen::VectorXd& values,
                                             const Refuse& refuse) const {
@@ -101,7 +101,7 @@ class JointColumns {
  private:
   const RobotModel& model_;
   JointsAtRest* rest_;
-  std::vector<int> links_;  ///< 0: of something else.
+  std::vector<int> links_;  ///< 0: not a joint's.
 };
 
 /// Refuses angles that are far beyond limits in rad, but all within them in degrees.
@@ -201,7 +201,7 @@ class TableReader {
     }
   }
 
-  // A column of something else that may be a misspelt joint.
+  // A column of no joint that may be a misspelt joint.
   void refuse_slips() const {
     std::vector<std::string> missing;
     for (int v = 0; v < model_.variable_count(); ++v) {
@@ -224,7 +224,7 @@ class TableReader {
   }
 
   [[nodiscard]] Configuration configuration(const Eigen::VectorXd& values, std::size_t row) const {
-    // A joint that is there twice has been refused: columns are the links in their order.
+    // A joint that occurs twice has been refused: columns are the links in their order.
     return columns_.configuration(values, [&](std::size_t column, const std::string& expected) {
       throw InputError(
           {table_.lines.empty() ? fmt::format("{}, message {}", file_.string(), row + 1)
@@ -246,7 +246,7 @@ class TableReader {
 
 using geometric::YamlElement;
 
-// A JointTrajectory in a file of messages: the top, or what a message around it has of that name.
+// A JointTrajectory in a file of messages: the top, or the field of that name in an outer message.
 YamlElement trajectory_in(const YamlElement& top) {
   if (top.is_list() && !top.items().empty()) {
     return trajectory_in(top.items().front());
@@ -307,7 +307,7 @@ std::string csv_time(double time) {
 
 namespace {
 
-// Takes continuous joints the short way round. @returns JointsAtRest::jumps.
+// Replaces large rotations of continuous joints by the short ones. @returns JointsAtRest::jumps.
 std::vector<std::string> unwrap(const RobotModel& model, Path& path) {
   const std::vector<Configuration> as_read = std::move(path.waypoints);
   path.waypoints = model.unwrapped(as_read, as_read.front());

@@ -94,7 +94,7 @@ void PathOptimizer::set_points(std::vector<Point> points) {
   add_up();
 }
 
-// Not by differences: rounding errors would gather.
+// Sums are recomputed: differences would accumulate rounding errors.
 void PathOptimizer::add_up() {
   sum_ = {};
   for (const MotionSums& motion : motions_) {
@@ -106,7 +106,7 @@ bool PathOptimizer::has_subspace() const {
   return context_.problem().basis && objective_.weights().human_likeness > 0.0;
 }
 
-// They are as dear as checks.
+// They are as expensive as checks.
 bool PathOptimizer::measures_distances() const { return objective_.weights().clearance > 0.0; }
 
 void PathOptimizer::advance(std::uint64_t checks) {
@@ -128,8 +128,8 @@ void PathOptimizer::advance(std::uint64_t checks) {
   }
 }
 
-// Costs are cheap and collision checks dear: of many replacements the one that saves most is tried
-// first.
+// Costs are cheap and collision checks expensive: of many replacements the one that saves most is
+// tried first.
 void PathOptimizer::replace_at_random() {
   const int size = measures_distances() ? 1 : kRound;
   std::vector<Replacement> round;
@@ -151,7 +151,7 @@ void PathOptimizer::replace_at_random() {
   fruitless_ += size;
 }
 
-// Distances along a long path would take all checks.
+// Distances along a long path would use up all checks.
 void PathOptimizer::shorten(std::uint64_t checks) {
   PathOptimizer shortest(context_, {}, path(), draw_.fork(1).seed(), patience_);
   shortest.advance(checks);
@@ -225,7 +225,7 @@ std::vector<Objective::Point> PathOptimizer::draw_inner(const Place& from, const
     const double share = draw_.uniform() < 0.5 ? 1.0 : draw_.uniform();
     inner.insert(inner.begin(), from.point);
     inner.push_back(to.point);
-    // In half of the trials beside the closest posture: that one may collide.
+    // Half of the trials are beside the closest posture: that one may collide.
     const double size = draw_.uniform() < 0.5 ? 0.0 : kLargestMove * draw_.uniform();
     const Eigen::VectorXd step =
         size * (2.0 * draw_.uniform(objective_.subspace_dimension()).array() - 1.0);
@@ -234,7 +234,7 @@ std::vector<Objective::Point> PathOptimizer::draw_inner(const Place& from, const
     }
     return inner;
   }
-  // A straight motion of some joints; the others go as they went.
+  // A straight motion of some joints; the others move as before.
   std::vector<int> joints = draw_.uniform() < 0.5 ? problem.arm : problem.hand;
   if (joints.empty() || draw_.uniform() < 0.5) {
     const std::size_t count = planned_.size();
@@ -292,8 +292,8 @@ std::optional<PathOptimizer::Replacement> PathOptimizer::draw_waypoint_move() {
   return replacement(before, after, {objective_.point_of_joints(std::move(joints))});
 }
 
-// The stretch between two places of the path as `inner`, if that costs less. Most do not: nothing
-// is copied before that is known.
+// The stretch between two places of the path as `inner`, if that costs less. Most do not, so the
+// copy comes after the comparison.
 std::optional<PathOptimizer::Replacement> PathOptimizer::replacement(
     const Place& from, const Place& to, const std::vector<Point>& inner) {
   const std::size_t last = to.edge + 1;
@@ -374,7 +374,7 @@ bool PathOptimizer::apply(const Replacement& made) {
   return true;
 }
 
-// Cheap questions about the whole stretch come before dear ones about a part of it.
+// Cheap checks of the whole stretch come before expensive ones of a part of it.
 bool PathOptimizer::all_free(std::span<const Point> points) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     if (context_.validator().collision(points[i].q)) {

@@ -45,12 +45,12 @@ class PathRoadmap {
  private:
   enum class Motion : std::uint8_t { kBlocked, kUnknown, kPlausible, kFree };
 
-  // A motion is the same both ways.
+  // A motion is the same in both directions.
   [[nodiscard]] std::size_t index(std::size_t from, std::size_t to) const {
     return to < from ? index(to, from) : from * nodes_.size() + to;
   }
 
-  // Over motions of which at least so much is known (Bellman, Ford).
+  // Uses motions with at least this state (Bellman, Ford).
   [[nodiscard]] std::vector<std::size_t> shortest(Motion least) const {
     const std::size_t count = nodes_.size();
     std::vector<double> best(count, std::numeric_limits<double>::infinity());
@@ -77,7 +77,7 @@ class PathRoadmap {
     return {nodes.rbegin(), nodes.rend()};
   }
 
-  // Cheap questions about the whole path come before dear ones about a part of it.
+  // Cheap checks of the whole path come before expensive ones of a part of it.
   [[nodiscard]] bool confirm(const std::vector<std::size_t>& nodes) {
     for (const Motion wanted : {Motion::kPlausible, Motion::kFree}) {
       for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {

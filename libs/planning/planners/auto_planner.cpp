@@ -49,7 +49,7 @@ Point nearest_free(PlanningContext& context, const Objective& objective, const P
 }
 
 /// A free configuration with the hand in the PMD subspace, near `at` and with its arm: the hand at
-/// the closest posture or, where that collides, at one beside it that some trials find.
+/// the closest posture or, if that collides, at a sampled one beside it.
 std::optional<Point> free_in_subspace(PlanningContext& context, const Objective& objective,
                                       const Point& at, sampling::RandomStream& draw) {
   Point closest = objective.towards_subspace(at, 1.0);
@@ -69,9 +69,10 @@ std::optional<Point> free_in_subspace(PlanningContext& context, const Objective&
 }
 
 /// Free motions from an end of the problem into the PMD subspace: the hand goes straight to it; if
-/// obstacles forbid that, the arm first goes back a little along the straight motion to the other
+/// obstacles prevent that, the arm first retreats a little along the straight motion to the other
 /// end. @param other the other end.
-/// @returns from the end to the entry; the end alone if it is in the subspace, or none is found.
+/// @returns from the end to the entry; the end alone if it is in the subspace, or no entry was
+/// found.
 std::vector<Configuration> subspace_entry(PlanningContext& context, const Objective& objective,
                                           const Configuration& end, const Configuration& other,
                                           sampling::RandomStream& draw) {
@@ -141,14 +142,14 @@ struct Participant {
   RrtConnectSettings settings;
 };
 
-// Samples without end: the portfolio counts them itself.
+// Unlimited samples: the portfolio counts them itself.
 RrtConnectSettings without_limit(RrtConnectSettings settings = {}) {
   settings.max_samples = std::numeric_limits<int>::max();
   return settings;
 }
 
-// Without a basis hand postures are drawn over all joints anyway. @param form in which trees grow
-// that are made for leaving tight places.
+// Without a basis, hand postures are sampled over all joints anyway. @param form space of the
+// expansive trees, which leave narrow passages.
 std::vector<Participant> participants(CorridorForm form, bool has_basis) {
   constexpr HandSpace kPmds = HandSpace::kPrincipalDirections;
   constexpr HandSpace kAll = HandSpace::kAllJoints;
@@ -177,7 +178,7 @@ class AutoPlanner final : public BuiltInPlanner {
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override {
     const bool has_basis = context.problem().basis != nullptr;
-    // Poses of the tool need closed-form inverse kinematics: iterations for every node take longer
+    // Poses of the tool need closed-form inverse kinematics: iterations for every node cost more
     // than they gain.
     const CorridorForm form = cartesian_ && has_closed_form_kinematics(context.problem())
                                   ? CorridorForm::kCartesian

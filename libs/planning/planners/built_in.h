@@ -31,13 +31,13 @@ class BuiltInPlanner : public Planner {
   PlannerCapabilities capabilities_;
 };
 
-/// The planners that ship; their parameters describe them.
+/// The built-in planners; their parameters describe them.
 ///
-/// The default. Runs a portfolio of searches and takes the path of the first to find one: trees in
-/// the joint corridor start alone; where they don't find a path soon, expansive trees (see
-/// RrtConnectSettings::expansions; in poses of the tool if the arm has closed-form inverse
-/// kinematics), the same from another seed, and trees over all joints join. Budgets are counted in
-/// configurations, so that the winner is the same for any number of threads. The path is then
+/// The default. Runs a portfolio of searches and takes the path of the first to find one. Trees in
+/// the joint corridor start alone; if they don't find a path soon, other searches join: expansive
+/// trees (see RrtConnectSettings::expansions; in poses of the tool if the arm has closed-form
+/// inverse kinematics), the same from another seed, and trees over all joints. Budgets are counted
+/// in configurations, so that the winner is the same for any number of threads. The path is then
 /// optimised.
 ///
 /// Samples hand postures in the PMD subspace of the basis; without a basis every joint separately.
@@ -57,9 +57,9 @@ inline constexpr const char* kAutoPlanner = "auto";  ///< Its name.
 /// Autonomous Robots 31, 2011, Algorithms 1 to 4.
 [[nodiscard]] std::unique_ptr<Planner> make_pmd_prm(HandSpace hand);
 
-/// A roadmap in the paper's sampling regions whose edges are checked only where
-/// the shortest path from start to goal leads; edges that are refused go, and new
-/// nodes come when no path is left, from a corridor that widens.
+/// A roadmap in the paper's sampling regions whose edges are checked only along the shortest path
+/// from start to goal; refused edges are removed, and new nodes are added when no path is left,
+/// from a corridor that widens.
 ///
 /// Source: Bohlin, Kavraki, "Path planning using lazy PRM", ICRA 2000,
 /// doi:10.1109/ROBOT.2000.844107. Nodes are checked when they are drawn.

@@ -118,7 +118,7 @@ std::string proof_of_infeasibility(const PlanningProblem& problem) {
   return entered.empty() ? "" : sentence(entered.front(), "goal", "start");
 }
 
-// A planner that ends elsewhere is at fault, and nothing of its path may be used.
+// A planner whose path ends elsewhere is faulty, and its path is discarded.
 void require_ends(const PlanningProblem& problem, const Path& path, const std::string& planner) {
   constexpr double kSameEnd = 1e-9;  // rad or m
   const auto is_same = [](const Configuration& a, const Configuration& b) {
@@ -149,7 +149,7 @@ std::vector<OutOfMargin> out_of_margin(PlanningContext& context) {
   return list;
 }
 
-// Names are looked up at last, and not for each rejection.
+// Names are looked up once at the end, not for each rejection.
 PlanStatistics with_names(PlanStatistics statistics, const geometric::CollisionWorld& world) {
   for (std::size_t pair = 0; pair < statistics.rejections_per_pair.size(); ++pair) {
     if (const std::uint64_t count = statistics.rejections_per_pair[pair]; count > 0) {

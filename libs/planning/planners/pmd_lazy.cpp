@@ -141,8 +141,8 @@ class LazySearch final : public Search {
   Roadmap<Certainty> roadmap_{space_.periods()};  ///< Its edges are assumed to be free until
                                                   ///< checked.
   int sample_ = 0;
-  int failures_ = 0;      ///< Draws since one was free.
-  int nodes_wanted_ = 0;  ///< Before the next look for a nodes.
+  int failures_ = 0;      ///< Samples since the last free one.
+  int nodes_wanted_ = 0;  ///< Number of nodes before the next search for a path.
   std::vector<int> path_;
 };
 

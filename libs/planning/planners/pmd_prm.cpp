@@ -25,7 +25,7 @@ constexpr int kGoal = 1;
 // samples are corners of the arm's joint ranges.
 constexpr double kUnlimitedRho = 1e6;
 
-/// When numSamples is compared with N.
+/// Time at which numSamples is compared with N.
 enum class SampleLimit {
   kEachTrial,  ///< Before each hand trial; free ones count, too.
   kEachPass,   ///< At the end of a pass, failed trials alone, as printed (Algorithm 4).
@@ -129,7 +129,7 @@ class RoadmapSearch {
         statistics().samples > static_cast<std::uint64_t>(settings_.max_samples)) {
       return PlanStatus::kSamplesSpent;
     }
-    // All draws for the arm failed: a wider corridor may help, another pass in this one hardly.
+    // All samples for the arm failed: a wider corridor may help, another pass in this one hardly.
     const bool widest = rho >= std::min(largest_rho_, 1.0);
     if (hand_draw_count_ == drawn_before && widest) {
       return PlanStatus::kStalled;
@@ -272,8 +272,8 @@ class RoadmapSearch {
            !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
   }
 
-  // The arm in the hypercube that is explored, or next to it where constraints take it, and the
-  // hand with it: what points of the unit cube stand for.
+  // The arm in the hypercube explored, or projected onto the constraints next to it, and the hand:
+  // the configuration for points of the unit cube.
   [[nodiscard]] std::optional<Configuration> arm_at(const Eigen::VectorXd& u) const {
     const std::optional<Configuration> q = region_.arm_at(
         hypercube_.first, hypercube_.second, u.head(region_.space().corridor_dimension()));
@@ -341,8 +341,8 @@ class RoadmapSearch {
     return neighbours;
   }
 
-  // UPDATESEARCHRANGE (section 5.3, item 3): [d_ini, d_goal]. The two components
-  // may overlap along the segment; then what lies between stays in search.
+  // UPDATESEARCHRANGE (section 5.3, item 3): [d_ini, d_goal]. The two components may overlap along
+  // the segment; then the range between stays in search.
   [[nodiscard]] std::pair<double, double> search_range() const {
     double d_ini = 0.0;
     double d_goal = 1.0;
@@ -364,11 +364,11 @@ class RoadmapSearch {
   bool each_trial_counts_;
   bool grows_;
   HandArmRegion region_;
-  std::unique_ptr<CorridorSpace> joints_;  ///< In which distances are measured.
+  std::unique_ptr<CorridorSpace> joints_;  ///< Space in which distances are measured.
   double threshold_;
   std::unique_ptr<sampling::Sampler> arm_points_;
   std::unique_ptr<sampling::Sampler> hand_points_;
-  std::pair<double, double> hypercube_;  ///< Step and half side, of the one that is explored.
+  std::pair<double, double> hypercube_;  ///< Step and half side of the one explored.
   Configuration arm_;                    ///< Arm of the hand postures being sampled.
   int hand_axes_ = 0;                    ///< Number of their axes.
   std::uint64_t arm_draw_count_ = 0;

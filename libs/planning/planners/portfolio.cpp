@@ -18,7 +18,7 @@ constexpr int kLongestRounds = 12;           // from this round on they grow no 
 
 }  // namespace
 
-/// A member and what it has done.
+/// A member and its results.
 struct Portfolio::Run {
   /// Reports the new nodes and edges to `observer`. Node n gets the number `stride` * n + `index`,
   /// so that several searches' nodes differ.

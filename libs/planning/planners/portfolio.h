@@ -14,20 +14,20 @@ namespace handway::planning {
 
 /// A search that takes part in a Portfolio; NodeEvent::search is its place in the list.
 struct PortfolioMember {
-  std::string name;     ///< In words, for the reason.
+  std::string name;     ///< Words for the reason.
   int first_round = 0;  ///< Starts in this round.
   std::function<std::unique_ptr<Search>(PlanningContext&)> make;
-  const PlanningProblem* problem = nullptr;  ///< Between other ends; null: the portfolio's own.
+  const PlanningProblem* problem = nullptr;  ///< Other ends; null: the portfolio's own problem.
 };
 
 /// Lets several searches run on one problem until one solves it.
 ///
-/// The portfolio is run in rounds. In each, every member may check as many configurations
-/// as the round allows, twice as many as in the one before. The winner is the
-/// first in order to solve in the earliest round, whichever was done first by the
-/// clock; the order is that of the list, but the first member goes last from the
-/// third round on: so any number of threads finds the same. Searches that can't win
-/// any more are stopped.
+/// The portfolio is run in rounds. In each, every member may check as many
+/// configurations as the round allows, twice as many as in the one before. The winner is
+/// the first in order to solve in the earliest round, independent of the clock. The
+/// order is that of the list, but the first member goes last from the third round on. So
+/// the result is the same for any number of threads. Searches that can't win any more
+/// are stopped.
 class Portfolio {
  public:
   /// @param samples that all members may draw together.
@@ -36,8 +36,8 @@ class Portfolio {
   Portfolio(const Portfolio&) = delete;
   Portfolio& operator=(const Portfolio&) = delete;
 
-  /// To the end. Adds up what all members did in the context's statistics, apart
-  /// from work of a round that its winner made needless.
+  /// Runs to the end. Adds up all members' work in the context's statistics, apart from work of a
+  /// round that its winner made unnecessary.
   [[nodiscard]] PlanStatus run();
 
   /// @pre run() gave kSolved.

@@ -16,7 +16,7 @@ constexpr double kRefinement = 0.25;  // share of a step that is tried after it
 constexpr double kLeastGain = 0.1;    // share of a step that has to be gained
 constexpr int kLeastRefinements = 1;  // with constraints: long steps cut across what bends
 
-// Configurations that an edge may take: at first, more with every sample, at most.
+// Limits of the configurations per edge: at first, growth with every sample, and largest.
 constexpr std::uint64_t kEdgeChecks = 300;
 constexpr std::uint64_t kMoreEdgeChecks = 10;
 constexpr std::uint64_t kMostEdgeChecks = 20000;
@@ -145,7 +145,7 @@ std::uint64_t BidirectionalSearch::edge_checks() const {
                : std::numeric_limits<std::uint64_t>::max();
 }
 
-// Steps of the other tree towards `reached` until there or until one is not free.
+// Extends the other tree towards `reached` until it is there or a step is not free.
 bool BidirectionalSearch::connect(int reached, const TargetSampler::Target& target) {
   const int growing = trees_.tree_of(reached);
   const Eigen::VectorXd end = trees_.coordinates(reached);

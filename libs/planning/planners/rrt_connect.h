@@ -26,13 +26,13 @@ struct RrtConnectSettings {
 /// Settings without regions of short paths.
 inline const RrtConnectSettings kSettingsOverAllJoints{.range = 0.2, .refinements = 2};
 
-/// Two trees that grow towards random samples and towards each other. Over all
-/// joints it is the usual baseline. With PMDs it draws from the paper's regions:
-/// the arm from a corridor that widens, the hand from thumb base and PMDs; and
-/// from balls around start and goal, where passages are narrowest. Its edges are
-/// sampled at first, and made certain only where trees meet. A share of its steps may go from a
-/// node that few others were tried from to somewhere near it: such trees get out of places that
-/// are too tight for targets beyond them to be of use.
+/// Two trees that grow towards random samples and towards each other. Over all joints it
+/// is the usual baseline. With PMDs it samples from the paper's regions: the arm from a
+/// corridor that widens, the hand from thumb base and PMDs; and from balls around start
+/// and goal, where passages are narrowest. Its edges are sampled at first, and certified
+/// only when trees meet. A share of its steps goes from a node with few attempts to a
+/// place near it: such trees get out of passages that are too narrow for targets beyond
+/// them to help.
 ///
 /// Sources: Kuffner, LaValle, "RRT-Connect: an efficient approach to single-query
 /// path planning", ICRA 2000, doi:10.1109/ROBOT.2000.844730;
@@ -77,9 +77,9 @@ class BidirectionalSearch final : public Search {
   const CorridorSpace& space_;
   TreePair trees_;
   sampling::RandomStream choices_;  ///< Random choices of the trees' growth.
-  std::vector<int> expansions_;     ///< Tried from each node.
+  std::vector<int> expansions_;     ///< Attempts from each node.
   int sample_ = 0;
-  int failures_ = 0;  ///< Draws since one was of use.
+  int failures_ = 0;  ///< Samples since the last useful one.
   Path path_;
 };
 

@@ -61,7 +61,7 @@ class Search {
     return !rejected(context_.validator().edge_probe(from, to, count), 0.5 * (from + to));
   }
 
-  /// The next sample or so, and what comes of it.
+  /// Processes the next sample or so.
   [[nodiscard]] virtual std::optional<PlanStatus> step() = 0;
 
  private:

@@ -41,7 +41,7 @@ int TreePair::nearest(int tree, const Eigen::VectorXd& coordinates) const {
       .second;
 }
 
-// From `node` to its root.
+// Returns the nodes from `node` to its root.
 std::vector<int> TreePair::branch(int node) const {
   std::vector<int> nodes;
   for (int up = node; up != kNoParent; up = at(up).parent) {
@@ -75,7 +75,7 @@ void TreePair::cut(const Connection& connection, std::size_t edge, bool bridge_c
   if (edge == connection.bridge) {
     return;
   }
-  // Along the connection from the cut to the bridge, each node's parent becomes its child.
+  // Along the connection from the cut to the bridge, parents and children are swapped.
   const bool in_start_tree = edge < connection.bridge;
   int parent = connection.nodes[in_start_tree ? connection.bridge + 1 : connection.bridge];
   bool certain = bridge_certain;
@@ -90,7 +90,7 @@ void TreePair::cut(const Connection& connection, std::size_t edge, bool bridge_c
   assign_trees();
 }
 
-// By the root that each node's branch leads to.
+// Assigns each node to the tree of its root.
 void TreePair::assign_trees() {
   std::vector<bool> known(nodes_.size(), false);
   known[0] = true;

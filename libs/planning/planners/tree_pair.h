@@ -25,18 +25,18 @@ class TreePair {
            const Configuration& goal, const Eigen::VectorXd& goal_coordinates,
            const geometric::Periods& periods = {});
 
-  /// Hangs a node below `parent`, in the parent's tree. @param certain the edge is known to be
+  /// Adds a node below `parent`, in the parent's tree. @param certain the edge is known to be
   /// free.
   int add(Configuration q, const Eigen::VectorXd& coordinates, int parent, bool certain);
 
   [[nodiscard]] int nearest(int tree, const Eigen::VectorXd& coordinates) const;
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] int tree_of(int node) const { return at(node).tree; }
-  /// In the order in which they were added.
+  /// Nodes in the order of their addition.
   [[nodiscard]] const std::vector<int>& nodes(int tree) const {
     return members_.at(static_cast<std::size_t>(tree));
   }
-  /// A root's is itself.
+  /// The parent of a node; a root's is itself.
   [[nodiscard]] int parent(int node) const { return at(node).parent < 0 ? node : at(node).parent; }
   [[nodiscard]] const Configuration& configuration(int node) const { return at(node).q; }
   [[nodiscard]] const Eigen::VectorXd& coordinates(int node) const { return at(node).coordinates; }
@@ -50,11 +50,11 @@ class TreePair {
   /// @pre `start_side` is in tree 0, `goal_side` in tree 1.
   [[nodiscard]] Connection connection(int start_side, int goal_side) const;
 
-  /// Edge `edge` of `connection` is free: remembered, unless it is the bridge.
+  /// Records that edge `edge` of `connection` is free, unless it is the bridge.
   void confirm(const Connection& connection, std::size_t edge);
 
-  /// Edge `edge` of `connection` is not free. Unless it is the bridge, the nodes between
-  /// it and the bridge, with all that hangs on them, go over to the other tree.
+  /// Removes edge `edge` of `connection`, which is not free. Unless it is the bridge, the nodes
+  /// between it and the bridge, with their subtrees, move to the other tree.
   /// @param bridge_certain the bridge is known to be free.
   void cut(const Connection& connection, std::size_t edge, bool bridge_certain);
 
@@ -65,7 +65,7 @@ class TreePair {
     int tree;
     int parent;                ///< -1: a root.
     bool certain;              ///< The edge to the parent.
-    bool was_in_both = false;  ///< It went over to the other tree once.
+    bool was_in_both = false;  ///< It was moved to the other tree once.
   };
 
   [[nodiscard]] const Node& at(int node) const { return nodes_[static_cast<std::size_t>(node)]; }

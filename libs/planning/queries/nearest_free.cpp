@@ -120,7 +120,7 @@ class NearestFreeSearch {
     }
   }
 
-  /// Along the straight line to where the search began.
+  /// Draws back along the straight line to the search's centre.
   void shorten() {
     const Configuration base = clamped(from_);
     const Eigen::VectorXd direction = *best_ - base;

@@ -41,7 +41,7 @@ std::vector<int> that_move(const RobotModel& model, int link, const std::vector<
   return shared_by(geometric::chain_variables(model, link), variables);
 }
 
-// Near to where it was, or not at all.
+// Solutions near to the reference only.
 geometric::NumericIkOptions from_the_reference(const RobotModel& model, int palm,
                                                const std::vector<int>& arm) {
   geometric::NumericIkOptions options;
@@ -59,8 +59,8 @@ geometric::NumericIkOptions from_anywhere(geometric::NumericIkOptions options) {
   return options;
 }
 
-// The deepest link below `carrier` that carries all that the hand's joints move: a wrist that
-// counts to the hand is no finger. `carrier` itself where they move a single chain.
+// The deepest link below `carrier` that carries all links moved by the hand's joints: a wrist that
+// counts to the hand is no finger. `carrier` itself if they move a single chain.
 int past_the_wrist(const RobotModel& model, const std::vector<int>& hand, int carrier) {
   std::vector<bool> carries_moved(static_cast<std::size_t>(model.link_count()));
   std::optional<std::vector<int>> shared;

@@ -24,7 +24,7 @@ constexpr double kMostPalms = 0.9;  // share within RegionDraws::palm_reach
 
 constexpr int kMostCornerDimensions = 7;  // 128 corners; of more dimensions the first are taken
 
-// The box around points whose axes are those of their spread.
+// The box around points along the axes of their spread.
 PalmBox box_around(const Eigen::Matrix3Xd& points, double step) {
   const Eigen::Vector3d mean = points.rowwise().mean();
   const Eigen::Matrix3Xd centred = points.colwise() - mean;

@@ -24,17 +24,17 @@ namespace {
 
 constexpr double kProbeSpacing = 0.05;  // of configurations looked at before an edge is checked
 constexpr double kBackOff = 0.1;        // from what cuts an edge to where the detour begins
-// Configurations checked in search of a path over edges never checked before, each time; for a
-// detour around what cuts the last path, before planning from scratch; and in smoothing.
+// Limits of checked configurations: in search of a path over edges never checked before, each time;
+// for a detour around an obstacle, before planning from scratch; and in smoothing.
 constexpr std::uint64_t kRoadmapChecks = 500;
 constexpr std::uint64_t kRepairChecks = 4000;
 constexpr int kSmoothingChecks = 300;
 
-/// When the objects of a scene last changed, in revisions: the scene has a new
-/// one with every change.
+/// Revisions of the last changes of a scene's objects: the scene has a new one with every
+/// change.
 class SceneChanges {
  public:
-  /// An object was moved, added or removed.
+  /// Records that an object was moved, added or removed.
   void note(const std::string& object) { last_change_[object] = ++revision_; }
 
   /// Revision of the present scene; 0 before the first change.
@@ -46,7 +46,7 @@ class SceneChanges {
     return found == last_change_.end() ? 0 : found->second;
   }
 
-  /// Pairs with objects that changed after `revision`, in the world as it is.
+  /// Pairs with objects that changed after `revision`, in the present world.
   [[nodiscard]] std::vector<int> pairs_changed_since(int revision,
                                                      const geometric::CollisionWorld& world) const {
     std::vector<int> pairs;
@@ -74,7 +74,7 @@ struct ValidityState {
 
   [[nodiscard]] bool was_free() const { return free_at != kNever; }
 
-  /// It was refused, and what refused it has not changed since.
+  /// Returns whether it was refused by an object that has not changed since.
   [[nodiscard]] bool is_refused(const SceneChanges& changes) const {
     return refused_at != kNever && changes.last_change(refused_by) <= refused_at;
   }
@@ -82,8 +82,8 @@ struct ValidityState {
   void set_free(int revision) { *this = {revision, kNever, {}}; }
 };
 
-/// A graph of a robot's configurations whose nodes and edges remember when they were last found
-/// free; of new ones nothing is known. Distances are Euclidean in normalised joints.
+/// A graph of a robot's configurations whose nodes and edges store when they were last found free;
+/// the state of new ones is unknown. Distances are Euclidean in normalised joints.
 class RoadmapGraph : public Roadmap<ValidityState> {
  public:
   explicit RoadmapGraph(std::shared_ptr<const geometric::RobotModel> model)
@@ -110,7 +110,7 @@ class RoadmapGraph : public Roadmap<ValidityState> {
   /// Edges that a path may take.
   enum class Edges {
     kOnceFree,  ///< Edges found free before.
-    kAny,       ///< Others too, as if they were much longer.
+    kAny,       ///< Other edges too, as if they were much longer.
   };
   /// The shortest path without refused parts, by A*; empty if it does not exist.
   [[nodiscard]] std::vector<int> shortest_path(int from, int to, Edges edges,
@@ -142,7 +142,7 @@ class LazyPathValidator {
   LazyPathValidator(PlanningContext& context, RoadmapGraph& graph, const SceneChanges& changes)
       : context_(context), graph_(graph), changes_(changes) {}
 
-  /// The shortest free path. @param checks gives up once so many configurations are spent.
+  /// The shortest free path. @param checks limit of configurations after which it gives up.
   /// @returns nodes from `from` to `to`; nothing without a path, or when interrupted.
   [[nodiscard]] std::optional<std::vector<int>> shortest_path(int from, int to,
                                                               RoadmapGraph::Edges edges,
@@ -195,7 +195,7 @@ class LazyPathValidator {
   }
 
  private:
-  // Cheap questions first; one no ends it.
+  // Cheap checks first; the first failure ends it.
   bool path_free(const std::vector<int>& path) {
     const auto all_edges = [&](auto is_free) {
       for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -273,17 +273,18 @@ class LazyPathValidator {
   std::map<std::pair<int, int>, double> obstructions_;
 };
 
-/// Records what several searches find, one after the other.
+/// Records the results of several searches, one after the other.
 class SearchRecorder final : public RoadmapRecorder {
  public:
   explicit SearchRecorder(Observer* next)
       : RoadmapRecorder(std::numeric_limits<std::size_t>::max(), next) {}
 
-  // Its numbers are other ones.
+  // Numbers of the new search differ.
   [[nodiscard]] AlgorithmObserver* algorithm() override { return nullptr; }
 };
 
-// The farthest that is safely reached from `from` towards `to` before `obstruction`, in [0, 1].
+// The farthest place that is safely reached from `from` towards `to` before `obstruction`, in [0,
+// 1].
 Configuration before_obstruction(PlanningContext& context, const Configuration& from,
                                  const Configuration& to, double obstruction) {
   const double length = normalised_distance(context.problem().model(), from, to);
@@ -316,7 +317,7 @@ struct DynamicRoadmap::Replanner final : public Planner {
   }
   [[nodiscard]] std::vector<BoundParameter> own_parameters() override { return {}; }
 
-  // Several changes between two queries make one checker.
+  // Several changes between two queries make a single new checker.
   void update() {
     if (changed) {
       problem = updated_problem(problem, std::exchange(changed, nullptr), problem.basis);
@@ -355,7 +356,7 @@ struct DynamicRoadmap::Replanner final : public Planner {
     context.statistics().edges = static_cast<std::uint64_t>(graph->edge_count());
   }
 
-  // From the roadmap as it is.
+  // Searches the present roadmap.
   std::optional<Path> known_path(LazyPathValidator& validator) {
     constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
     const int start = graph->node_at(problem.start);
@@ -374,7 +375,7 @@ struct DynamicRoadmap::Replanner final : public Planner {
     return std::nullopt;
   }
 
-  // The last path with a detour for each of its stretches that are not free.
+  // The last path with a detour for each of its blocked stretches.
   std::optional<Path> repaired_path(PlanningContext& context, LazyPathValidator& validator) {
     const std::vector<int> nodes = free_waypoints(validator);
     std::vector<bool> edge_free;
@@ -460,7 +461,7 @@ struct DynamicRoadmap::Replanner final : public Planner {
     return {problem.model().unwrapped(std::move(path.waypoints), problem.start)};
   }
 
-  // Keeps a path whose edges are free in this revision, and forgets the rest if it is too much.
+  // Keeps a path whose edges are free in this revision, and discards the rest if it is too large.
   void remember(const Path& path) {
     if (graph->node_count() > max_nodes) {
       graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model);
@@ -477,7 +478,7 @@ struct DynamicRoadmap::Replanner final : public Planner {
     }
   }
 
-  /// Adds what searches found to the roadmap, as nodes and edges of which nothing is certain.
+  /// Adds the searches' results to the roadmap, as nodes and edges of unknown state.
   void learn(const RecordedRoadmap& found) {
     std::vector<int> numbers(found.nodes.size(), -1);
     for (std::size_t i = 0; i < numbers.size() && graph->node_count() < max_nodes; ++i) {
@@ -494,10 +495,10 @@ struct DynamicRoadmap::Replanner final : public Planner {
 
   PlanningProblem problem;
   std::unique_ptr<Planner> planner;  ///< Plans the first path, and others if repair fails.
-  int max_nodes;  ///< When there are more, all but those of the last path are forgotten.
+  int max_nodes;  ///< Limit beyond which all but the last path's nodes are removed.
   std::unique_ptr<RoadmapGraph> graph;
   SceneChanges changes;
-  Path last_path;                                             ///< Empty: none was found yet.
+  Path last_path;                                             ///< Empty: no path was found yet.
   ReplanSource source = ReplanSource::kNone;                  ///< Source of the last query's path.
   std::shared_ptr<const geometric::Scene> changed = nullptr;  ///< Next scene, or null.
   SearchRecorder* recorder = nullptr;                         ///< Recorder of the present query.
@@ -533,7 +534,7 @@ bool DynamicRoadmap::follow(const geometric::Scene& scene) {
 PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop,
                                 Observer* observer) {
   const PlanningProblem& now = problem();
-  // A roadmap is kept between two ends, not several, and for what moves.
+  // A roadmap connects a single start and goal of the moving joints.
   if (now.has_pose_goals() || !group_fault(now).empty()) {
     replanner_->source = ReplanSource::kPlanner;
     return replanner_->planner->plan(now, request, std::move(stop), observer);

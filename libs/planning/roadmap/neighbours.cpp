@@ -14,7 +14,7 @@ using Offset = Eigen::Index;
 
 constexpr std::size_t kLeaf = 32;  // points: so many are faster looked at than divided
 
-/// Some of the points, as nanoflann wants to see them: data and metric in one.
+/// Some of the points for nanoflann: data and metric in one.
 struct Columns {
   using ElementType = double;
   using DistanceType = double;
@@ -84,8 +84,8 @@ class Nearest {
   }
 
  private:
-  // Wider by far more than distances to the cells of a tree are rounded, and than equally far
-  // points need to be seen.
+  // Margin far above the rounding of distances to a tree's cells, and above the one that equally
+  // far points need.
   void set_limit(double squared) {
     constexpr double kRounding = 1e-9;
     limit_ = (1.0 + kRounding) * squared + std::numeric_limits<double>::min();
@@ -98,7 +98,7 @@ class Nearest {
   std::vector<Neighbour> found_;  ///< A heap, the farthest first; distances squared.
 };
 
-/// Takes the points that a tree comes by, in nanoflann's words.
+/// Collects the points that a tree visits, with nanoflann's interface.
 struct Seen {
   Nearest& nearest;
   const int* numbers;
@@ -115,10 +115,10 @@ struct Seen {
 
 }  // namespace
 
-/// A kd-tree over points that came one after the other.
+/// A kd-tree over points in the order of their addition.
 struct Neighbours::Run {
-  /// Puts them, and their numbers, in the order of the tree's leaves: so they are read one after
-  /// the other.
+  /// Sorts them, and their numbers, in the order of the tree's leaves, so that they are read
+  /// sequentially.
   Run(Eigen::MatrixXd& points, std::vector<int>& numbers, Offset first, Offset count)
       : columns{&points, first, count},
         tree(static_cast<std::int32_t>(points.rows()), columns, {kLeaf}) {

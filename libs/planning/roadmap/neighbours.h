@@ -53,7 +53,7 @@ class Neighbours {
   int linear_;
   geometric::Periods periods_;
   std::vector<int> numbers_;
-  Eigen::MatrixXd points_;  ///< A column a point; grows by doubling.
+  Eigen::MatrixXd points_;  ///< One column per point; grows by doubling.
   std::vector<std::unique_ptr<Run>> runs_;
 };
 

@@ -29,7 +29,7 @@ class Roadmap {
   explicit Roadmap(geometric::Periods periods = {})
       : periods_(std::move(periods)), neighbours_(Neighbours::kLinear, periods_) {}
 
-  /// @param coordinates where it lies for distances. @returns the node's number.
+  /// @param coordinates its place for distances. @returns the node's number.
   int add_node(geometric::Configuration q, Eigen::VectorXd coordinates) {
     const int node = node_count();
     neighbours_.add(node, coordinates);
@@ -51,7 +51,7 @@ class Roadmap {
     }
     return graph_[edge].data;
   }
-  /// Their component stays one.
+  /// Removes an edge; the components don't change.
   void remove_edge(int a, int b) { boost::remove_edge(at(a), at(b), graph_); }
 
   [[nodiscard]] double distance(int a, int b) const {
@@ -78,7 +78,7 @@ class Roadmap {
   }
 
  protected:
-  /// @param cost of an edge, never less than its length; infinite: not to be taken. Called with its
+  /// @param cost of an edge, never less than its length; infinite: forbidden. Called with its
   /// length, its data and those of its ends.
   template <typename Cost>
   [[nodiscard]] std::vector<int> shortest_path(int from, int to, const Cost& cost) const {

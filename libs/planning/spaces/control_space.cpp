@@ -10,7 +10,7 @@
 namespace handway::planning {
 namespace {
 
-// Shorter directions have none.
+// Shorter vectors have no direction.
 constexpr double kLeastExtent = 1e-9;
 
 sampling::PmdBasis with_directions(sampling::PmdBasis basis, int most) {
@@ -38,7 +38,7 @@ class ControlSpace final : public StateSpace {
         frame_(frame_along(joints_of(problem.goal, arm()) - arm_start_)),
         centre_(sampling::centre_of(basis)),
         axes_(centre_.size(), basis.dimension() + 2) {
-    // The corridor's cubes are as wide across an axis as its components add up to.
+    // Size of the corridor's cubes across an axis: the sum of its components.
     const Eigen::VectorXd width = half_width * frame_.cwiseAbs().colwise().sum().transpose();
     const Eigen::VectorXd half_sides = sampling::half_sides_of(basis);
     axes_ << sampling::axes_of(basis), Eigen::MatrixXd::Zero(centre_.size(), 2);
@@ -77,9 +77,9 @@ class ControlSpace final : public StateSpace {
     return geometric::clamped_to_range(model, geometric::normalised(model, q))(variables);
   }
 
-  // The nearest posture's, within the box: the axes may depend on each other, as where the ends
-  // deviate in the same direction. One axis after the other is moved to where the rest leaves
-  // least.
+  // Coordinates of the nearest posture, within the box: the axes may be dependent, as when the
+  // ends deviate in the same direction. One axis after the other is set to its best value for the
+  // rest.
   [[nodiscard]] Eigen::VectorXd hand_coordinates(const Eigen::VectorXd& posture) const {
     constexpr int kMostSweeps = 100;
     constexpr double kStill = 1e-14;
@@ -101,7 +101,8 @@ class ControlSpace final : public StateSpace {
     return x;
   }
 
-  // From the nearest posture in the box to the posture at an end (0: start, 1: goal); how long.
+  // Length of the vector from the nearest posture in the box to the posture at an end (0: start, 1:
+  // goal).
   double add_deviation(const sampling::PmdBasis& basis, const Eigen::VectorXd& half_sides,
                        int end) {
     const Eigen::VectorXd posture =

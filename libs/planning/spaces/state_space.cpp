@@ -70,7 +70,7 @@ int last_arm_link(const PlanningProblem& problem) {
   return problem.model().variable_link(*std::ranges::max_element(problem.arm));
 }
 
-// Iterations from where the arm is: between nodes that are near to each other.
+// Iterations from the arm's present posture: for nodes that are near to each other.
 geometric::NumericIkOptions tracking() {
   geometric::NumericIkOptions options;
   options.max_iterations = 30;
@@ -83,7 +83,7 @@ constexpr double kPositionScale = 1.0;     // m
 constexpr double kOrientationScale = 3.0;  // rad
 
 /// Arm coordinates are the pose of the last arm link, the tool that carries the hand. On the
-/// straight motion it turns evenly about one axis: a second reading of section 5.1. Positions are
+/// straight motion it rotates evenly about one axis: a second reading of section 5.1. Positions are
 /// perturbed along the base's axes, orientations by a rotation vector in the tool's frame.
 class ToolSpace final : public CorridorSpace {
  public:
@@ -150,8 +150,8 @@ class ToolSpace final : public CorridorSpace {
     return state.link_pose(link_);
   }
 
-  // Position, and the rotation vector from the orientation midway between start
-  // and goal, so that the chart's border, half a turn, is far.
+  // Position, and the rotation vector from the orientation midway between start and goal, so that
+  // the chart's border, half a turn, is far.
   [[nodiscard]] Eigen::VectorXd chart(const Eigen::Vector3d& p_BT,
                                       const Eigen::Matrix3d& R_BT) const {
     const Eigen::AngleAxisd turn(q_BM_.conjugate() * Eigen::Quaterniond(R_BT));

@@ -18,7 +18,7 @@ constexpr double kWidenedInVain = 2.0;  // times, before samples are drawn anywh
 
 constexpr double kOnward = 0.5;  // share of expansions that go on along the edge to the node
 
-// Every size is as likely as any other. @param u uniform in [0, 1].
+// All sizes are equally likely. @param u uniform in [0, 1].
 double length_from(double smallest, double u) {
   return smallest * std::pow(kLargestBall / smallest, u);
 }

@@ -35,8 +35,9 @@ struct Edge {
   Configuration direction;
   double length;
   std::size_t end;                                          ///< Waypoint.
-  std::vector<std::pair<std::size_t, double>> passed = {};  ///< Waypoints, and how far along.
-  double offset = 0.0;  ///< rad or m: what these can be off the line.
+  std::vector<std::pair<std::size_t, double>> passed = {};  ///< Passed waypoints, with their
+                                                            ///< places.
+  double offset = 0.0;  ///< Their largest offset from the line, rad or m.
 };
 
 // Extends `edge` to a waypoint if that is straight ahead, and all passed waypoints stay on the

@@ -67,7 +67,7 @@ JointKinematicLimits of_variables(const RobotModel& model, const RatesByJoint& r
       }
     }
   }
-  // In this order: one follows from the other.
+  // In this order: each follows from the one before.
   assume(model, Rate::kVelocity, Eigen::VectorXd::Constant(count, kDefaultVelocity),
          limits.velocity, limits.assumed);
   assume(model, Rate::kAcceleration, limits.velocity / kDefaultRampTime, limits.acceleration,
@@ -76,7 +76,7 @@ JointKinematicLimits of_variables(const RobotModel& model, const RatesByJoint& r
   return limits;
 }
 
-// Limits of positions that are narrower than the robot's own, of variables and what follows them.
+// Limits of positions that are narrower than the robot's own, of variables and their followers.
 void narrow_positions(const RobotModel& model,
                       const std::vector<geometric::FiledJointLimits>& filed,
                       JointKinematicLimits& limits) {

@@ -95,7 +95,7 @@ std::pair<double, double> bisect(double low, double high, const Predicate& is_lo
   return {low, high};
 }
 
-/// The largest share that a joint takes of its limit.
+/// The largest share of its limit that a joint uses.
 template <typename Values>
 double largest_share(const Eigen::MatrixBase<Values>& values, const Eigen::VectorXd& limits) {
   return values.cwiseQuotient(limits).template lpNorm<Eigen::Infinity>();
@@ -113,8 +113,8 @@ Range accelerations(const Cell& cell, const JointKinematicLimits& limits, double
   return range;
 }
 
-/// Largest speed² where the derivatives are these, for velocity, and for the jerk of the path's own
-/// shape if it is limited. @param third the largest of the piece.
+/// Largest speed² for these derivatives: for velocity, and for the jerk of the path's own shape if
+/// it is limited. @param third the largest of the piece.
 double fastest(const Configuration& first, const Configuration& third,
                const JointKinematicLimits& limits) {
   double speed = std::numeric_limits<double>::max();
@@ -131,8 +131,8 @@ double fastest(const Configuration& first, const Configuration& third,
   return speed * speed;
 }
 
-/// Largest speed² at the beginning of the cell from which its end is reached with at
-/// most `most`. The speeds that are possible are an interval from 0.
+/// Largest speed² at the beginning of the cell from which its end is reached with at most `most`.
+/// The possible speeds are an interval from 0.
 double controllable(const Cell& cell, const JointKinematicLimits& limits, double most) {
   const auto reaches_end = [&](double x) { return !accelerations(cell, limits, x, most).empty(); };
   const double high = fastest(cell.first[0], cell.third, limits);
@@ -150,7 +150,7 @@ struct Shares {
     acceleration = std::max(acceleration, a);
     jerk = std::max(jerk, j);
   }
-  /// By how much a motion is too fast: time has to be stretched by this.
+  /// Factor by which a motion is too fast: time has to be stretched by it.
   [[nodiscard]] double excess() const {
     return std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)});
   }
@@ -197,8 +197,8 @@ class PieceShares {
   Configuration second_;
 };
 
-/// By how much a law is too fast, jerk not counted where it is not limited: time has to be
-/// stretched by this.
+/// Factor by which a law is too fast, without jerk if it is not limited: time has to be stretched
+/// by it.
 double excess(const BlendedPath& path, std::span<const Knot> knots,
               const JointKinematicLimits& limits) {
   Shares shares;
@@ -244,7 +244,7 @@ std::vector<TimeParameterization> sections_of(const TimeParameterization& law) {
   return sections;
 }
 
-/// Lets a section begin where the law ends.
+/// Appends a section at the end of the law.
 void append(const TimeParameterization& section, TimeParameterization& law) {
   const double begin = law.duration();
   for (Knot knot : section.knots) {
@@ -282,7 +282,7 @@ TimeParameterization time_optimal(const BlendedPath& path, const JointKinematicL
       law.knots.push_back({.time = time, .s = cell.piece->begin});
     }
     const Range range = accelerations(cell, limits, x, most[c + 1]);
-    // Rounding may leave nothing of a range that is a single number.
+    // Rounding may empty a range that is a single number.
     const double u = range.empty() ? 0.5 * (range.low + range.high) : range.high;
     const double next = std::clamp(x + 2.0 * cell.width * u, 0.0, most[c + 1]);
     law.knots.back().acceleration = (next - x) / (2.0 * cell.width);
@@ -317,8 +317,8 @@ TimeParameterization align_stops(const TimeParameterization& law, double period)
 
 namespace {
 
-// Shares of the acceleration and jerk limits that the fastest law is made with before it is
-// averaged, and windows, as shares of its duration.
+// Shares of the acceleration and jerk limits for the fastest law before averaging, and windows, as
+// shares of its duration.
 constexpr std::array kAccelerations{1.0, 0.7, 0.5, 0.3};
 constexpr std::array kJerks{1.0, 0.5, 0.2};
 constexpr std::array kWindows{0.02, 0.04, 0.07, 0.11, 0.16, 0.23, 0.32, 0.44, 0.6, 0.8, 1.0};
@@ -326,7 +326,7 @@ constexpr std::array kWindows{0.02, 0.04, 0.07, 0.11, 0.16, 0.23, 0.32, 0.44, 0.
 constexpr double kMargin = 1.002;
 // Knots of a section, above which not every window is tried.
 constexpr std::size_t kLongSection = 6000;
-// Knots that are nearer in time are one, s.
+// Knots that are nearer in time are merged, s.
 constexpr double kSameTime = 1e-9;
 
 /// The motion at a time of a section; before and after it is at rest.
@@ -370,7 +370,7 @@ std::vector<Knot> averaged(const TimeParameterization& section, double window) {
   return knots;
 }
 
-/// The law with a knot wherever a piece of the path ends.
+/// The law with a knot at the end of every piece of the path.
 std::vector<Knot> with_joins(const BlendedPath& path, const std::vector<Knot>& knots) {
   std::vector<Knot> result;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {

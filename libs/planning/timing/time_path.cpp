@@ -56,7 +56,7 @@ LimitShare largest_share(const geometric::RobotModel& model, const Trajectory& t
   return largest;
 }
 
-/// @param options where the robot stands (of size 0: where the trajectory begins), and the
+/// @param options configuration of the robot (of size 0: the trajectory's start), and the
 /// resolution of blends.
 void check_collisions(const PlanningProblem& problem, const Trajectory& trajectory,
                       const TimingOptions& options, PreflightReport& report) {
@@ -141,8 +141,8 @@ nlohmann::ordered_json to_object(const LimitShare& share) {
   return {{"joint", share.joint}, {"time_s", share.time}, {"share", share.share}};
 }
 
-/// The hand's variables, with those that hold something and so are not planned: devices are to hold
-/// them, too.
+/// The hand's variables, with those that hold an object and so are not planned: devices have to
+/// hold them, too.
 std::vector<int> with_holding(const PlanningProblem& problem) {
   std::vector<int> hand = problem.hand;
   for (const int v : holding_variables(*problem.scene)) {

@@ -143,7 +143,7 @@ class Check {
     faults_.push_back({joint, time, value, "Joint " + joint + " " + text});
   }
 
-  /// True for the first fault of a kind that a joint has.
+  /// Returns true for the first fault of each kind of a joint.
   bool first(std::string_view kind, const std::string& joint) {
     return seen_.emplace(kind, joint).second;
   }

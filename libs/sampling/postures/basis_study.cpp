@@ -25,7 +25,7 @@ struct Tested {
   Eigen::Matrix3Xd tips;
 };
 
-/// Rows that stay together.
+/// Block of rows that stay together.
 struct Block {
   std::size_t recording = 0;
   int fold = 0;
@@ -34,7 +34,7 @@ struct Block {
   std::vector<Tested> tested = {};  ///< Some of its rows.
 };
 
-/// The sum of values, and how many there are.
+/// The sum of values, and their number.
 struct Sum {
   double sum = 0.0;
   double count = 0.0;
@@ -314,7 +314,7 @@ std::vector<Eigen::Index> places_of(const std::vector<std::string>& joints,
   return places;
 }
 
-/// Orthonormal columns that span what the basis does.
+/// Orthonormal columns with the span of the basis.
 Eigen::MatrixXd span_of(const PmdBasis& basis) {
   if (basis.dimension() == 0) {
     throw geometric::InputError(

@@ -201,7 +201,7 @@ void emit_numbers(YAML::Emitter& out, const Eigen::VectorXd& values) {
   out << YAML::EndSeq;
 }
 
-// A path as it's written into a file beside, below or above it.
+// A path as written into a file beside, below or above it.
 std::string seen_from(const std::filesystem::path& file, const std::filesystem::path& path) {
   const std::filesystem::path target = std::filesystem::absolute(path).lexically_normal();
   const std::filesystem::path folder =

@@ -57,7 +57,7 @@ class TableReader {
                       expected, "handway pca --postures writes such files."});
   }
 
-  // The next line with something on it.
+  // The next line that is not empty.
   bool next_line() {
     for (std::string line; std::getline(text_, line);) {
       ++number_;

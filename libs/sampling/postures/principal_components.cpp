@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kStill = 1e-9;  // standard deviation of what doesn't vary
 
-// Indices of the joints that aren't left out. Throws std::invalid_argument if left_out names a
-// joint that isn't there, one twice, or all of them.
+// Indices of the joints that aren't left out. Throws std::invalid_argument if left_out names an
+// unknown joint, one twice, or all of them.
 std::vector<int> joints_taken(Eigen::Index joints, const std::vector<int>& left_out) {
   std::vector<int> columns(static_cast<std::size_t>(joints));
   std::iota(columns.begin(), columns.end(), 0);
@@ -42,8 +42,8 @@ Eigen::VectorXd with_fixed_sign(const Eigen::VectorXd& direction) {
   return direction[largest] < 0.0 ? Eigen::VectorXd(-direction) : direction;
 }
 
-// @param taken joints that take part. @param variances falling. @param axes a column each, of those
-// joints alone.
+// @param taken joints used. @param variances falling. @param axes a column each, of those joints
+// alone.
 PrincipalComponents assembled(const Eigen::VectorXd& mean, const std::vector<int>& taken,
                               const Eigen::VectorXd& variances, const Eigen::MatrixXd& axes) {
   const double total = variances.sum();

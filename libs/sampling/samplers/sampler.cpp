@@ -18,7 +18,7 @@ bool in_unit_cube(const Eigen::VectorXd& point) {
 using TryPair = std::optional<Eigen::VectorXd> (*)(RandomStream& stream, int dimension,
                                                    double sigma, const ValidityPredicate& valid);
 
-// Pairs that leave the unit cube are thrown away.
+// Pairs that leave the unit cube are discarded.
 std::optional<Eigen::VectorXd> at_the_border(RandomStream& stream, int dimension, double sigma,
                                              const ValidityPredicate& valid) {
   const Eigen::VectorXd one = stream.uniform(dimension);

@@ -17,8 +17,8 @@ namespace {
 
 using Digits = std::vector<std::uint32_t>;
 
-// Digits 1 … base-1 in random order; 0 stays, for it stands for the endless
-// zeros before an index.
+// Digits 1 … base-1 in random order; 0 stays, for it represents the endless zeros before an
+// index.
 Digits random_permutation(std::uint32_t base, RandomStream stream) {
   Digits digits(base);
   std::iota(digits.begin(), digits.end(), 0u);
@@ -28,7 +28,7 @@ Digits random_permutation(std::uint32_t base, RandomStream stream) {
   return digits;
 }
 
-// The digits of `index`, as they are permuted, mirrored at the radix point.
+// The permuted digits of `index`, mirrored at the radix point.
 double radical_inverse(std::uint64_t index, const Digits& digits) {
   const auto base = static_cast<std::uint32_t>(digits.size());
   double value = 0.0;
