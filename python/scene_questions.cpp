@@ -27,7 +27,7 @@ Batch configurations(const SceneModel& scene, const Array& q) {
   return batch_from(q, scene.robot().variable_count(), "q");
 }
 
-constexpr std::size_t kFewRows = 200;  // so many are answered before anybody would press Ctrl+C
+constexpr std::size_t kFewRows = 200;  // answered too fast for Ctrl+C
 
 /// Answers to all rows, from a separate checker, without the interpreter's lock. Many rows can be
 /// interrupted.

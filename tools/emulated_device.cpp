@@ -94,7 +94,7 @@ EmulatedPosture scene_posture(const std::filesystem::path& scene, const std::str
 }
 
 device::InjectedFault chosen_fault(const EmulatedDeviceChoice& choice) {
-  // Not std::uniform_real_distribution, which differs from library to library.
+  // std::uniform_real_distribution differs from library to library.
   std::mt19937_64 bits(choice.seed);
   const double drawn = static_cast<double>(bits() >> 11U) * 0x1.0p-53;
   return {fault_names().at(choice.fault),

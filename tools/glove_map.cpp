@@ -64,7 +64,7 @@ int map(const MapOptions& options) {
   }
   print(mapping);
   if (!options.out.empty()) {
-    if (mapping.hand == model->name()) {  // so that whoever reads the mapping finds the hand
+    if (mapping.hand == model->name()) {  // readers of the mapping find the hand
       mapping.hand = geometric::resource_reference(geometric::ResourceKind::kRobot, robot,
                                                    fs::absolute(options.out).parent_path())
                          .string();

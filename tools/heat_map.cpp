@@ -24,10 +24,10 @@ constexpr double kCellHeight = 44.0;
 constexpr double kLeft = 130.0;
 constexpr double kTop = 12.0;
 constexpr double kFoot = 48.0;
-constexpr double kScaleWidth = 14.0;  // of the scale of colours, …
+constexpr double kScaleWidth = 14.0;  // width of the scale of colours, …
 constexpr double kScaleGap = 24.0;    // … from the cells, and …
 constexpr double kScaleRoom = 70.0;   // … for its numbers
-constexpr double kLeastRatio = 2.0;   // of times that get the colours' ends
+constexpr double kLeastRatio = 2.0;   // ratio of times at the colours' ends
 
 using Rgb = std::array<double, 3>;
 

@@ -26,8 +26,8 @@ using geometric::Configuration;
 
 constexpr int kConfigurations = 256;
 constexpr std::size_t kEdges = 24;
-constexpr double kSpread = 0.05;      // of a joint's range
-constexpr double kEdge = 0.1;         // of the motion from start to goal
+constexpr double kSpread = 0.05;      // share of a joint's range
+constexpr double kEdge = 0.1;         // share of the motion from start to goal
 constexpr double kResolution = 5e-5;  // m, as planners have it
 constexpr int kRounds = 5;
 constexpr double kLeastTime = 0.05;  // s that a round takes; all questions are asked once at least

@@ -30,8 +30,8 @@ using geometric::RobotModel;
 
 constexpr double kFar = 0.3;             // m, a finger that is farther away does not close
 constexpr double kFirstStep = 0.02;      // rad, or m of a sliding finger
-constexpr double kLeastStep = 1e-6;      // the same
-constexpr double kDifference = 1e-4;     // the same, of the gradient
+constexpr double kLeastStep = 1e-6;      // step, rad or m
+constexpr double kDifference = 1e-4;     // step of the gradient, rad or m
 constexpr double kLeastGradient = 1e-4;  // m by rad
 constexpr int kMostSteps = 300;
 
@@ -183,7 +183,7 @@ constexpr double kLowered = 5e-3;     // m, to feel what an object rests on
 constexpr double kApproached = 5e-5;  // m
 constexpr double kHorizontal = 0.2;   // least horizontal part of a direction
 constexpr int kMostApproachSteps = 40;
-constexpr double kLeastShare = 0.02;  // of an approach
+constexpr double kLeastShare = 0.02;  // share of an approach
 
 /// Objects that move together.
 struct Unit {

@@ -23,7 +23,7 @@ namespace handway::export_val3 {
 namespace {
 
 constexpr double kStill = 1e-9;       // rad: the arm stays
-constexpr double kLeastShare = 1e-4;  // of a limit
+constexpr double kLeastShare = 1e-4;  // share of a limit
 
 void check_arm(const planning::Motion& motion) {
   const auto turns = [&](int v) {

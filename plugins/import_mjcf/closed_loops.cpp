@@ -16,7 +16,7 @@ namespace {
 using geometric::Configuration;
 using geometric::RobotModel;
 
-constexpr double kStep = 1.0 / 16.0;  // of the way from home to an end of the first joint's range
+constexpr double kStep = 1.0 / 16.0;  // share from home to an end of the first joint's range
 constexpr double kLeastStep = 1.0 / 4096.0;
 constexpr int kMostIterations = 50;
 constexpr double kClosed = 1e-7;     // m

@@ -24,7 +24,7 @@ using geometric::RobotModel;
 using geometric::YamlElement;
 
 constexpr double kAnywhere = 1e3;   // m
-constexpr double kSameAxes = 1e-6;  // of the cosines of axes in line
+constexpr double kSameAxes = 1e-6;  // tolerance of the cosines of axes in line
 
 std::optional<YamlElement> only_one(const YamlElement& goal, const char* key) {
   const std::vector<YamlElement> items = goal.items_of(key);

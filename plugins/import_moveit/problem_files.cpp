@@ -26,7 +26,7 @@ using geometric::Pose;
 using geometric::YamlElement;
 
 constexpr double kUnitTolerance = 0.01;
-constexpr double kSmallest = 1e-6;  // of a quaternion
+constexpr double kSmallest = 1e-6;  // norm of a quaternion
 
 Remarks*& innermost() {
   thread_local Remarks* remarks = nullptr;

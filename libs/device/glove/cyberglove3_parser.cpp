@@ -12,7 +12,7 @@ constexpr std::string_view kTimeStamp = "00:00:00:00:0S";
 constexpr std::string_view kEnd("\r\n\0", 3);
 constexpr std::size_t kValues = kTimeStamp.size();
 constexpr std::size_t kEndAt = kValues + std::size_t{2} * kGloveSensors;
-constexpr std::uint8_t kHighBits = 0x0F;  // Of 12.
+constexpr std::uint8_t kHighBits = 0x0F;  // High bits of the 12.
 
 static_assert(kEndAt + kEnd.size() == CyberGlove3Parser::kRecordLength);
 

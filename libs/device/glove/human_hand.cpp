@@ -159,7 +159,7 @@ HandLandmarks hand_landmarks(const GloveAngles& angles, const HandBones& bones) 
 
 namespace {
 
-constexpr double kLeastReach = 0.17;  // of a phalanx along the palm, as a share: bent by 80°
+constexpr double kLeastReach = 0.17;  // share of a phalanx along the palm: bent by 80°
 
 double& angle_of(GloveAngles& angles, const std::string& sensor) {
   return angles.angles.at(static_cast<std::size_t>(*find_sensor(sensor)));

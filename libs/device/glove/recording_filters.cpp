@@ -78,9 +78,9 @@ Eigen::VectorXd Butterworth::both_ways(const Eigen::VectorXd& signal) const {
 
 using geometric::InputError;
 
-constexpr double kEven = 1e-3;                    // of a step
-constexpr double kMostRows = 5e6;                 // of a recording: 14 hours at 100 Hz
-constexpr double kHighestCutoff = 0.4;            // of the rate
+constexpr double kEven = 1e-3;                    // share of a step
+constexpr double kMostRows = 5e6;                 // rows of a recording: 14 hours at 100 Hz
+constexpr double kHighestCutoff = 0.4;            // share of the rate
 constexpr double kBothRuns = 1.2464504802804612;  // (√2 - 1)^(-1/4)
 
 Recording with_rows(const Recording& recording, const std::vector<Eigen::Index>& rows) {

@@ -10,7 +10,7 @@
 namespace handway::device {
 namespace {
 
-constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
+constexpr double kMedianToDeviation = 1.4826;  // factor for a normal distribution
 constexpr double kGapMedians = 3.0;
 constexpr double kSaturatedShare = 0.01;
 

@@ -20,7 +20,7 @@ namespace {
 
 using geometric::InputError;
 
-constexpr Eigen::Index kAngles = 23;           // of VirtualHand, without the last, unwired slot
+constexpr Eigen::Index kAngles = 23;           // VirtualHand's, without the last, unwired slot
 constexpr Eigen::Index kAnglesWithLabel = 22;  // and without the wrist's abduction
 
 std::string row_name(const std::filesystem::path& file, const NumberTable& table,

@@ -31,8 +31,8 @@ constexpr double kDrawnTip = 0.3;     // … and of the outermost, whose end is 
 constexpr double kDrawnKnuckle = 0.35;   // … and between palm and finger
 constexpr double kSideBySide = 0.7;      // cosine of the angle between axes of such fingers
 constexpr double kSameDirection = 0.3;   // cosine of the angle between straight fingers
-constexpr double kUncertain = 0.25;      // of evidence between -2 and 2
-constexpr double kContradiction = 0.35;  // of evidence on each side
+constexpr double kUncertain = 0.25;      // limit of evidence between -2 and 2
+constexpr double kContradiction = 0.35;  // evidence on each side
 constexpr int kCurlSteps = 8;
 constexpr int kCloudPoints = 256;
 

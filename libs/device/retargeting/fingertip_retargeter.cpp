@@ -24,12 +24,12 @@ using geometric::Pose;
 using geometric::YamlElement;
 
 constexpr int kMostEvaluations = 200;
-constexpr double kLeastChange = 1e-5;  // of the value of what is minimised, as a share
+constexpr double kLeastChange = 1e-5;  // relative change of the minimised value
 constexpr double kPinchReach = 0.04;  // m: tips of a person's fingers that are nearer come together
 constexpr double kPadDepth = 0.015;   // m: between their tips when the pads touch
-constexpr int kRounds = 2;            // of all fingers, out of self-collision
+constexpr int kRounds = 2;            // rounds over all fingers, out of self-collision
 constexpr double kMuchNearer = 0.7;   // to the fingertips, as a share of the miss
-constexpr double kLeastShare = 0.02;  // of a finger's move that is tried
+constexpr double kLeastShare = 0.02;  // smallest share of a finger's move tried
 
 const RobotFinger* thumb_of(const RobotFingers& hand) {
   const auto found = std::ranges::find(hand.fingers, Finger::kThumb, &RobotFinger::finger);

@@ -25,10 +25,10 @@ using geometric::kDegree;
 using geometric::RobotModel;
 
 constexpr int kFistSteps = 10;             // from flat to fist
-constexpr double kStraight = 0.8;          // of a finger's reach: less is bent
-constexpr double kBends = 0.15;            // of a finger's reach, towards the palm
-constexpr double kBeyond = 2.0 * kDegree;  // of limits
-constexpr double kMostClamped = 0.5;       // of a motion, or of samples
+constexpr double kStraight = 0.8;          // share of a finger's reach: less is bent
+constexpr double kBends = 0.15;            // share of a finger's reach, towards the palm
+constexpr double kBeyond = 2.0 * kDegree;  // beyond limits
+constexpr double kMostClamped = 0.5;       // share of a motion, or of samples
 
 /// A hand closed by a share.
 GloveAngles closed_by(double share) {

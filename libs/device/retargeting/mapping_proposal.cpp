@@ -39,7 +39,7 @@ using geometric::RobotModel;
 constexpr std::array<const char*, kFingers> kSensorPrefixes{"Thumb", "Index", "Middle", "Ring",
                                                             "Pinkie"};
 constexpr std::array<const char*, 3> kFlexions{"MPJ", "PIJ", "DIJ"};
-constexpr double kClearlyMore = 1.2;      // of a range on one side of 0, against the other
+constexpr double kClearlyMore = 1.2;      // ratio of the ranges on both sides of 0
 constexpr double kParallel = 0.7;         // cosine of the angle between axes
 constexpr double kDifferenceStep = 1e-3;  // rad
 
@@ -486,7 +486,7 @@ namespace {
 constexpr double kLeastSpan = 5.0 * geometric::kDegree;
 constexpr double kReversed = -0.5;          // correlation with the other fingers' flexion
 constexpr std::size_t kMostLookedAt = 400;  // rows while wires are tried
-constexpr std::array<double, 4> kFitShares{0.25, 0.5, 0.75, 1.0};  // of the fit, that are tried
+constexpr std::array<double, 4> kFitShares{0.25, 0.5, 0.75, 1.0};  // shares of the fit to try
 constexpr std::size_t kLeastFlexions = 3;  // to know which of them is reversed
 
 enum class SensorKind { kFlexion, kAbduction, kSpanning };

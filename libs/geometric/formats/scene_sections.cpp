@@ -26,7 +26,7 @@ namespace handway::geometric {
 namespace {
 
 constexpr double kAroundScene = 0.5;  // m, that a base may go beyond what is in the scene
-constexpr double kRounding = 100.0;   // of bounds, per metre
+constexpr double kRounding = 100.0;   // steps of bounds per metre
 
 using Points = std::vector<Eigen::Vector3d>;
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kDeepest = 100;
 constexpr std::ptrdiff_t kMostTags = 1'000'000;
-constexpr std::ptrdiff_t kMostAttributes = 200;  // of one element
+constexpr std::ptrdiff_t kMostAttributes = 200;  // attributes of one element
 
 // Finds a node that is nested too deep or has too many attributes; else an empty node.
 pugi::xml_node find_excessive(const pugi::xml_node& root) {

@@ -19,7 +19,7 @@ using Words = std::vector<std::string_view>;
 constexpr std::size_t kFewestWords = 15;  // shorter lines are alike by chance
 constexpr std::size_t kMostWords = 80;
 constexpr std::size_t kMostLines = 2000;  // more are not compared
-constexpr std::size_t kMostKinds = 40;    // that a line is compared with
+constexpr std::size_t kMostKinds = 40;    // kinds that a line is compared with
 constexpr std::size_t kMostNamed = 5;
 
 // Lengths of the longest common subsequences of the ends of both.

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using Corners = std::array<std::uint32_t, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-constexpr double kFlat = 1e-9;  // of the size: no farther off a plane is on it
+constexpr double kFlat = 1e-9;  // share of the size: nearer points are on a plane
 
 class Hull {
  public:

@@ -17,12 +17,12 @@ namespace handway::geometric {
 namespace {
 
 constexpr double kLongestFinger = 0.4;           // m
-constexpr std::size_t kMostJointsOfWrist = 2;    // of any length
-constexpr std::size_t kMostJointsOfCompact = 3;  // of a compact one
+constexpr std::size_t kMostJointsOfWrist = 2;    // joints of any length
+constexpr std::size_t kMostJointsOfCompact = 3;  // joints of a compact wrist
 constexpr double kCompactWrist = 0.15;           // m
 constexpr double kBesideFinger = 0.03;           // m: bars of a linkage begin that near to it
 constexpr int kMostJointsOfNeck = 3;
-constexpr double kWithObject = 0.8;  // of the way between fingers: the rest is what they grasp
+constexpr double kWithObject = 0.8;  // share of fingers' distance: the rest is the object
 
 class GroupFinder {
  public:

@@ -86,7 +86,7 @@ constexpr double kLeastGain = 1e-7;        // relative fall of the cost that cou
 constexpr int kStepsWithoutProgress = 3;   // before a start is given up
 constexpr int kNearingSteps = 30;          // through the null space, at most
 constexpr double kLeastNearing = 1e-3;     // share of the distance that a step has to gain
-constexpr double kShortestNearing = 0.05;  // of a step that was asked for, before it is given up
+constexpr double kShortestNearing = 0.05;  // share of the requested step
 
 DampedLeastSquares::DampedLeastSquares(const RobotModel& model, int tip_link,
                                        const std::vector<int>& variables,

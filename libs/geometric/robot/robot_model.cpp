@@ -20,10 +20,10 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kLargestValue = 1e6;  // of a joint's limit, multiplier or offset
+constexpr double kLargestValue = 1e6;  // bound of a joint's limit, multiplier or offset
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLimitTolerance = 1e-9;  // rad or m: roundings of a file's numbers
-constexpr double kUnnoticed = 0.001;      // of a range: limits of followers have four digits
+constexpr double kUnnoticed = 0.001;      // share of a range: followers' limits have four digits
 
 [[noreturn]] void refuse(const RobotDescription& robot, const std::string& element,
                          const std::string& found, const std::string& expected,

@@ -252,8 +252,8 @@ constexpr double kRoomAround = 5e-3;      // m, between what is new and what is 
 constexpr double kLeastStep = 0.02;       // m, between places that are tried
 constexpr double kOnSupport = 2e-3;       // m
 constexpr double kSameLevelWithin = 1.0;  // m: farther away any height will do
-constexpr double kMiddlePart = 0.5;       // of a box
-constexpr double kGrowth = 1.08;          // of the rings
+constexpr double kMiddlePart = 0.5;       // share of a box
+constexpr double kGrowth = 1.08;          // factor of the rings
 
 bool overlap(const Aabb& a, const Aabb& b) {
   return (a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all();

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kLargestLink = 5.0;    // m
 constexpr double kSmallestLink = 5e-4;  // m
-constexpr double kSizeRatio = 50.0;     // of what is seen and what collides
-constexpr std::size_t kMostPairs = 5;   // that are named as reasons of collisions
+constexpr double kSizeRatio = 50.0;     // ratio of visual and collision sizes
+constexpr std::size_t kMostPairs = 5;   // pairs named as reasons of collisions
 
 std::optional<double> size_of(const Link& link) {
   const TriangleMesh mesh = collision_mesh(link);

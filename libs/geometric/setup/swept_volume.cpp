@@ -15,9 +15,9 @@ namespace {
 using Cell = Eigen::Vector3i;
 using Key = std::uint64_t;
 
-constexpr int kBits = 20;  // of a coordinate in a key
+constexpr int kBits = 20;  // bits of a coordinate in a key
 constexpr int kMiddle = 1 << (kBits - 1);
-constexpr double kSpacing = 0.7;  // of surface points, in cells
+constexpr double kSpacing = 0.7;  // spacing of surface points, in cells
 constexpr int kSmoothings = 4;
 constexpr double kStill = 1e-4;  // m
 

@@ -20,11 +20,11 @@ constexpr double kHumanLikenessWeight = 21.0;
 constexpr double kShortMotion = 0.25;  // a shorter one counts as this
 constexpr double kClearanceWeight = 4.0;
 constexpr double kDurationWeight = 1.0;
-constexpr double kTieBreak = 0.01;  // of length, where it is not the objective
+constexpr double kTieBreak = 0.01;  // weight of length, if it is not the objective
 
 constexpr double kClearanceSpacing = 0.05;  // between distance queries of a cost
 constexpr double kQualitySpacing = 0.02;    // between those of path_quality(), and its postures
-constexpr double kEndSlope = 0.5;           // of an end's stretch, see path_quality()
+constexpr double kEndSlope = 0.5;           // slope of an end's stretch, see path_quality()
 
 // Distance from obstacles, m, at most kFarClearance. Fingers of one hand are always near each
 // other.

@@ -21,7 +21,7 @@ void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& othe
 constexpr double kMost = 0.6;  // share of the rejections that a stretch has to hold
 constexpr int kNearEnd = 3;    // tenths of the motion
 constexpr std::size_t kMostPairs = 3;
-constexpr double kLeastShare = 0.1;  // of the rejections, for a pair to be named
+constexpr double kLeastShare = 0.1;  // share of the rejections, for a pair to be named
 constexpr double kBoxedIn = 0.02;    // share of all nodes that connect to an end
 constexpr std::uint64_t kManyNodes = 200;
 

@@ -28,12 +28,12 @@ using geometric::PoseGoalMiss;
 using geometric::RobotInstance;
 using geometric::Scene;
 
-constexpr int kMostCandidates = 6;          // of one pose
-constexpr int kStarts = 80;                 // of the iterations for one pose
-constexpr int kSpreadStarts = 800;          // the same, where the robot is in collision after these
+constexpr int kMostCandidates = 6;          // candidates of one pose
+constexpr int kStarts = 80;                 // starts of the iterations for one pose
+constexpr int kSpreadStarts = 800;          // more starts, if all of these collide
 constexpr double kInside = 0.99;            // share of the tolerance that is used
 constexpr double kRounding = 1e-6;          // m and rad
-constexpr std::size_t kMostNamedPairs = 3;  // that a message names
+constexpr std::size_t kMostNamedPairs = 3;  // pairs that a message names
 
 PoseGoalMiss miss_at(const Scene& scene, const PoseGoal& goal, const Configuration& q) {
   const RobotInstance& robot = scene.robots.front();

@@ -33,8 +33,8 @@ constexpr const char* kWhat = "a path: a table with the names of joints above it
 constexpr double kSlack = 1e-3;              // rad, of limits that degrees fit in
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
 constexpr double kJump = 1.0;                // rad: far above rounding, far below a turn
-constexpr std::size_t kMostNamed = 6;        // of joints at rest; of more
-constexpr std::size_t kFirstNamed = 3;       // these
+constexpr std::size_t kMostNamed = 6;        // most joints at rest to name; of more, …
+constexpr std::size_t kFirstNamed = 3;       // … the first ones
 
 /// The link moved by the moving joint of this name; nothing without such a joint.
 std::optional<int> moving_link(const RobotModel& model, std::string_view name) {

@@ -18,15 +18,15 @@ constexpr double kWaypoint = 5e-3;    // and for each waypoint that it adds; rob
 constexpr std::size_t kManyWaypoints = 16;  // a path of more is pruned before all else
 constexpr double kSame = 1e-6;              // points of a path nearer than this are one
 constexpr double kRemovals = 0.3;     // share of waypoints that are taken out instead of moved
-constexpr double kLargestMove = 0.2;  // of a waypoint
+constexpr double kLargestMove = 0.2;  // move of a waypoint
 constexpr double kSmallestMove = 0.005;
-constexpr double kLookSpacing = 0.1;  // of configurations looked at before a motion is certified
+constexpr double kLookSpacing = 0.1;  // configurations checked before certification
 constexpr int kRound = 64;            // replacements that are drawn before the best is tried
 
 // For smooth_result().
-constexpr std::uint64_t kWaypoints = 16;  // that a number of checks is for
-constexpr double kDistance = 0.01;        // of the hand from the subspace, that is worth a round
-constexpr double kDetour = 1.5;           // that is worth rounds, as long as …
+constexpr std::uint64_t kWaypoints = 16;  // waypoints per number of checks
+constexpr double kDistance = 0.01;        // distance of the hand from the subspace per round
+constexpr double kDetour = 1.5;           // least detour for more rounds, as long as …
 constexpr double kShorter = 0.95;         // … each brings the cost to this share or less
 
 Point between(const Point& from, const Point& to, double share) {

@@ -28,7 +28,7 @@ constexpr int kBisections = 3;
 constexpr double kInside = 0.02;  // a hand nearer to the subspace needs no entry
 constexpr int kEntries = 3;       // tried at each place
 constexpr std::array<double, 4> kRetreats = {0.0, 0.05, 0.12, 0.25};  // normalised joints
-constexpr std::uint64_t kMostChecks = 60;                             // of one motion
+constexpr std::uint64_t kMostChecks = 60;                             // checks of one motion
 
 // Finds by bisection the free point nearest to `at` on the line to `at` moved by `step`.
 Point nearest_free(PlanningContext& context, const Objective& objective, const Point& at,

@@ -11,7 +11,7 @@
 namespace handway::planning {
 namespace {
 
-constexpr int kCandidates = 12;       // of which the least expanded node is expanded
+constexpr int kCandidates = 12;       // nodes, of which the least expanded is expanded
 constexpr double kRefinement = 0.25;  // share of a step that is tried after it
 constexpr double kLeastGain = 0.1;    // share of a step that has to be gained
 constexpr int kLeastRefinements = 1;  // with constraints: long steps cut across what bends

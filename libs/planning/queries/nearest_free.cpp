@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFirstShell = geometric::radians(0.1);
 constexpr double kGrowth = 4.0 / 3.0;
-constexpr int kDirections = 60;  // of each group of variables, per shell
+constexpr int kDirections = 60;  // directions of each group of variables, per shell
 constexpr int kSteps = 400;      // random ones, drawing back
 constexpr double kPrecision = geometric::radians(0.01);
 

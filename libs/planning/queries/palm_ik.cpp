@@ -19,8 +19,8 @@ using geometric::RobotModel;
 
 constexpr std::ptrdiff_t kPoseFreedoms = 6;
 constexpr double kBend = 0.05;    // rad
-constexpr int kMostPostures = 4;  // of an arm without closed form
-constexpr double kBetter = 0.9;   // of the distance that is left, or it is not worth a jump
+constexpr int kMostPostures = 4;  // postures of an arm without closed form
+constexpr double kBetter = 0.9;   // share of the remaining distance that justifies a jump
 
 std::vector<int> ancestors(const RobotModel& model, int link) {
   std::vector<int> chain;

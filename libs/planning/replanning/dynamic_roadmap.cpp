@@ -22,7 +22,7 @@
 namespace handway::planning {
 namespace {
 
-constexpr double kProbeSpacing = 0.05;  // of configurations looked at before an edge is checked
+constexpr double kProbeSpacing = 0.05;  // configurations tested before an edge is checked
 constexpr double kBackOff = 0.1;        // from what cuts an edge to where the detour begins
 // Limits of checked configurations: in search of a path over edges never checked before, each time;
 // for a detour around an obstacle, before planning from scratch; and in smoothing.

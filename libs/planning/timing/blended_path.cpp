@@ -216,7 +216,7 @@ const PathPiece& BlendedPath::piece_at(double s) const {
 namespace {
 
 constexpr double kLeastDeviation = 1e-4;  // rad or m: smaller arcs save no time
-constexpr double kLeastAdvance = 0.05;    // of an arc's clearance: what has to be spare
+constexpr double kLeastAdvance = 0.05;    // share of an arc's clearance that has to be spare
 
 void check_waypoints(const PlanningProblem& problem, const Path& path) {
   const geometric::RobotModel& model = problem.model();

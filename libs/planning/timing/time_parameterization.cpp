@@ -21,7 +21,7 @@ using Knot = TimeParameterization::Knot;
 constexpr int kCellsOfStraight = 200;  // at most
 constexpr int kLeastCellsOfStraight = 4;
 constexpr int kLeastCellsOfArc = 8;
-constexpr double kCellsOfPath = 2000.0;  // of all straight parts, in proportion to their lengths
+constexpr double kCellsOfPath = 2000.0;  // cells of all straight parts, by their lengths
 constexpr double kArcOfCell = std::numbers::pi / 360.0;  // rad
 
 /// A stretch of the grid: derivatives of the joints at its ends.

@@ -105,7 +105,7 @@ namespace {
 
 using geometric::RobotModel;
 
-constexpr double kRateTolerance = 1e-3;  // of a limit
+constexpr double kRateTolerance = 1e-3;  // share of a limit
 constexpr double kRest = 1e-6;           // rad/s or m/s
 
 class Check {

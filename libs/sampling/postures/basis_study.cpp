@@ -15,7 +15,7 @@
 namespace handway::sampling {
 namespace {
 
-constexpr int kLengths = 5;                  // of recordings: all, half of it, …
+constexpr int kLengths = 5;                  // lengths of recordings: all, half of it, …
 constexpr Eigen::Index kMostTested = 20000;  // rows that are reconstructed
 constexpr double kMostShare = 0.95;
 

@@ -169,7 +169,7 @@ PrincipalComponents IncrementalComponents::components(const std::vector<int>& le
 
 namespace {
 
-constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
+constexpr double kMedianToDeviation = 1.4826;  // factor for a normal distribution
 constexpr int kMostSteps = 100;
 constexpr double kKept = 0.975;  // quantile of χ²
 

@@ -12,7 +12,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kRounding = 2e-6;  // of the coordinates: more than single precision can be off
+constexpr double kRounding = 2e-6;  // share of the coordinates: bound of rounding
 constexpr double kNear = 10.0;      // m: the same for all below
 
 using FloatBox = Eigen::AlignedBox3f;

@@ -7,7 +7,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr int kFaces = 3;  // of a box that have axes of their own
+constexpr int kFaces = 3;  // faces of a box with distinct axes
 
 struct PlacedBox {
   const Pose& X_WBody;

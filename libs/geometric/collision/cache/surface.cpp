@@ -104,10 +104,10 @@ namespace {
 
 constexpr double kSmallestLeaf = 0.002;   // m: spheres are split until they are this small, …
 constexpr double kMostLeaves = 5000.0;    // … or as small as makes about so many
-constexpr double kHullMargin = 0.005;     // of the size
-constexpr std::size_t kCells = 1U << 12;  // of a field, …
+constexpr double kHullMargin = 0.005;     // share of the size
+constexpr std::size_t kCells = 1U << 12;  // cells of a field, …
 constexpr std::size_t kCellsOfPlain = 1U << 16;  // … and where they are soon made,
-constexpr std::size_t kPlain = 200;              // that is, of meshes with fewer triangles
+constexpr std::size_t kPlain = 200;              // meshes with fewer triangles
 constexpr std::size_t kLarge = 100'000;  // triangles: of more, volumes grow where queries come
 
 CacheKey key_of(const TriangleMesh& mesh) {

@@ -24,7 +24,7 @@ constexpr double kFineEnough = 0.0005;  // m: spheres need not be finer than thi
 constexpr int kQuickNodes = 16;         // nodes of spheres that a bound is worth …
 constexpr int kThorough = 1 << 20;      // … and that one to be remembered is
 constexpr std::size_t kPlainer = 8;     // times fewer triangles
-constexpr float kTiny = 0.4F;           // of the other body's size
+constexpr float kTiny = 0.4F;           // share of the other body's size
 
 }  // namespace
 

@@ -15,7 +15,7 @@ constexpr double kWorthExact = 0.0005;
 // size. A pair that needs more waits for shorter stretches.
 constexpr double kLikelyGain = 0.4;
 
-constexpr double kShy = 1.0 - 1e-6;  // of what an answer may be off: the rest is for rounding
+constexpr double kShy = 1.0 - 1e-6;  // share of a tolerance: the rest is for rounding
 
 // Growth of a pair's resolution, and of its margin, per distance moved from an end.
 constexpr double kGrowth = 0.01;

@@ -13,7 +13,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr std::size_t kVectorWidth = 16;  // of the vectors
+constexpr std::size_t kVectorWidth = 16;  // floats in a vector
 constexpr int kLongestSearch = 64;        // steps towards one vertex
 constexpr int kPlanes = 4;                // tried between two hulls
 

@@ -14,8 +14,8 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // of the size: vertices that are where a primitive has them
-constexpr float kRadiusRounding = 2e-6F;  // of a radius: more than single precision loses
+constexpr double kSamePlace = 1e-9;       // share of the size: same place as a primitive's
+constexpr float kRadiusRounding = 2e-6F;  // share of a radius: bound of rounding
 
 // Returns the box corner at each vertex, one bit per axis; nothing if a vertex is not a corner.
 std::optional<std::vector<unsigned>> corner_numbers(const TriangleMesh& mesh, const Aabb& box) {

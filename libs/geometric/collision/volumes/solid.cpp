@@ -19,10 +19,10 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kBoxRounding = 1e-14;        // of the coordinates
+constexpr double kBoxRounding = 1e-14;        // share of the coordinates
 constexpr std::size_t kSoonPrepared = 50000;  // triangles
 constexpr int kGridCells = 64;                // along the longest edge of the box
-constexpr double kGridHair = 1e-6;  // of a cell's edge: the surface enters cells that are as near
+constexpr double kGridHair = 1e-6;            // share of a cell's edge: cells this near are entered
 
 bool is_in(const Aabb& box, const Eigen::Vector3d& p) {
   return (p.array() >= box.lower.array()).all() && (p.array() <= box.upper.array()).all();

@@ -16,8 +16,8 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kEdge = 1.5;       // of a leaf's radius: longer edges are cut
-constexpr double kNodeEdge = 0.25;  // of a node's radius: the same, for the spheres below it
+constexpr double kEdge = 1.5;       // multiple of a leaf's radius: longer edges are cut
+constexpr double kNodeEdge = 0.25;  // share of a node's radius, for the spheres below it
 
 // Part of a triangle that a sphere has to contain.
 struct Piece {

@@ -121,7 +121,7 @@ float TriangleBlock::distance(const Eigen::Vector3f& p) const {
 
 namespace {
 
-constexpr float kTreeRounding = 2e-6F;  // of the coordinates: more than single precision loses
+constexpr float kTreeRounding = 2e-6F;  // share of the coordinates: bound of rounding
 constexpr float kPastLast = -1e30F;     // half a box that no point is near to
 
 struct TreePiece {
