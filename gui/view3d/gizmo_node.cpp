@@ -136,7 +136,7 @@ GizmoDrag::GizmoDrag(const GizmoHandle& handle, const GizmoFrame& frame, const P
       break;
     case GizmoHandle::Kind::kRing:
       if (std::abs(ray.direction.dot(axis)) < kEdgeOn) {
-        // Seen from the side a ring is pulled along like a rope.
+        // A ring that is seen from the side is pulled along like a rope.
         const Vector3d towards = -(ray.direction - ray.direction.dot(axis) * axis).normalized();
         held_ = frame_.centre + GizmoFrame::kRingRadius * frame_.size * towards;
         tangent_ = axis.cross(towards);

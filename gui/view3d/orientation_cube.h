@@ -77,7 +77,7 @@ struct CubeDirection {
 /// @param azimuth of the camera now; from above and below it turns to the nearest quarter.
 [[nodiscard]] CubeDirection direction_of(const CubePart& part, double azimuth);
 
-/// The faces that meet at a part, for people: "Top, front".
+/// Returns the names of the faces that meet at a part, for display: "Top, front".
 [[nodiscard]] std::vector<const char*> face_names(const CubePart& part);
 
 /// A small cube in a corner of a 3-D view that turns as the view does. A click on a face, an edge

@@ -68,7 +68,8 @@ void add_veil(SoSeparator& parent, const geometric::Shape& shape, const geometri
   parent.addChild(veil);
 }
 
-// Its apex at the body's origin. What allows more than a right angle has no cone.
+// Adds a cone with its apex at the body's origin. A constraint that allows more than a right angle
+// has no cone.
 void add_cone(SoSeparator& parent, const geometric::OrientationConstraint& upright,
               const geometric::Pose& X_WB) {
   const Eigen::Vector3d direction = upright.direction.normalized();

@@ -31,7 +31,7 @@ struct Frontier {
   std::vector<std::string> colliding;
 };
 
-/// Something to draw, for those who need not know Coin.
+/// Something to draw, in an interface without Coin.
 class Drawing {
  public:
   // A drawing can be made of nothing, or of a node of a known kind.
@@ -88,9 +88,9 @@ enum class PoseReached { kUnknown, kYes, kNo };
 [[nodiscard]] Drawing make_reach_node(const Eigen::Vector3d& target, const Eigen::Vector3d& tool,
                                       bool reached);
 
-/// The scene's constraints as they are for the first robot at `q`: a cone about the direction that
-/// an axis has to keep to, with the axis in it; a box that a point has to stay in, with the point.
-/// What is violated is red.
+/// Draws the scene's constraints for the first robot at `q`: a cone about the direction that an
+/// axis has to keep to, with the axis in it; a box that a point has to stay in, with the point.
+/// Violated constraints are red.
 [[nodiscard]] Drawing make_constraints_node(const geometric::Scene& scene,
                                             const geometric::Configuration& q);
 

@@ -244,7 +244,7 @@ using geometric::Pose;
 
 namespace {
 
-// A plane, off at first. What is cut open is seen from inside.
+// Makes a section plane, off at first. Cut objects are seen from inside.
 CoinRef<SoSwitch> make_section() {
   auto section = make_coin<SoSwitch>();
   section->addChild(new SoClipPlane);

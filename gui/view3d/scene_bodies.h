@@ -63,7 +63,7 @@ class StillSplit {
   /// Looks which links have moved. @returns whether one has that had not before.
   bool note_motion(const RobotNode& robot);
 
-  /// Has the link moved, as far as has been noted?
+  /// Returns whether the link has moved, as far as has been noted.
   [[nodiscard]] bool moves(int link) const;
 
   /// Lists the drawings again. @param still, moving what else belongs to either.
@@ -91,7 +91,7 @@ class ObjectNode {
 
   [[nodiscard]] SoSeparator* root() const { return root_.get(); }
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// Is this what `object` looks like, wherever it is?
+  /// Returns whether this is a drawing of `object`, wherever it is.
   [[nodiscard]] bool draws(const geometric::SceneObject& object) const;
 
   void place(const geometric::Pose& X_WO);

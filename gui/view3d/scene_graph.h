@@ -114,7 +114,7 @@ class SceneGraph {
   [[nodiscard]] std::array<const Ghost*, kGhosts> ghosts() const {
     return {&start_, &goal_, &from_start_, &from_goal_, &traces_};
   }
-  /// Is there a selection to draw a line around?
+  /// Returns whether there is a selection to draw a line around.
   [[nodiscard]] bool has_marks() const { return outline_.is_shown(); }
   /// Draws the line around the selection and, if asked, the gizmo, in front of everything.
   void render_marks(SoGLRenderAction& action, bool with_gizmo, float pixel_ratio);

@@ -82,7 +82,7 @@ class ScenePainter {
   explicit ScenePainter(SceneGraph& graph);
   ~ScenePainter();
 
-  /// Something looks different that stood still.
+  /// Discards the picture of fixed bodies, one of which looks different.
   void invalidate() { kept_.reset(); }
   /// @param target the frame buffer to paint on.
   void paint(const PictureFrame& frame, bool fast, unsigned target);

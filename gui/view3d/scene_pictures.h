@@ -41,14 +41,14 @@ class ScenePictures {
 
   /// Has such a picture drawn, and doesn't wait for it.
   void begin(const geometric::Configuration& q, const OrbitCamera& camera, const QSize& size);
-  /// Is what was begun drawn?
+  /// Returns whether the picture that was begun is drawn.
   [[nodiscard]] bool is_drawn();
   /// Returns the picture that was begun, and waits for it if it isn't drawn yet.
   [[nodiscard]] QImage take();
 
  private:
   void make_buffers(const QSize& pixels);
-  /// Passed when all that was asked for so far is drawn.
+  /// Sets a fence that is passed when all requests so far are drawn.
   void set_fence();
   void drop_fence();
   void resolve();

@@ -495,7 +495,7 @@ bool SceneView::event(QEvent* event) {
   return QOpenGLWidget::event(event);
 }
 
-// Asked twice of each key: whether it is one of a drag's, and then to act.
+// Called twice for each key: first to find whether it is one of a drag's, and then to act.
 bool SceneView::take_drag_key(const QKeyEvent& key, bool is_press) {
   switch (key.key()) {
     case Qt::Key_Escape:

@@ -34,10 +34,10 @@ struct OpeningView {
   std::optional<Eigen::Vector3d> section = std::nullopt;
 };
 
-/// Looks across the task, obliquely, from where much of the robots is seen past shelves and the
-/// walls of cages; what is of interest fits in. Where objects close them in, roof and all: from
-/// where much of them is seen once that is cut open.
-/// @param camera its projection is kept. @param aspect width by height.
+/// Looks across the task, obliquely, with much of the robots visible past shelves and the walls of
+/// cages, and all of interest in view. If objects enclose the robots on all sides, the view shows
+/// them behind a section plane. @param camera its projection is kept. @param aspect width by
+/// height.
 [[nodiscard]] OpeningView open_view(const geometric::Scene& scene, const OrbitCamera& camera,
                                     double aspect);
 

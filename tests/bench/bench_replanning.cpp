@@ -15,7 +15,7 @@
 namespace handway::planning {
 namespace {
 
-/// Away from where it stands and back, so that a drag can go on for ever.
+/// Moves away from its place and back, so that a drag can go on for ever.
 struct Drag {
   std::string scene;
   std::string object;

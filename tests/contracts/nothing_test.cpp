@@ -1,5 +1,5 @@
-/// Scenes of which something is empty: no bodies, no pairs, no joints, no objects, no hand. What is
-/// asked of them has an answer, or one clear message.
+/// Tests scenes in which something is empty: no bodies, no pairs, no joints, no objects, no hand.
+/// Every query of them has an answer, or one clear message.
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"

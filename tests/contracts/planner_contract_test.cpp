@@ -53,7 +53,7 @@ std::unique_ptr<Planner> planner_with(const std::string& name, const std::string
   return planner;
 }
 
-/// Remembers what it was told.
+/// Records its notifications.
 class Recorder : public Observer {
  public:
   void on_node(const NodeEvent& node) override {

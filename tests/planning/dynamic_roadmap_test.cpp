@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 Pose at(double x, double y) { return Pose(Eigen::Translation3d(x, y, 0.0)); }
 
-// Judged by a checker made for the scene as it is, on all pairs.
+// Checks the result with a checker made for the present scene, on all pairs.
 void expect_valid(DynamicRoadmap& roadmap, const PlanResult& result) {
   ASSERT_TRUE(result.solved()) << result.reason;
   const PlanningProblem problem = [&] {
@@ -215,7 +215,7 @@ TEST_F(MovingPost, PlansOverAllJointsWithoutABasis) {
   expect_valid(roadmap, roadmap.plan(request_));
 }
 
-/// Remembers what it was told.
+/// Records its notifications.
 class Recorder : public Observer {
  public:
   void on_node(const NodeEvent& node) override { EXPECT_TRUE(nodes.insert(node.id).second); }

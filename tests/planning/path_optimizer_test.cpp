@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kCheckResolution = 1e-3;  // m
 
-/// The post in the way of the flat arm, with fingers that spread together in the subspace; start
-/// and goal are outside of it.
+/// A post that blocks the flat arm, with fingers that spread together in the subspace; start and
+/// goal are outside of it.
 PlanningProblem problem_outside_of_subspace() {
   PlanningProblem problem = test::post_problem();
   sampling::PmdBasis basis = test::planar_hand_basis();

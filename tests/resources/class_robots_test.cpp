@@ -23,9 +23,9 @@ using Names = std::vector<std::pair<std::string, std::string>>;
 
 struct Published {
   std::string robot;  ///< Ours.
-  std::string file;   ///< Theirs, in the folder of reference data.
+  std::string file;   ///< File in the folder of reference data.
   std::string root;   ///< Their link that is where our root link is.
-  Names joints;       ///< Theirs, and ours that has the same value.
+  Names joints;       ///< Reference joint, and ours of the same value.
   Names frames;       ///< Flange or fingertips: theirs, ours.
 };
 

@@ -90,7 +90,7 @@ TEST_F(ReferenceHandArm, EndsFingersWhereTheirMeshesEnd) {
   }
 }
 
-/// A copy of a published robot's folder, to be changed as other people's folders differ.
+/// A copy of a published robot's folder, to be varied like the folders of users.
 class ReferenceRobot : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {

@@ -527,7 +527,7 @@ Devices emulated_devices(const PlanningProblem& problem, const Configuration& st
   return devices;
 }
 
-/// A scene's problem, made when somebody needs it first: not in the loop that drives the devices.
+/// A scene's problem, made at its first use: not in the loop that drives the devices.
 class LaterProblem {
  public:
   LaterProblem(Scene scene, std::shared_ptr<const sampling::PmdBasis> basis)
@@ -598,7 +598,8 @@ class Witness final : public execution::MotionObserver {
 
   [[nodiscard]] double longest_stall() const { return longest_stall_; }
 
-  /// Did a joint move in collision, later than kReaction after the edit and the loop's stalls?
+  /// Returns whether a joint moved in collision, later than kReaction after the edit and the loop's
+  /// stalls.
   [[nodiscard]] bool saw_collision() {
     std::shared_ptr<LaterProblem> of;
     std::unique_ptr<Reference> reference;

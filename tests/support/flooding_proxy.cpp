@@ -43,7 +43,7 @@ void close_both(int& host, int& device) {
   device = -1;
 }
 
-/// Hands on what there is. @param to -1: nobody. @returns it; nothing if one end is gone.
+/// Passes on the bytes that are there. @param to -1: none. @returns it; nothing if one end is gone.
 std::optional<std::string> pass(int from, int to) {
   std::string bytes(65536, '\0');
   const ssize_t count = ::recv(from, bytes.data(), bytes.size(), MSG_DONTWAIT);

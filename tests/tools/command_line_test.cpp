@@ -101,7 +101,7 @@ TEST_F(Handway, NamesAnUnknownCommand) {
   EXPECT_THAT(run.err, AllOf(HasSubstr("unknown command \"grasp\""), HasSubstr("--help")));
 }
 
-// For whoever has to find out what went wrong elsewhere.
+// The saved problems help to analyse errors of other users.
 TEST_F(Handway, KeepsTheProblemsThatItPlansWhereAsked) {
   ::setenv("HANDWAY_LOG_PROBLEMS", (line_.folder() / "log").c_str(), 1);
   const Outcome plan = line_.run("plan post.yaml --seed 3 --set smoothing_checks=50 --out a.csv");

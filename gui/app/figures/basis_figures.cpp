@@ -186,7 +186,7 @@ OrbitCamera::Placement in_front_of_the_palm() {
 // -1 … 1: part of the half side at a step.
 double part(int step) { return 2.0 * step / (kSteps - 1) - 1.0; }
 
-// e = part · λ as people write it.
+// Returns e = part · λ in the usual notation.
 QString part_text(int step) {
   static const std::array<const char*, kSteps> kTexts{"−λ", "−λ/2", "0", "λ/2", "λ"};
   return QString::fromUtf8(kTexts.at(static_cast<std::size_t>(step)));

@@ -16,7 +16,7 @@ namespace handway::gui {
 
 /// Direction of the camera of a film strip.
 enum class FilmView {
-  kTask,  ///< Still, so that it sees all that the robot does.
+  kTask,  ///< Fixed, with all motions of the robot in view.
   kHand,  ///< Close, and going along with the palm.
 };
 

@@ -24,11 +24,11 @@ class PathPlayer;
 class Workbench;
 struct SceneState;
 
-/// Everything in the program's windows that stops the robot: keys that no dialog, popup or text
-/// field keeps for itself, and a STOP button in the main window and along the top of every dialog,
-/// whoever makes it and whenever. Buttons stop when they are pressed, not when they are released.
+/// Controls of the program's windows that stop the robot: keys that no dialog, popup or text field
+/// keeps for itself, and a STOP button in the main window and along the top of every dialog, also
+/// of later ones. Buttons stop when they are pressed, not when they are released.
 ///
-/// Native dialogs and menu bars would show none of this: from its constructor on the program uses
+/// Native dialogs and menu bars can't show the button: from the constructor on the program uses
 /// Qt's own.
 class StopControls : public QObject {
   Q_OBJECT

@@ -183,7 +183,7 @@ namespace {
 using State = MotionDriver::State;
 
 constexpr int kMargin = 12;
-constexpr double kCautiousSpeed = 0.1;  // until somebody asks for more
+constexpr double kCautiousSpeed = 0.1;  // until the user sets a higher speed
 constexpr double kLeastSpeed = 0.01;
 
 QLabel* make_text(const char* name) {

@@ -61,8 +61,8 @@ class MotionDeviceField : public QComboBox {
   QString kind_;
 };
 
-/// Connects to an arm and a hand, shows what a motion on them would be, runs it and shows
-/// how it went. What the buttons do is the session's.
+/// Panel to connect to an arm and a hand, preview a motion on them, run it, and show its result.
+/// The session carries out the commands of the buttons.
 class DevicesPanel : public QWidget {
   Q_OBJECT
 

@@ -33,7 +33,7 @@ class ArrayCard : public FloatingCard {
   void begin(const QString& objects, const geometric::Aabb& box);
   /// Returns the motions that make the copies. @param p_W the middle of what is copied.
   [[nodiscard]] std::vector<geometric::Pose> motions(const Eigen::Vector3d& p_W) const;
-  /// Are original and copies to be a group?
+  /// Returns whether original and copies become a group.
   [[nodiscard]] bool groups() const;
   /// Says how many objects there will be more; above `most` there are none.
   void show_count(int count, int most);

@@ -27,7 +27,7 @@ class GoalPoseForm : public QWidget {
   void show_goal(const geometric::RobotModel& model, const geometric::PoseGoal& goal);
 
  signals:
-  /// A person has changed it. Where the goal is stays as it was shown.
+  /// Emitted after the user has changed the goal. Its pose is exactly the one that was shown.
   void goal_edited(const handway::geometric::PoseGoal& goal);
 
  private:

@@ -66,7 +66,7 @@ class SceneEditing : public QObject {
   [[nodiscard]] SceneTree& tree() const { return *tree_; }
   [[nodiscard]] PropertiesPanel* properties() const { return properties_; }
 
-  /// Adds a mesh from a file. Where that fails, failed() says so.
+  /// Adds a mesh from a file, or emits failed().
   void add_mesh(const QString& file);
   /// Takes objects that are dragged from the tree into the view.
   bool eventFilter(QObject* watched, QEvent* event) override;

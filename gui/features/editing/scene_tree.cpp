@@ -172,7 +172,7 @@ void SceneTree::dropEvent(QDropEvent* event) {
   if (const auto onto = drop_place(event->pos())) {
     emit objects_dropped(dragged_objects(*event->mimeData()), *onto);
   }
-  event->setDropAction(Qt::CopyAction);  // rows are moved by whoever edits the scene
+  event->setDropAction(Qt::CopyAction);  // the scene's editor moves the rows
   event->accept();
   stopAutoScroll();
   setState(NoState);

@@ -37,7 +37,7 @@ class SceneTree : public QTreeWidget {
   void refresh_icons();
 
  signals:
-  /// Something that is no object.
+  /// Emitted with an item that is not an object.
   void item_selected(const handway::gui::SceneItem& item);
   /// Emitted with the objects whose rows, or whose group's rows, are selected; the last one clicked
   /// is the last.

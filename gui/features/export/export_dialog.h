@@ -86,8 +86,9 @@ class MotionPreview : public QWidget {
   std::vector<planning::ExportedFile> files_;
 };
 
-/// Exports a path for a controller: format, timing, a preview of all that would be written, and
-/// the folder. What fails the pre-flight can't be exported, nor what was timed before an edit.
+/// Dialog to export a path for a controller: format, timing, a preview of the files, and the
+/// folder. Motions that fail the pre-flight check, or that were timed before an edit, can't be
+/// exported.
 class ExportDialog : public QDialog {
   Q_OBJECT
 

@@ -180,7 +180,7 @@ QString write_png(const QImage& picture, const QString& path) {
 
 }  // namespace
 
-/// The folder of the parts, and whoever waits for them.
+/// The folder of the parts, and the functions that wait for them.
 class FrameFolder::Parts {
  public:
   Parts(FrameFolder& owner, const QString& folder)

@@ -37,7 +37,7 @@ class FilmSink : public QObject {
   Q_OBJECT
 
  public:
-  /// May another picture be added, or would it have to wait?
+  /// Returns whether another picture can be added without waiting.
   [[nodiscard]] virtual bool has_room() const { return true; }
   virtual void add(const QImage& picture) = 0;
   /// All pictures are there; done() or failed() follows.

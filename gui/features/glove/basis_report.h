@@ -50,7 +50,7 @@ class BasisReportView : public QWidget {
  public:
   explicit BasisReportView(QWidget* parent = nullptr);
 
-  /// @param input nothing: there is nothing to report of. @param reason why, for people.
+  /// @param input nothing: there is nothing to report. @param reason the displayed reason.
   void set_input(std::optional<BasisStudyInput> input, const QString& reason);
   /// Returns the report that is shown, as rich text.
   [[nodiscard]] QString text() const;

@@ -54,10 +54,10 @@ class BonesForm : public QWidget {
   std::vector<QDoubleSpinBox*> lengths_;  ///< Finger by finger.
 };
 
-/// Leads a person through the postures of a calibration: shows each as a picture, reads the glove
-/// while it is held, and fits the calibration, which is saved under the person's name with how far
-/// the joints go and how long the bones are. Of a source that measures angles itself it finds the
-/// latter two.
+/// Guides a person through the postures of a calibration: shows each as a picture, reads the glove
+/// while it is held, and fits the calibration, which is saved under the person's name with the
+/// ranges of the joints and the lengths of the bones. For a source that measures angles itself it
+/// finds only ranges and bones.
 class CalibrationGuide : public QWidget {
   Q_OBJECT
 

@@ -101,7 +101,7 @@ class CombinationSquares : public QWidget {
   FingerCombinations combinations_;
 };
 
-/// A joint's name for people: "ring_abduction" is "Ring abduction".
+/// Returns the displayed name of a joint: "ring_abduction" is "Ring abduction".
 [[nodiscard]] QString joint_label(const std::string& joint);
 
 /// A row a joint: its range with the visited parts filled, where it is now, and how

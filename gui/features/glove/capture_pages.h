@@ -150,11 +150,11 @@ class CapturePages : public QObject {
   LatestJob comparing_;
 };
 
-/// Recordings as postures normalised to [0, 1]: those of a glove through calibration and mapping or
-/// retargeting, those of the robot hand's own joints as they are.
+/// Reads recordings as postures normalised to [0, 1]: those of a glove through calibration and
+/// mapping or retargeting, those of the robot hand's own joints as they are.
 /// @param left_out as for CapturedPostures.
-/// @param hand whose joints those are.
-/// @param stop nobody waits for them any more.
+/// @param hand that has the joints.
+/// @param stop requested if the result is not needed any more.
 /// @throws geometric::InputError if one can't be read or lacks a sensor.
 [[nodiscard]] PostureRecordings read_postures(const std::vector<std::filesystem::path>& files,
                                               const device::GloveCalibration& calibration,

@@ -21,7 +21,7 @@ constexpr int kMostRecent = 6;
 
 QString key() { return QStringLiteral("glove/recent"); }
 
-// "usb-FTDI_FT232R_USB_UART_A50285BI-if00-port0" for people.
+// Returns the displayed name of "usb-FTDI_FT232R_USB_UART_A50285BI-if00-port0".
 QString adapter_name(QString id) {
   id.remove(QStringLiteral("usb-"));
   id.truncate(id.indexOf(QStringLiteral("-if")) < 0 ? id.size()

@@ -13,7 +13,7 @@ namespace handway::gui {
 /// A serial port that a glove may be on.
 struct GlovePort {
   QString path;   ///< To be opened: "/dev/ttyUSB0".
-  QString label;  ///< For people: with the adapter's name if the system knows it.
+  QString label;  ///< Displayed, with the adapter's name if the system knows it.
 };
 
 /// Serial ports of USB adapters and Bluetooth (ttyUSB*, ttyACM*, rfcomm*), each once; those with a

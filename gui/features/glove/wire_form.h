@@ -62,11 +62,11 @@ class CurveView : public QWidget {
   std::optional<std::size_t> dragged_;
 };
 
-/// A number as people write it: "-0.5" or "-1/3". Nothing if it is none.
+/// Parses a number in the usual notation: "-0.5" or "-1/3". Returns nothing if it is none.
 [[nodiscard]] std::optional<double> parse_ratio(const QString& text);
 
-/// A curve as people write it: "0:-4, 45:-52" are pairs of sensor and joint in degrees.
-/// Nothing if it is none: fewer than two pairs, or angles that don't rise.
+/// Parses a curve: "0:-4, 45:-52" are pairs of sensor and joint in degrees. Returns nothing if it
+/// is none: fewer than two pairs, or angles that don't rise.
 [[nodiscard]] std::optional<std::vector<device::CurvePoint>> parse_curve(const QString& text);
 [[nodiscard]] QString curve_text(const std::vector<device::CurvePoint>& curve);
 

@@ -38,7 +38,7 @@ class PlanPanel : public QWidget {
   void enter(const char* key, double value);
   /// Puts something below the parameters.
   void add_section(QWidget* section);
-  /// Why the path that was found is not valid in the scene as it is; empty: it is.
+  /// Shows the reason why the path is not valid in the present scene; empty: it is valid.
   void show_validity(const QString& reason);
   [[nodiscard]] PresetBar& presets() const { return *presets_; }
 
@@ -106,7 +106,7 @@ class PlanPanel : public QWidget {
   QPushButton* optimize_;
   QDoubleSpinBox* optimize_limit_;
   QProgressBar* progress_;
-  QLabel* missing_;  ///< Why it can't be planned.
+  QLabel* missing_;  ///< Reason why planning is impossible.
   QLabel* validity_;
   QLabel* result_;
   QPushButton* all_runs_;

@@ -327,7 +327,9 @@ void ProjectionTool::update() {
             };
           }
         } catch (const std::exception&) {
-          return [this] { panel_->show_nothing(); };  // whoever plans says why there is no problem
+          return [this] {
+            panel_->show_nothing();
+          };  // the planning session reports why there is no problem
         }
         return {};
       });

@@ -67,7 +67,7 @@ class ProjectionPanel : public QWidget {
 
  signals:
   void picked(const Eigen::VectorXd& q);
-  /// Seen or hidden; what is hidden need not be kept up to date.
+  /// Emitted when the tool is shown or hidden; hidden content need not be up to date.
   void visibility_changed(bool visible);
 
  protected:

@@ -160,7 +160,7 @@ constexpr int kName = 0;
 constexpr int kValue = 1;
 constexpr QSize kSwatch{18, 12};
 
-// Told apart on white and on dark grey.
+// Colours that are distinct on white and on dark grey.
 constexpr std::array<QRgb, 10> kColors{0xff3f7fdb, 0xffe2801f, 0xff2f9e5b, 0xffd64545, 0xff8f63c7,
                                        0xffa0674b, 0xffd964ad, 0xff7d8a98, 0xff9c9b22, 0xff1fa3b5};
 

@@ -23,7 +23,7 @@ namespace handway::gui {
 /// Quantities that a plot of a motion can show.
 enum class PlotQuantity { kPosition, kVelocity, kAcceleration, kClearance, kUnlikeness };
 
-/// Is there a curve for every joint, or one for all?
+/// Returns whether there is a curve for every joint, or one for all.
 [[nodiscard]] bool is_of_joints(PlotQuantity quantity);
 
 /// With its unit: "velocity, °/s".

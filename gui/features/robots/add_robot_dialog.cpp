@@ -37,7 +37,7 @@ QString path_key() { return QStringLiteral("package_path"); }
 
 QString folder_key() { return QStringLiteral("robot_folder"); }
 
-// @returns empty if nobody chose. @param filter empty: for a folder.
+// @returns empty if the user cancels. @param filter empty: for a folder.
 QString ask_for(QWidget* parent, const QString& title, const QString& filter) {
   QFileDialog dialog(parent, title, QSettings().value(folder_key()).toString(), filter);
   dialog.setObjectName(QStringLiteral("robot_file_dialog"));

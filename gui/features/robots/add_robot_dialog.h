@@ -29,7 +29,7 @@ void use_package_path();
 /// Adds one.
 void remember_package_path(const QString& folder);
 
-/// Asks for a robot's file. @returns empty if nobody chose.
+/// Asks for a robot's file. @returns empty if the user cancels.
 [[nodiscard]] QString choose_robot_file(QWidget* parent);
 
 /// Asks for a robot of the library or of a file, and where it goes: into the world, or onto a link

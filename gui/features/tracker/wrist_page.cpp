@@ -402,7 +402,7 @@ void WristPage::show_clutch(bool closed) {
   refresh();
 }
 
-// Rarer than samples come: nobody reads figures 100 times a second.
+// The text is updated more slowly than samples come, to be readable.
 void WristPage::refresh() {
   if (session_.link().state() == StreamState::kStreaming) {
     status_->show_statistics(session_.link().statistics());

@@ -127,7 +127,8 @@ void SectionTool::open_up() {
   }
 }
 
-// Through the middle of what is selected, or else of all objects, open towards the camera.
+// The plane is through the middle of the selection, or else of all objects, open towards the
+// camera.
 void SectionTool::turn_on(bool on) {
   if (!on) {
     card_->hide();

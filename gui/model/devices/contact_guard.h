@@ -19,12 +19,12 @@ namespace handway::gui {
 enum class ContactRule {
   kPass,   ///< It is made.
   kStop,   ///< The step is not made.
-  kSlide,  ///< Made as far as it is free: see geometric::sliding_step().
+  kSlide,  ///< The free part is made: see geometric::sliding_step().
 };
 
-/// Through whose hands all postures go by which devices lead the robot. It merges them, and lets
-/// through what its rule says: all of it, or only what is free. How far steps may go is found out
-/// on a thread of its own; those that come faster than they can be checked are skipped.
+/// Merges all postures with which devices lead the robot, and passes on what its rule permits: all
+/// of a step, or only its free part. Steps are checked on a thread of its own; steps that come
+/// faster than they can be checked are skipped.
 class ContactGuard : public QObject {
   Q_OBJECT
 

@@ -78,7 +78,7 @@ class RecordingTap {
   [[nodiscard]] std::size_t rows() const;
   /// From the first row to the last, s.
   [[nodiscard]] double duration() const;
-  /// Why rows could not be written; empty if all were.
+  /// Returns the error in writing rows; empty if all were written.
   [[nodiscard]] std::string error() const;
 
  private:
@@ -128,8 +128,8 @@ class GloveSession : public QObject {
   [[nodiscard]] static QString emulator_name();
 
   /// Connects to a serial port, a TCP port, a stream of hand landmarks (see
-  /// device::is_landmark_address()), the emulator, or a recording to be replayed. What goes
-  /// wrong is reported by state_changed().
+  /// device::is_landmark_address()), the emulator, or a recording to be replayed. Errors are
+  /// reported by state_changed().
   void connect_to(const QString& device);
   void disconnect_glove();
   [[nodiscard]] const QString& device() const { return device_; }

@@ -37,7 +37,8 @@ struct Disconnect {
 };
 using Connection = std::unique_ptr<xcb_connection_t, Disconnect>;
 
-// Raw events come to all who ask, also while somebody has grabbed the keyboard, since version 2.1.
+// Returns whether raw events reach all clients, also while another client has grabbed the keyboard,
+// as since version 2.1.
 bool has_raw_events(xcb_connection_t* x) {
   const xcb_query_extension_reply_t* extension = xcb_get_extension_data(x, &xcb_input_id);
   if (extension == nullptr || extension->present == 0) {

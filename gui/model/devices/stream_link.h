@@ -65,7 +65,7 @@ class StreamInbox {
  private:
   static constexpr std::size_t kMostWaiting = 4096;
 
-  /// Shared with the stream's thread; owner is null once nobody waits for more.
+  /// State shared with the stream's thread; the owner is null once the link has ended.
   struct Box {
     std::mutex mutex;
     StreamInbox* owner = nullptr;

@@ -45,8 +45,8 @@ class TrackerSession : public QObject {
   /// built-in one, has none.
   [[nodiscard]] static QStringList protocols();
 
-  /// Connects to "emulator", "fastrak:/dev/ttyUSB0", "liberty:HOST:PORT" or "udp:5005". What
-  /// goes wrong is reported by state_changed().
+  /// Connects to "emulator", "fastrak:/dev/ttyUSB0", "liberty:HOST:PORT" or "udp:5005". Errors are
+  /// reported by state_changed().
   void connect_to(const QString& device);
   void disconnect_tracker();
   /// Returns the argument of the last connect_to(); empty before.
@@ -77,7 +77,7 @@ class ArmLeader : public QObject {
   /// @param q where it is.
   void set_robot(const std::shared_ptr<const geometric::RobotModel>& model,
                  const std::vector<int>& arm, const geometric::Configuration& q);
-  /// Why there is nothing to lead; empty if there is.
+  /// Returns the reason why the arm can't be led; empty if it can.
   [[nodiscard]] const QString& problem() const { return problem_; }
   /// Takes effect at once: a closed clutch engages again.
   void set_settings(const device::ToolFollowerSettings& settings);

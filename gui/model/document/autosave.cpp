@@ -103,7 +103,7 @@ std::vector<LostScene> Autosave::find_lost() const {
   for (const fs::directory_entry& entry : fs::directory_iterator(all_, ignored)) {
     const fs::path& folder = entry.path();
     if (folder == folder_ || !entry.is_directory() || !make_lock(folder)->tryLock(0)) {
-      continue;  // somebody still works there
+      continue;  // another program still uses it
     }
     if (!fs::exists(folder / kSceneFile)) {
       remove_folder(folder);

@@ -21,7 +21,7 @@ struct UnsavedScene {
   geometric::Configuration shown;  ///< Configuration of the first robot.
   geometric::PlannerRequest planner;
   std::filesystem::path file;  ///< File it was opened from; may be empty.
-  QString name;                ///< For people.
+  QString name;                ///< Displayed name.
 };
 
 /// A scene that a window left behind when its program ended in the middle of work.

@@ -30,8 +30,8 @@ struct JointGroups {
   std::vector<int> other;  ///< In neither.
 };
 
+/// Returns the groups of the moving joints, by the scene's group; all other joints are `other`.
 /// @param basis may be null.
-/// Of what moves, by the scene's group; all else is `other`.
 [[nodiscard]] JointGroups moving_groups(const geometric::Scene& scene,
                                         const sampling::PmdBasis* basis);
 [[nodiscard]] JointGroups joint_groups(const geometric::RobotModel& model,
@@ -71,7 +71,7 @@ class RecordedHand : public QObject {
   [[nodiscard]] const std::shared_ptr<const sampling::RecordedPostures>& postures() const {
     return postures_;
   }
-  /// Why they couldn't be read; a sentence.
+  /// Returns the reason why they couldn't be read; a sentence.
   [[nodiscard]] const QString& fault() const { return fault_; }
 
  signals:
@@ -140,7 +140,7 @@ class Document : public QObject {
   Q_OBJECT
 
  public:
-  /// Why there are other robots to show than before.
+  /// Reasons why other robots are shown than before.
   enum class Opened {
     kScene,   ///< Another scene is open, or none.
     kRobots,  ///< An edit of the open one added, mounted or removed robots, or was undone.

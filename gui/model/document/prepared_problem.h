@@ -17,8 +17,8 @@
 
 namespace handway::gui {
 
-/// A thread that prepares one thing at a time. Of those that wait, the newest comes first; what
-/// nobody wants any more is not begun. For any thread's use.
+/// A thread that prepares one thing at a time. Of the waiting jobs, the newest comes first; jobs
+/// that are not wanted any more are not begun. It may be used by any thread.
 class PreparationQueue {
  public:
   PreparationQueue();
@@ -27,8 +27,8 @@ class PreparationQueue {
   PreparationQueue(const PreparationQueue&) = delete;
   PreparationQueue& operator=(const PreparationQueue&) = delete;
 
-  /// @param wanted a stop is requested there once nobody wants the outcome; by the queue, too, at
-  /// its end.
+  /// @param wanted a stop is requested there once the outcome is not wanted any more; by the queue,
+  /// too, at its end.
   /// @param job runs on the queue's thread, unless it isn't wanted by then; must not throw, and
   /// should end soon once it isn't wanted.
   void run(std::stop_source wanted, std::function<void()> job);
@@ -48,9 +48,9 @@ class PreparationQueue {
   std::jthread thread_;
 };
 
-/// A scene's planning problem, put together once, off the GUI thread (its
-/// collision checker takes a while), for all who ask collision questions. The preparation ends
-/// once nobody holds it any more.
+/// A scene's planning problem, built once, off the GUI thread (its collision checker takes
+/// a while), for all collision queries. The preparation ends when the last owner releases
+/// it.
 class PreparedProblem {
  public:
   using Problem = std::shared_ptr<const planning::PlanningProblem>;

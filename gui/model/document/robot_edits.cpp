@@ -28,7 +28,7 @@ const RobotPart* find_part(const RobotInstance& robot, const std::string& name) 
   return found == robot.parts.end() ? nullptr : &*found;
 }
 
-// Is the part `inner` the part `outer` itself, or carried by it?
+// Returns whether the part `inner` is the part `outer` itself, or carried by it.
 bool is_on(const RobotInstance& robot, const RobotPart& inner, const RobotPart& outer) {
   const RobotPart* part = &inner;
   while (part != &outer && part->carrier >= 0) {

@@ -78,7 +78,7 @@ class SceneEditor : public QObject {
   void set_constraint(const geometric::PathConstraint& constraint);
   void remove_constraint(const std::string& name);
 
-  /// Called when an edit of robots has ended, with what prevented it, or nothing.
+  /// Called when an edit of robots has ended, with the problem that prevented it, or nothing.
   using Outcome = std::function<void(const QString& problem)>;
   /// Edits of robots make their model in the background: the scene shows them once that is there.
   [[nodiscard]] bool is_composing() const { return composing_.is_busy(); }
@@ -174,7 +174,7 @@ class SceneEditor : public QObject {
   void selection_changed(const handway::gui::SceneItem& item);
   /// See is_modified().
   void modified_changed(bool modified);
-  /// Something that can't be done, in words for a person.
+  /// Emitted with the displayed reason why something can't be done.
   void refused(const QString& title, const QString& reason);
   /// The palm of a posture is to go there.
   void palm_placed(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WP);

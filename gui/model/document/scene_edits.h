@@ -220,9 +220,9 @@ struct Resized {
 [[nodiscard]] SceneState dropped(SceneState state, const geometric::Configuration& q,
                                  const std::vector<std::string>& names);
 
-/// By how much all of the objects together are to be raised so that those that stand in
-/// the world keep kRestingGap to what they stand on; m. Those that are sunk into it by more
-/// than 1 mm do not stand there by contact, and those in a link's frame are held: neither counts.
+/// Returns by how much all objects together are to be raised so that those that stand in the world
+/// keep kRestingGap to their support; m. Objects that are sunk into it by more than 1 mm do not
+/// rest there, and objects in a link's frame are held: neither counts.
 [[nodiscard]] double rise_to_clear(const SceneState& state, const std::vector<std::string>& names);
 
 }  // namespace handway::gui

@@ -10,7 +10,7 @@
 
 namespace handway::gui {
 
-/// Something in a scene that a person can point at.
+/// Item of a scene that a user can point at.
 struct SceneItem {
   enum class Kind {
     kNone,

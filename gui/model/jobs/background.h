@@ -21,7 +21,7 @@ class LatestJob : public QObject {
  public:
   /// Function that runs on the GUI thread with the results of a job; may be empty.
   using Answer = std::function<void()>;
-  /// Runs on the job's thread. The token says that nobody waits any more.
+  /// Runs on the job's thread. A stop is requested when the answer is not wanted any more.
   using Job = std::function<Answer(const std::stop_token& stop)>;
 
   explicit LatestJob(QObject* parent = nullptr);
@@ -59,8 +59,8 @@ class LatestJob : public QObject {
   std::jthread thread_;
 };
 
-/// Threads that nobody waits for until the end: each runs one job; the
-/// destructor waits for those that still do. For one thread's use.
+/// Threads whose results are not waited for: each runs one job; the destructor waits for those that
+/// still run. It is for use by one thread.
 class BackgroundThreads {
  public:
   /// @param job must not throw.
@@ -74,7 +74,7 @@ class BackgroundThreads {
   std::vector<Running> running_;
 };
 
-/// Has a thread of the global pool do something whose end nobody waits for.
+/// Runs a function on a thread of the global pool, without waiting for its end.
 void run_in_background(std::function<void()> work);
 
 }  // namespace handway::gui

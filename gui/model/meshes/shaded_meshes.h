@@ -16,8 +16,8 @@ namespace handway::gui {
 /// also of triangle soups (STL), without degenerate triangles.
 [[nodiscard]] geometric::TriangleMesh welded_to_draw(const geometric::TriangleMesh& mesh);
 
-/// Is it the surface of solids, seen from outside? Then triangles that look away can't be seen.
-/// Each edge is passed as often one way as the other, and each piece has a volume above 0.
+/// Returns whether the mesh is the surface of solids, seen from outside, whose back faces can't be
+/// seen: each edge is passed as often one way as the other, and each piece has a volume above 0.
 /// @param mesh welded.
 [[nodiscard]] bool is_solid(const geometric::TriangleMesh& mesh);
 
@@ -57,8 +57,8 @@ struct CoarseMesh {
 /// A coarser mesh that looks like the fine one from afar.
 struct CoarserMesh {
   ShadedMesh mesh;
-  /// The part of the screen (px²) that the box around the mesh may cover for that: then nothing is
-  /// much more than two pixels beside its place, which nobody sees while it moves.
+  /// Largest part of the screen (px²) that the box around the mesh may cover for that: then no
+  /// point is much more than two pixels off, which is invisible while it moves.
   float most_area = 0.0F;
 };
 

@@ -28,7 +28,7 @@ class RoadmapWatch : public planning::RoadmapRecorder {
 
   void on_node(const planning::NodeEvent& node) override;
 
-  /// Has anything come since it was last taken?
+  /// Returns whether there is news since it was last taken.
   [[nodiscard]] bool has_news() const;
   /// Returns the roadmap found so far; of several searches, the winner's once there is one.
   [[nodiscard]] SharedRoadmap take();

@@ -36,7 +36,7 @@ struct PlanRun {
   QString preset;                     ///< In words.
   planning::PlanRequest request;
   planning::PlanResult result;
-  QString failure;  ///< Why it could not be done; empty if there is a result.
+  QString failure;  ///< Reason of a failure; empty if there is a result.
 };
 
 /// Returns the outcome of planning in few words: "Path found".
@@ -98,7 +98,7 @@ struct PathRecord {
   QString remark = {};                 ///< Remark about a file, a sentence.
 
   [[nodiscard]] bool has_figures() const { return figures.has_value(); }
-  /// Has its run found a path?
+  /// Returns whether its run has found a path.
   [[nodiscard]] bool is_solved() const { return run && run->result.solved(); }
 };
 

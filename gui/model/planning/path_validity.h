@@ -32,7 +32,7 @@ class PathValidity : public QObject {
   void follow(std::shared_ptr<const PreparedProblem> scene);
 
   [[nodiscard]] State state() const { return state_; }
-  /// Why the path is not valid, a sentence; empty if it is, or there is none.
+  /// Returns the reason why the path is not valid, a sentence; empty if it is, or there is none.
   [[nodiscard]] const QString& reason() const { return reason_; }
 
  signals:

@@ -22,8 +22,8 @@ constexpr int kReportEveryMs = 120;
 
 }  // namespace
 
-// Lives on the planner's thread; gathers and passes on now and then, so that
-// a fast planner does not flood the event queue.
+// Lives on the planner's thread; gathers progress and passes it on now and then, so that a fast
+// planner does not flood the event queue.
 class PlanRunner::Reporter : public RoadmapWatch {
  public:
   Reporter(PlanRunner& runner, const planning::PlanningProblem& problem, int palm_link)

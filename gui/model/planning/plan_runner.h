@@ -57,7 +57,7 @@ class PlanRunner : public QObject {
 /// One plan with several seeds.
 struct SeedRuns {
   std::shared_ptr<const PreparedProblem> problem;
-  /// Alike; as many as there are to be at work at a time.
+  /// Equal planners, one for each simultaneous run.
   std::vector<std::shared_ptr<planning::Planner>> planners;
   planning::PlanRequest request;  ///< For the first seed; each has the next, and one thread.
   int count = 1;

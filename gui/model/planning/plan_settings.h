@@ -34,7 +34,7 @@ class PlanSettings : public QObject {
   explicit PlanSettings(const planning::PlannerRegistry& registry, QObject* parent = nullptr);
 
   [[nodiscard]] const planning::PlannerRegistry& registry() const { return registry_; }
-  /// The chosen planner; null if there is none. Whoever changes its parameters calls
+  /// Returns the chosen planner; null if there is none. After changing its parameters, call
   /// announce_parameters().
   [[nodiscard]] const std::shared_ptr<planning::Planner>& planner() const { return planner_; }
   /// Returns this number of planners like the chosen one.

@@ -35,7 +35,8 @@ struct PlannerPreset {
 void apply_preset(const PlannerPreset& preset, planning::Planner& fresh,
                   planning::Planner& planner);
 
-/// Has `planner` the values that apply_preset() would give it? False for one that can't be applied.
+/// Returns whether `planner` has the values that apply_preset() would give it; false for one that
+/// can't be applied.
 [[nodiscard]] bool has_values_of(const PlannerPreset& preset, planning::Planner& fresh,
                                  planning::Planner& planner);
 

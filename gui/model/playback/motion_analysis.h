@@ -77,7 +77,7 @@ class MotionAnalysis : public QObject {
   [[nodiscard]] const std::shared_ptr<const planning::Motion>& motion() const { return motion_; }
   /// Null until they are there.
   [[nodiscard]] const std::shared_ptr<const MotionCurves>& curves() const { return curves_; }
-  /// Why there are no times.
+  /// Returns the reason why there are no times.
   [[nodiscard]] const QString& fault() const { return fault_; }
 
  signals:

@@ -12,8 +12,8 @@ class QWidget;
 
 namespace handway::gui {
 
-/// Something in a row or a column: a widget, or a row, column, grid or form. What is `stretched`
-/// shares the room that is left, beside others in that proportion.
+/// Part of a row or a column: a widget, or a row, column, grid or form. A `stretched` part shares
+/// the room that is left, beside others in that proportion.
 struct PanelPart {
   PanelPart(QWidget* which, int stretched = 0, Qt::Alignment where = {})  // NOLINT(*-explicit-*)
       : widget(which), stretch(stretched), alignment(where) {}

@@ -387,7 +387,7 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
     }
   } else if (event->type() == QEvent::Wheel) {
     if (const QWidget* widget = changed_by_wheel(watched); widget && !widget->hasFocus()) {
-      event->ignore();  // whoever it is in scrolls
+      event->ignore();  // the parent scrolls
       return true;
     }
   }

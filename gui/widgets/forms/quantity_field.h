@@ -16,8 +16,8 @@ class QSlider;
 
 namespace handway::gui {
 
-/// A spin box for a length, an angle or a speed of turning. Shows the person's units, understands
-/// what people type ("35", "3.5 cm", "0.2 m", "90°", "1.57 rad"), and speaks SI.
+/// A spin box for a length, an angle or a speed of turning. It shows the user's units, parses typed
+/// quantities ("35", "3.5 cm", "0.2 m", "90°", "1.57 rad"), and its values are in SI units.
 class QuantityField : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -102,7 +102,7 @@ class SliderRow : public QWidget {
   void set_value(double value);
   /// A row that only shows.
   void set_read_only();
-  /// A row that somebody asked for stands out from the others.
+  /// Marks the row as chosen, so that it stands out from the others.
   void set_chosen(bool chosen);
   /// Name column of a stack of rows, px.
   void set_label_width(int width);

@@ -43,7 +43,7 @@ class ShapeForm : public QWidget {
   bool editable_ = true;
 };
 
-/// "Box", "Cylinder", …: the word for people.
+/// Returns the displayed kind of a shape: "Box", "Cylinder", …
 [[nodiscard]] QString kind_of_shape(const geometric::Shape& shape);
 
 class PoseForm;

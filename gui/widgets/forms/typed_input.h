@@ -53,7 +53,8 @@ void enter_typed(QWidget& field);
 /// now on.
 void forget_typed(QWidget& widget);
 
-/// Why the field's text can't be entered, in a sentence for a person; nothing if it can.
+/// Returns the displayed reason why the field's text can't be entered, a sentence; nothing if it
+/// can.
 [[nodiscard]] std::optional<QString> invalid_text_reason(const QAbstractSpinBox& field);
 
 /// Watches the fields of the program, for as long as it lives.

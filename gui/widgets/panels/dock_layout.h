@@ -16,7 +16,7 @@ namespace handway::gui {
 /// Turns the pages of all tabs that `widget` is in so that it is in front, and shows its dock.
 void bring_to_front(const QWidget& widget);
 
-/// Something in a dock or behind a tab.
+/// Content of a dock or a tab.
 struct DockContent {
   const char* name;  ///< Its object name, by which its place is kept between runs.
   QString title;

@@ -43,8 +43,8 @@ class FloatingCard : public QFrame {
   void place_others() const;
 };
 
-/// One message over the view that does not stop anybody: what went wrong, or what
-/// could be done, and a button to put it away.
+/// A message over the view that does not block the user: an error or a suggestion, and a button to
+/// close it.
 class Banner : public FloatingCard {
   Q_OBJECT
 

@@ -19,8 +19,8 @@ class PathPlayer;
 /// chosen.
 void offer_speeds(QComboBox& box);
 
-/// Buttons and a scrub slider for a path player. Where there is little room, the slider is above
-/// the buttons, and those that have a key are left out.
+/// Buttons and a scrub slider for a path player. If there is little room, the slider is above the
+/// buttons, and buttons that have a key are left out.
 class PlaybackBar : public QWidget {
   Q_OBJECT
 

@@ -42,7 +42,7 @@ class CursorPlot : public QWidget {
   [[nodiscard]] double cursor() const { return time_; }
   void show_all();
 
-  /// Told where (s) the mouse puts the cursor.
+  /// Sets the function that is called with the time (s) at which the mouse puts the cursor.
   void on_scrub(std::function<void(double)> scrub) { scrub_ = std::move(scrub); }
   /// Returns the visible range of time, s.
   [[nodiscard]] std::pair<double, double> span() const;
@@ -84,7 +84,7 @@ class CursorPlot : public QWidget {
   std::function<void(double)> scrub_;
 };
 
-/// Curves over time. Those that stand above each other have their times in line.
+/// Plot of curves over time. Plots above each other have aligned time axes.
 class TimePlot : public QWidget {
  public:
   /// @param x_title may be empty, for one that stands above another.
@@ -93,7 +93,7 @@ class TimePlot : public QWidget {
   /// @returns its index.
   int add_curve(const QString& title, const QColor& color, bool dashed = false);
   void show_legend();
-  /// Instead of those of a printed figure.
+  /// Sets the colours, in place of those of a printed figure.
   void set_colors(const PlotColors& colors);
   /// Takes all curves away.
   void clear();

@@ -56,9 +56,9 @@ class ProjectionPlot : public QWidget {
   void set_robot(const std::optional<QPointF>& place);
   void show_all();
 
-  /// Told which node was clicked.
+  /// Sets the function that is called with the clicked node.
   void on_pick(std::function<void(int)> pick) { pick_ = std::move(pick); }
-  /// Told which node the pointer is at; nothing: beside all.
+  /// Sets the function that is called with the node at the pointer; nothing: beside all.
   void on_hover(std::function<void(std::optional<int>)> hover) { hover_ = std::move(hover); }
 
   /// The node at a place in the canvas.

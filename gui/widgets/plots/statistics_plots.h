@@ -28,8 +28,8 @@ class EcdfPlot : public QWidget {
   explicit EcdfPlot(QWidget* parent = nullptr);
 
   void set_curves(const std::vector<EcdfCurve>& curves);
-  /// Instead of those of a printed figure. @param on_paper what a curve's colour becomes there, of
-  /// curves that are set from here on.
+  /// Sets the colours, in place of those of a printed figure. @param on_paper what a curve's colour
+  /// becomes there, for curves that are set from here on.
   void set_colors(const PlotColors& colors, std::function<QColor(const QColor&)> on_paper);
 
  private:
@@ -43,9 +43,9 @@ struct PlotVariable {
   Eigen::VectorXd values;  ///< Shape [samples].
 };
 
-/// Samples as dots, their correlation coefficient above. Of many samples evenly chosen ones are
-/// drawn; the coefficient is of all.
-/// @pre both have as many values, at least one.
+/// Makes a plot of samples as dots, with their correlation coefficient above. Of many samples
+/// evenly chosen ones are drawn; the coefficient is of all. @pre both have as many values, at least
+/// one.
 [[nodiscard]] std::unique_ptr<QwtPlot> make_scatter_plot(const PlotVariable& x,
                                                          const PlotVariable& y);
 

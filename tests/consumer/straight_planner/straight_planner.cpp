@@ -19,7 +19,7 @@ using handway::planning::PlanResult;
 using handway::planning::PlanStatus;
 using handway::planning::Plugin;
 
-/// Goes from start to goal in a straight line, or by way of the middle of the joints' ranges.
+/// Plans a straight line from start to goal, or one through the middle of the joints' ranges.
 class StraightPlanner final : public Planner {
  public:
   std::string name() const override { return "straight"; }

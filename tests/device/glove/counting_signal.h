@@ -7,7 +7,7 @@
 
 namespace handway::test {
 
-/// A signal whose frames can be told apart: every count is the frame's number modulo 255, plus 1.
+/// A signal with distinct frames: every count is the frame's number modulo 255, plus 1.
 inline device::GloveSignal counting_signal() {
   return [number = std::uint64_t{0}](double) mutable {
     std::array<std::uint16_t, device::kGloveSensors> counts{};

@@ -121,7 +121,7 @@ TEST(RobotFingers, AreThoseThatFingertipsName) {
   const RobotFingers all = find_fingers(*model);
   const std::string thumb = tip_of(*model, all, Finger::kThumb);
   const std::string index = tip_of(*model, all, Finger::kIndex);
-  // Against what the links' names say: the fingertips that the file names count.
+  // The fingertips that the file names count, even if the links' names differ.
   const RobotFingers two = find_fingers(*model, {{Finger::kThumb, thumb}, {Finger::kRing, index}});
   EXPECT_THAT(finger_names(two), ElementsAre("thumb", "ring"));
   EXPECT_EQ(tip_of(*model, two, Finger::kRing), index);

@@ -191,7 +191,7 @@ TEST_F(FollowedTx90, NeverMovesFasterThanAllowedWhateverTheHandDoes) {
     Configuration last = start_;
     for (int k = 0; k < 3600; ++k) {
       const double time = k * kPeriod;
-      // Now and then the tracker says something absurd.
+      // Now and then the tracker reports an absurd pose.
       const Pose X_ST = k % 97 == 96 ? Pose(Eigen::Translation3d(5.0, 5.0, 5.0)) : hand(time, 1);
       const FollowStep step = follower.update({time, 1, X_ST, {}});
       seen.insert(step.state);

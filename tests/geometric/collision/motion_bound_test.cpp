@@ -114,8 +114,8 @@ TEST(MotionBound, HoldsForCoupledJoints) {
   expect_bounds_hold_everywhere(scene, 60);
 }
 
-// A turntable that lifts itself as its motor turns, its slide's own limits being
-// for nobody: only the leader's count.
+// A turntable that lifts itself as its motor turns; its slide's own limits are ignored: only the
+// leader's count.
 RobotDescription screw() {
   RobotDescription robot = test::gantry(Box{{0.1, 0.1, 0.1}});
   robot.joints[0].type = JointType::kRevolute;

@@ -47,7 +47,7 @@ TEST(ReplaceFile, KeepsPermissionsAndLinks) {
 TEST(ReplaceFile, RemovesWhatKilledWritersHaveLeft) {
   const ScratchFiles files;
   const fs::path file = files.folder() / "a.txt";
-  // Killed by the kernel while it writes.
+  // The kernel kills the process while it writes.
   const pid_t writer = ::fork();
   if (writer == 0) {
     const rlimit small{1000, 1000};

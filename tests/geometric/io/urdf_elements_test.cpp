@@ -246,7 +246,7 @@ TEST_F(UrdfElementsTest, TakesLimitsWithoutWhatPlanningDoesNotNeed) {
   EXPECT_THAT(read(jointed("<limit/>")).warnings, Contains(HasSubstr("can't move")));
 }
 
-// Written for joints that have none.
+// Such limits are written for joints that have none.
 TEST_F(UrdfElementsTest, TakesLimitsThatAreTooLargeForNone) {
   for (const char* limit : {R"(lower="-1e10" upper="1e10")", R"(lower="-inf" upper="inf")"}) {
     const RobotDescription r = read(jointed(std::string("<limit ") + limit + "/>"));

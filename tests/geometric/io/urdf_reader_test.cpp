@@ -205,7 +205,7 @@ TEST(UrdfReader, FindsPackagesWhereRosHasThem) {
   }
 }
 
-// Copied out of its package, or called otherwise than it.
+// The mesh is copied out of its package, or has another name than the package.
 TEST(UrdfReader, TakesTheFileNearbyThatAMissingMeshMustBe) {
   const ScratchFiles files;
   files.write("other/meshes/s.obj", kSquareObj);

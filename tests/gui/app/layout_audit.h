@@ -18,7 +18,7 @@ class LayoutAudit {
 
  private:
   QSet<QString> known_;    ///< Faults.
-  QSet<QString> checked_;  ///< Places and texts that can be told from what is behind them.
+  QSet<QString> checked_;  ///< Places and texts that differ from their background.
 };
 
 }  // namespace handway::test

@@ -69,7 +69,7 @@ class TextDevice : public QPaintDevice {
       case PdmDevicePixelRatioScaled:
         return static_cast<int>(devicePixelRatioFScale());
       default:
-        return 24;  // bits of a colour, and what nobody asks of text
+        return 24;  // bits of a colour, and other metrics that texts don't use
     }
   }
 

@@ -1,6 +1,6 @@
-/// A walk through all panels, cards, menus and dialogs in the sizes, themes and sizes of text that
-/// people use: nothing is cut, outside of the window or hard to read. With $HANDWAY_PICTURES it
-/// leaves a picture of each stop, which scripts/contact-sheet puts together.
+/// A walk through all panels, cards, menus and dialogs in usual sizes, themes and sizes of text:
+/// nothing is cut, outside of the window or hard to read. With $HANDWAY_PICTURES it saves a picture
+/// of each stop, which scripts/contact-sheet puts together.
 #include "features/devices/device_session.h"
 #include "features/glove/capture_pages.h"
 #include "features/glove/glove_panel.h"
@@ -154,7 +154,7 @@ class PanelWalk : public ::testing::TestWithParam<Form> {
 
   ScratchFolder folder_;
   LayoutAudit audit_;
-  QStringList known_;  ///< Faults for screen readers, each told once.
+  QStringList known_;  ///< Faults for screen readers, each reported once.
   std::unique_ptr<gui::MainWindow> window_;
 };
 

@@ -21,7 +21,7 @@ QWidgetList visible_parts(const QWidget& of, const char* type) {
   return parts;
 }
 
-/// The colour that most of it has. What is painted: a palette may say otherwise.
+/// Returns the most frequent colour of what is painted: a palette may say otherwise.
 QColor paper_of(const QImage& drawn) {
   std::map<QRgb, int> counts;
   for (int x = 0; x < drawn.width(); ++x) {

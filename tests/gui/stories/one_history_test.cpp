@@ -1,4 +1,4 @@
-/// Whatever a person does with the mouse, in whichever dock, is one entry of one history.
+/// Tests that every edit with the mouse, in any dock, is one entry of one history.
 #include "features/editing/scene_tree.h"
 #include "features/glove/glove_panel.h"
 #include "features/glove/mapping_editor.h"

@@ -1,5 +1,5 @@
-/// From the URDFs of an arm and a hand to a grasp that is planned and played, with the mouse alone,
-/// as somebody would who has never seen the window. Each step leaves a picture.
+/// Tests the way from the URDFs of an arm and a hand to a grasp that is planned and played, with
+/// the mouse alone, as by a first-time user. Each step leaves a picture.
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"
 #include "model/document/robot_edits.h"

@@ -102,7 +102,7 @@ TEST_F(DrawnBodies, AreDrawnAsVolumesAfterAnEditToo) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::BodyDisplayTool>().is_busy(); }, 8000));
   const gui::BodyMeshes meshes = gui::body_meshes(scene(), BodyDisplay::kHulls);
   EXPECT_EQ(meshes.objects.size(), scene().objects.size());
-  editor().undo_stack().setClean();  // nobody is there to answer about unsaved changes
+  editor().undo_stack().setClean();  // avoids the question about unsaved changes
   open(cell().post());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::BodyDisplayTool>().is_busy(); }, 8000));
   EXPECT_EQ(tool<gui::BodyDisplayTool>().display(), BodyDisplay::kHulls);

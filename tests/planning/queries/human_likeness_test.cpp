@@ -81,8 +81,8 @@ TEST_F(HumanLikenessOfTheFlatArm, DoesWithoutRecordedPostures) {
 }
 
 TEST_F(HumanLikenessOfTheFlatArm, AveragesOverTheLengthOfAPath) {
-  // Away from the mean along one joint and back: the distance rises and falls evenly, whatever
-  // waypoints are put in between.
+  // The hand moves away from the mean along one joint and back: the distance rises and falls
+  // evenly, whatever waypoints are put in between.
   Eigen::VectorXd away = middle();
   away[away.size() - 1] += 0.3;
   const Configuration near = with_hand(middle());

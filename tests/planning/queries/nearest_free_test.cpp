@@ -85,7 +85,7 @@ TEST(NearestFree, GivesTheSameForTheSameSeed) {
 
 TEST(NearestFree, GivesUpWhereThereIsNone) {
   geometric::Scene scene = test::scene_of(test::planar_hand_arm());
-  // Through both links, wherever the shoulder turns.
+  // The post goes through both links, wherever the shoulder turns.
   test::add_object(scene, "post", geometric::Cylinder{0.06, 0.3}, Eigen::Vector3d(0.1, 0.0, 0.0));
   const PlanningProblem problem = test::planar_problem(
       std::move(scene), planar_configuration(2.0, 0.0), planar_configuration(0.0, 0.0));

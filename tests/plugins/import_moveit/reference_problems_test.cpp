@@ -1,4 +1,4 @@
-/// Published problems, changed as other people's folders differ: they load, with a summary.
+/// Tests published problems with variations of their folders: they load, with a summary.
 #include "handway/geometric/io/input_error.h"
 #include "handway_test/paths.h"
 #include "moveit_problem.h"

@@ -274,7 +274,7 @@ TEST_F(Devices, HoldBeforeAWallThatIsAddedUnderWay) {
   QTest::qWait(500);
   EXPECT_EQ(driver().state(), MotionDriver::State::kRunning);
   EXPECT_TRUE(is_free());
-  // It does not go on, however often somebody asks for it.
+  // It does not go on, however often this is requested.
   const geometric::Configuration held = window().document().configuration();
   for (int k = 0; k < 3; ++k) {
     QSignalSpy refused(&driver(), &MotionDriver::held);

@@ -1,4 +1,4 @@
-/// Whatever ends the program, or the scene, brings the robot to rest.
+/// Tests that the robot comes to rest, whatever ends the program or the scene.
 #include "features/devices/moving_robot.h"
 #include "handway/device/arm/arm_emulator.h"
 #include "handway/device/hand/hand_emulator.h"

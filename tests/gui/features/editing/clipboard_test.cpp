@@ -66,7 +66,7 @@ TEST_F(Clipboard, BringsObjectsIntoAnotherSceneWhereTheyWere) {
   part<QAction>("group").trigger();
   const geometric::Pose X_WO = object("lid").X_PO;
   press("Ctrl+C");
-  editor().undo_stack().setClean();  // nobody is to be asked
+  editor().undo_stack().setClean();  // avoids the question about unsaved changes
   open(cell().wall());
   press("Ctrl+V");
   EXPECT_EQ(names(), (std::vector<std::string>{"wall", "can", "lid"}));

@@ -161,7 +161,8 @@ TEST_F(EditingAScene, PutsBackWhatIsDraggedOnEscape) {
   EXPECT_FALSE(editor().undo_stack().canUndo());
 }
 
-// Planning began where the robot's file has it, which nobody saw, and the saved scene did not know.
+// Without a start, planning would begin in the configuration of the robot's file, which is not
+// shown, and is not in the saved scene.
 TEST_F(EditingAScene, ShowsWhereATaskBeginsThatGotItsGoal) {
   open(cell().folder() / "arm.urdf");
   ASSERT_FALSE(scene().start);

@@ -36,7 +36,7 @@ TEST(Autosave, DISABLED_StoresWithoutEnd) {
   }
 }
 
-// Wherever in its work it is killed, what was stored is there, and it is whole.
+// The stored scene is there and complete, whenever the program is killed.
 TEST(Autosave, KeepsWhatWasStoredWheneverItIsKilled) {
   HANDWAY_NEED_DISPLAY();
   const SmallCell cell;

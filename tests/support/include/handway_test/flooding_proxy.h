@@ -9,9 +9,9 @@
 
 namespace handway::test {
 
-/// Stands between a host and an emulated device, both on this computer, and passes on what they say
-/// until it is asked to flood: then the host gets the same bytes over and over, as fast as it takes
-/// them, and nothing of the device. What the host says still arrives.
+/// Stands between a host and an emulated device, both on this computer, and passes on their bytes
+/// until it is requested to flood: then the host gets the same bytes over and over, as fast as it
+/// takes them, and nothing of the device. The bytes of the host still arrive.
 class FloodingProxy {
  public:
   /// @param device port of the emulator. @param port to listen on; 0: any that is free.

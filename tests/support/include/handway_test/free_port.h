@@ -9,7 +9,7 @@
 
 namespace handway::test {
 
-/// A UDP port of this computer that nobody uses now.
+/// Returns a UDP port of this computer that is not in use.
 inline std::string free_udp_port() {
   const int fd = ::socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in address{};
