@@ -52,11 +52,11 @@ struct GloveCalibration {
 
 /// Reads a calibration; the content decides the kind of file:
 ///   - YAML as above;
-/// - text with 22 lines `angle:counts angle:counts`, from the wrist to the little finger, a
-///   straight line through two points each (rad, signs of VirtualHand, which are converted);
-/// - text with a title, then six groups (thumb … little finger, wrist) of a name and four lines
-///   `index zero gain x` (VirtualHand; angle = gain · (counts - zero), its signs are converted). A
-///   gain of 0 leaves the sensor uncalibrated.
+///   - text with 22 lines `angle:counts angle:counts`, from the wrist to the little finger, a
+///     straight line through two points each (rad, signs of VirtualHand, which are converted);
+///   - text with a title, then six groups (thumb … little finger, wrist) of a name and four lines
+///     `index zero gain x` (VirtualHand; angle = gain · (counts - zero), its signs are converted).
+///     A gain of 0 leaves the sensor uncalibrated.
 ///
 /// @throws geometric::InputError with file and line for a file of another kind, an unknown sensor
 /// or finger, a missing line, a gain of 0, two points less than 10 counts apart, a range that does

@@ -73,22 +73,22 @@ struct Recording {
                                                               Eigen::Index row);
 
 /// Reads a recording. The content, not the name, decides the kind of file:
-/// - a recording of Handway as above. A last line without its end, as a killed program leaves it,
-///   is left out with a warning;
+///   - a recording of Handway as above. A last line without its end, as a killed program leaves
+///     it, is left out with a warning;
 ///   - other CSV (separated by commas, semicolons or tabs) with a header of `time` (s) and
 ///     names or letters of sensors; whole numbers from 0 to 255 are counts, else angles in rad;
-/// - JSON lines of 21 landmarks of a hand in m, in MediaPipe's order: {"time": s, "hand": "right"
-///   or "left", "landmarks": [[x, y, z], …]}, points as {"x", "y", "z"} too. The recording holds
-///   the angles between them (see glove_angles()); a left hand is mirrored, and if both are there,
-///   the hand of the first row is taken;
-/// - text rows of a VirtualHand log: year month day hour minute second switch, then 23 angles in
-///   rad in the order of its slots, with its signs (flexion negative; they are converted);
+///   - JSON lines of 21 landmarks of a hand in m, in MediaPipe's order: {"time": s, "hand":
+///     "right" or "left", "landmarks": [[x, y, z], …]}, points as {"x", "y", "z"} too. The
+///     recording holds the angles between them (see glove_angles()); a left hand is mirrored, and
+///     if both are there, the hand of the first row is taken;
+///   - text rows of a VirtualHand log: year month day hour minute second switch, then 23 angles
+///     in rad in the order of its slots, with its signs (flexion negative; they are converted);
 ///   - tables of such angles without times: rows of 23, or of 22 (all but the wrist's abduction)
 ///   and a
 ///     label, with or without a header;
 ///   - MATLAB files (version 5 and 7.3) with "angles" (degrees) or "glove" (counts) of 18 or 22
 ///     columns in the order of a CyberGlove's records, as Ninapro's;
-/// - any table of numbers, text or MATLAB, by a map of its columns (YAML, which names the table):
+///   - any table of numbers, text or MATLAB, by a YAML map of its columns, which names it:
 ///
 ///         table: postures.csv        # from this file's folder; lines end in CR, LF or both
 ///         variable: q                # of a MATLAB file

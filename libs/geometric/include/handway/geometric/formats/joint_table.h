@@ -43,11 +43,11 @@ struct JointTable {
 };
 
 /// Reads such a file. The content decides its kind:
-/// - a table of text with the joints' names above the columns, alone or in a longer name: "pan",
-///   "pan_pos", "pan [deg]", "/joint_states/pan/position". Velocities and efforts are ignored.
-///   Times are found by time_columns();
-/// - tables whose rows contain the names, as `rostopic echo -p` and `ros2 topic echo --csv` write
-///   them, or lists of names and positions in two cells;
+///   - a table of text with the joints' names above the columns, alone or in a longer name:
+///     "pan", "pan_pos", "pan [deg]", "/joint_states/pan/position". Velocities and efforts are
+///     ignored. Times are found by time_columns();
+///   - tables whose rows contain the names, as `rostopic echo -p` and `ros2 topic echo --csv`
+///     write them, or lists of names and positions in two cells;
 ///   - sensor_msgs/JointState messages, one after the other as `ros2 topic echo` prints them, as
 ///     lines of JSON or in a list; or a trajectory_msgs/JointTrajectory.
 /// @param count of the joints that `lookup` knows.

@@ -63,12 +63,12 @@ enum class CellContent { kOther, kNumbers, kDates, kClocks, kDatesAndClocks };
 time_columns(const std::vector<std::string>& names, const std::vector<CellContent>& contents);
 
 /// Converts the times of a table into seconds that never fall.
-/// - The unit is the named one. If none is named, or the values contradict it, it follows from
-///   their size (of times since 1970) and their steps: rows are less than 5 s apart.
+///   - The unit is the named one. If none is named, or the values contradict it, it follows from
+///     their size (of times since 1970) and their steps: rows are less than 5 s apart.
 ///   - Times since 1970 begin at 0.
-/// - A clock without a date that passes midnight continues.
-/// - If time runs back, the clock was set: times run on from there by a usual step. A few rows
-///   that come too late get the time of the one before.
+///   - A clock without a date that passes midnight continues.
+///   - If time runs back, the clock was set: times run on from there by a usual step. A few rows
+///     that come too late get the time of the one before.
 /// @param times in the order of rows; those that are not finite stay.
 /// @param unit the named one, s.
 /// @param spelled whether they are dates or clock times, in s.
