@@ -54,6 +54,12 @@ class Application {
     return file("wave.dtx").child("Database").child("Datas").find_child_by_attribute("name", name);
   }
 
+  /// Returns the elements of an array of the data file.
+  [[nodiscard]] std::vector<pugi::xml_node> values(const char* name) const {
+    const auto all = data(name).children("Value");
+    return {all.begin(), all.end()};
+  }
+
   /// The variables that the data file declares.
   [[nodiscard]] std::set<std::string> variables() const {
     std::set<std::string> all;
@@ -182,6 +188,41 @@ TEST(Val3Grammar, FindsWhatIsWrong) {
   EXPECT_THAT(faults("begin\n  if a==1\nend"),
               ElementsAre("line 3: end closes nothing", HasSubstr("begin"), HasSubstr("if")));
   EXPECT_THAT(faults("begin\n  wait(a\nend"), ElementsAre(HasSubstr("brackets")));
+}
+
+// Duration of a joint's motion with a trapezium of speed, or a triangle of a short one, s.
+double trapezium(double way, double velocity, double acceleration) {
+  return way * acceleration < velocity * velocity ? 2.0 * std::sqrt(way / acceleration)
+                                                  : way / velocity + velocity / acceleration;
+}
+
+// The controller knows the files alone: its slowest joint of each move, and the pauses.
+TEST(Val3Application, TakesByItsTextAsLongAsTheMotion) {
+  const Application application(motion());
+  const std::vector<pugi::xml_node> points = application.values("jPath");
+  const std::vector<pugi::xml_node> moves = application.values("mMove");
+  const std::vector<pugi::xml_node> pauses = application.values("nPause");
+  ASSERT_EQ(moves.size(), points.size());
+  ASSERT_EQ(pauses.size(), points.size());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double pause = pauses[i].attribute("value").as_double();
+    double slowest = 0.0;
+    for (int j = 0; j < 6; ++j) {
+      const std::string name = "j" + std::to_string(j + 1);
+      const int v = motion().arm[static_cast<std::size_t>(j)];
+      const double way =
+          geometric::radians(std::abs(points[i].attribute(name.c_str()).as_double() -
+                                      points[i - 1].attribute(name.c_str()).as_double()));
+      slowest = std::max(
+          slowest,
+          trapezium(
+              way, 0.01 * moves[i].attribute("vel").as_double() * motion().limits.velocity[v],
+              0.01 * moves[i].attribute("accel").as_double() * motion().limits.acceleration[v]));
+    }
+    EXPECT_NEAR(pause > 0.0 ? pause : slowest,
+                motion().waypoint_times[i] - motion().waypoint_times[i - 1], 1e-5)
+        << i;
+  }
 }
 
 // 1 / w + w / acceleration is the time of a trapezium of speed over the share 0 to 1.
