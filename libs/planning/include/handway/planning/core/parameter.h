@@ -28,7 +28,7 @@ struct BasicParameter {
   Value value;
   double lower = 0.0;  ///< Least number, inclusive.
   double upper = 0.0;  ///< Largest number, inclusive.
-  /// The value of the published algorithm as printed, if the default departs from it.
+  /// Value of the published algorithm as printed, if other values depart from it; else empty.
   std::string as_printed = {};
 };
 
