@@ -69,7 +69,7 @@ class EditActions : public QObject {
   SceneEditor& editor_;
   QToolButton* add_button_;
   QList<QAction*> adding_;
-  bool can_be_pasted_ = false;  ///< Whether the clipboard holds objects.
+  bool can_be_pasted_ = false;  ///< True if the clipboard holds objects.
 };
 
 /// The commands for several objects at once, in the Edit menu and behind a button

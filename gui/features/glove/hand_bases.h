@@ -23,7 +23,7 @@ namespace handway::gui {
 /// A basis of the hand that can be chosen.
 struct HandBasis {
   QString name;                ///< Displayed name.
-  std::filesystem::path file;  ///< As named in a scene; empty: not in a file yet.
+  std::filesystem::path file;  ///< Its name in a scene; empty: not in a file yet.
   std::shared_ptr<const sampling::PmdBasis> basis;
   sampling::PostureTable postures = {};  ///< Source of a basis without file.
 };

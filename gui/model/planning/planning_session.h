@@ -118,7 +118,7 @@ class PlanningSession : public QObject {
   std::vector<PathRecord> found_;  ///< Paths of its seeds.
   std::shared_ptr<const PlanRun> shown_;
   OptimizeRunner optimizer_;
-  bool repeatable_ = false;  ///< Whether the present settings repeat the optimised path.
+  bool repeatable_ = false;  ///< True if the settings repeat the optimised path.
   SharedRoadmap roadmap_;
   QString opened_from_;
 };

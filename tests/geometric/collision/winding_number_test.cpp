@@ -116,8 +116,8 @@ Mesh whole(const Body& body) {
 /// Options of a scene that change which pairs are checked, and how.
 struct Options {
   std::string name;
-  Padding bell = {};      ///< Of the link "bell".
-  Padding pin = {};       ///< Of the link "pin".
+  Padding bell = {};      ///< For the link "bell".
+  Padding pin = {};       ///< For the link "pin".
   bool mirrored = false;  ///< Objects are mirrored, with their triangles turned inside out.
   bool carries = false;   ///< The pin carries a cup, which may touch the bell.
   bool allows = false;    ///< The bell may touch the block, the pin the vessel.
