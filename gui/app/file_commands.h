@@ -40,7 +40,7 @@ class FileCommands : public QObject {
 
   /// The scene that is shown is another one, or none.
   void show_scene();
-  /// Asks for the robots of a new scene, those that are open chosen at first.
+  /// Asks for the robots of a new scene; those of the open scene are preselected.
   void choose_new();
   /// Asks for a scene and opens it.
   void open();

@@ -7,8 +7,8 @@ namespace handway::gui {
 
 class Workbench;
 
-/// Gives back to the system what scenes, plans and edits no longer need: the allocator keeps freed
-/// blocks for later, and what it keeps adds up from scene to scene.
+/// Returns unused memory of scenes, plans and edits to the system: the allocator keeps freed blocks
+/// for later, and they add up from scene to scene.
 class FreedMemory : public QObject {
   Q_OBJECT
 

@@ -45,7 +45,7 @@ class MainWindow : public QMainWindow {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
-  /// Asks about a robot that moves, and about unsaved changes.
+  /// Asks for confirmation if a robot moves, and if there are unsaved changes.
   void closeEvent(QCloseEvent* event) override;
 
  private:

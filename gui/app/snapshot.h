@@ -7,8 +7,8 @@
 
 namespace handway::gui {
 
-/// Takes a picture of the whole window as soon as it shows what was asked for:
-/// the scene, checked for collisions; with a plan, its path half-way played.
+/// Saves a picture of the whole window as soon as it shows the requested content: the scene,
+/// checked for collisions; with a plan, its path half-way played.
 class Snapshot : public QObject {
   Q_OBJECT
 

@@ -19,7 +19,7 @@ namespace handway::gui {
 
 class SceneView;
 
-/// Says in the status bar how many pictures a second a view draws; nothing while it rests.
+/// Shows in the status bar the frames per second of a view; nothing while it rests.
 class FrameRateLabel : public QLabel {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class FrameRateLabel : public QLabel {
 class PlanSettings;
 class Workbench;
 
-/// Does what the preferences say, when the window opens and whenever they change.
+/// Applies the preferences when the window opens and whenever they change.
 class PreferenceEffects : public QObject {
   Q_OBJECT
 
@@ -70,7 +70,7 @@ class EnterKey : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive it.
+  /// The window and the view outlive it.
   EnterKey(QWidget& window, QWidget& view);
 
  protected:
@@ -90,12 +90,12 @@ class BodyDisplayTool : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive it.
+  /// The document and the view outlive it.
   BodyDisplayTool(Document& document, SceneView& view, QObject* parent = nullptr);
 
   void show(BodyDisplay display);
   [[nodiscard]] BodyDisplay display() const { return display_; }
-  /// True while what to draw is being made.
+  /// Returns whether the geometry to draw is still being made.
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
 
  private:

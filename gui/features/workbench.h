@@ -120,22 +120,22 @@ class Workbench : public QObject {
   void show_context_menu(const QPoint& place);
   /// Returns a menu. @pre menu is not kContext.
   [[nodiscard]] QMenu& menu(MainMenu menu) const { return *menus_.at(menu); }
-  /// Puts everything that was added where it belongs. To be called once.
+  /// Puts everything that was added in its place. Call this once.
   void build();
 
   /// Shows the dock or tab of that name, if there is one.
   void show_panel(const char* name) const;
-  /// Does what the command with that object name does, if there is one.
+  /// Triggers the command with that object name, if there is one.
   void trigger(const char* action) const;
 
   /// Returns the displayed name of the open scene.
   [[nodiscard]] QString scene_name() const;
   /// Opens a file unless something keeps the scene from being left.
   void open(const std::filesystem::path& file, const Options& with = {});
-  /// Begins a new scene with a robot of the library and a hand on it, likewise. @param hand empty:
-  /// none.
+  /// Begins a new scene with a robot of the library and a hand on it unless something keeps the
+  /// scene from being left. @param hand empty: none.
   void create(const std::string& robot, const std::string& hand);
-  /// Shows the start page, likewise.
+  /// Shows the start page unless something keeps the scene from being left.
   void close();
   /// @param may_leave asked before the scene or the program is left; returns false to stay.
   void ask_before_leaving(std::function<bool()> may_leave);
@@ -155,7 +155,7 @@ class Workbench : public QObject {
  signals:
   /// The window is on screen, its options are known.
   void begun();
-  /// Another scene is shown, or none.
+  /// Emitted when another scene is shown, or none.
   void scene_shown();
   /// The scene is shown and the planner is set up.
   void ready();

@@ -49,7 +49,7 @@ class Drawing {
   }
   ~Drawing();
 
-  /// Null: nothing.
+  /// Returns the node, or null.
   [[nodiscard]] SoNode* node() const { return node_; }
 
  private:

@@ -75,7 +75,7 @@ class RobotNode {
   [[nodiscard]] SoSeparator* root() const { return root_.get(); }
   [[nodiscard]] const geometric::RobotModel& model() const { return *model_; }
 
-  /// Puts all links where configuration `q` has them, the base standing at X_WB.
+  /// Moves all links to configuration `q`, with the base at X_WB.
   void place(const geometric::Pose& X_WB, const geometric::Configuration& q);
   /// Moves a link and all that it carries, so that the link is at X_WL.
   void move_from(int link, const geometric::Pose& X_WL);
@@ -122,11 +122,11 @@ class Ghost {
   [[nodiscard]] float opacity() const { return opacity_; }
   void set_visible(bool visible) { visible_ = visible; }
   [[nodiscard]] bool is_visible() const { return visible_ && root_; }
-  /// Null: there is none.
+  /// Returns the robot, or null.
   [[nodiscard]] RobotNode* robot() const { return robot_.get(); }
 
   void clear();
-  /// Stands `robot` at q. @param prepare puts camera and lights into a new root.
+  /// Shows `robot` at q. @param prepare puts camera and lights into a new root.
   void show(const geometric::RobotInstance& robot, const geometric::Configuration& q,
             const LinkShapes& shapes, const geometric::Color& color, const Prepare& prepare);
   /// Shows something else that way, in colours of opacity().

@@ -60,7 +60,7 @@ class StillSplit {
 
   /// Begins with no moved links.
   void begin(const RobotNode& robot);
-  /// Looks which links have moved. @returns whether one has that had not before.
+  /// Finds the links that have moved. @returns whether one has that had not before.
   bool note_motion(const RobotNode& robot);
 
   /// Returns whether the link has moved, as far as has been noted.
@@ -129,7 +129,7 @@ class SceneBodies {
 
   /// Moves the first robot, and what all robots carry. @pre has_robot().
   void place(const geometric::Configuration& q);
-  /// Stands an object or a robot's base elsewhere, for a while.
+  /// Shows an object or a robot's base at another pose temporarily.
   void preview(const SceneItem& item, const geometric::Pose& X_WO);
   /// Draws meshes in place of the bodies' looks, where there are any.
   void stand_in(const BodyMeshes& meshes);

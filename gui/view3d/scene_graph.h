@@ -40,7 +40,7 @@ namespace handway::gui {
 class OrbitCamera;
 struct ScenePasses;
 
-/// Puts a Coin camera where `camera` is. @param aspect width by height.
+/// Sets a Coin camera to the pose of `camera`. @param aspect width by height.
 void aim_camera(SoPerspectiveCamera& eye, const OrbitCamera& camera, double aspect);
 
 /// Aims an orthographic camera; it stands far back, so that everything is before it.
@@ -73,10 +73,10 @@ class SceneGraph {
   bool set_collisions(std::vector<std::string> bodies);
   void set_selection(const Selection& selection);
   void show_ghosts(bool start, bool goal);
-  /// Stands the ghost of start or goal elsewhere, for a while.
+  /// Shows the ghost of start or goal at another configuration temporarily.
   void preview_ghost(bool start, const std::optional<geometric::Configuration>& q);
-  /// Stands ghosts where a search came to, with the bodies that collide painted as such, until the
-  /// scene changes; nothing: none. Start and goal have no ghosts meanwhile.
+  /// Shows ghosts in the farthest configurations of a search, with the colliding bodies painted as
+  /// such, until the scene changes; nothing: none. Start and goal have no ghosts meanwhile.
   void show_frontier(const std::optional<Frontier>& frontier);
   /// Draws something as ghosts are, until the scene changes; null: nothing.
   void set_traces(const Drawing& drawing);

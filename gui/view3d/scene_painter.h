@@ -88,7 +88,7 @@ class ScenePainter {
   void paint(const PictureFrame& frame, bool fast, unsigned target);
 
  private:
-  /// From where a picture is seen.
+  /// Camera of a picture.
   struct Sight {
     QSize pixels;
     Eigen::Matrix3d R_WC;

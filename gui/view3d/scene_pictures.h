@@ -39,7 +39,7 @@ class ScenePictures {
   [[nodiscard]] QImage picture(const geometric::Configuration& q, const OrbitCamera& camera,
                                const QSize& size);
 
-  /// Has such a picture drawn, and doesn't wait for it.
+  /// Begins to draw such a picture, without waiting for it.
   void begin(const geometric::Configuration& q, const OrbitCamera& camera, const QSize& size);
   /// Returns whether the picture that was begun is drawn.
   [[nodiscard]] bool is_drawn();

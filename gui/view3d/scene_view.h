@@ -30,8 +30,8 @@ class ScenePainter;
 class ViewOverlay;
 struct BodyMeshes;
 
-/// Asks a widget for pictures, but for no more than so many a second: what is asked for sooner
-/// comes when its time has come.
+/// Asks a widget for pictures, but for no more than a limited number per second: requests that come
+/// sooner are delayed.
 class FramePacer {
  public:
   explicit FramePacer(QWidget& widget);
@@ -81,7 +81,7 @@ class SceneView : public QOpenGLWidget {
   void set_selection(const Selection& selection);
   /// Shows an object or a robot's base elsewhere, until the scene changes.
   void preview(const SceneItem& item, const geometric::Pose& X_WO);
-  /// Puts handles onto an object or a robot. @param X_WO nothing: no handles.
+  /// Shows handles on an object or a robot. @param X_WO nothing: no handles.
   void set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO);
   /// Draws other handles in place of the gizmo, and in front of everything; null: none.
   void set_handles(const Drawing& handles);
@@ -92,10 +92,10 @@ class SceneView : public QOpenGLWidget {
   /// Handles along the target's own axes, or the world's.
   void set_gizmo_local(bool local);
   void show_ghosts(bool start, bool goal);
-  /// Stands the ghost of start or goal elsewhere, until the scene changes.
+  /// Shows the ghost of start or goal at another configuration until the scene changes.
   void preview_ghost(bool start, const std::optional<geometric::Configuration>& q);
-  /// Stands ghosts where a search without a path came to, in place of those of start and goal,
-  /// until the scene changes; nothing: none.
+  /// Shows ghosts in the farthest configurations of a search without a path, in place of those of
+  /// start and goal, until the scene changes; nothing: none.
   void show_frontier(const std::optional<Frontier>& frontier);
   /// The palm's way (world, m) and where its waypoints are.
   void set_path(std::span<const Eigen::Vector3d> points,
@@ -199,7 +199,7 @@ class SceneView : public QOpenGLWidget {
   void cancel_drag();
   [[nodiscard]] bool take_drag_key(const QKeyEvent& key, bool is_press);
   void fly_to(const OrbitCamera::Placement& placement);
-  /// To where all points are seen, with the same direction of view.
+  /// Moves the camera until all points are in view, with the same direction of view.
   void fly_around(const std::vector<Eigen::Vector3d>& points);
   void connect_cube();
 

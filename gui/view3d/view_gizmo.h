@@ -38,21 +38,21 @@ class ViewGizmo {
 
   /// @returns whether another handle is hot now.
   bool hover(const OrbitCamera& camera, const QSize& size, const QPointF& place);
-  /// Takes hold of the handle there, if there is one.
+  /// Grabs the handle at this place, if there is one.
   bool press(const OrbitCamera& camera, const QSize& size, const QPointF& place);
   /// @pre is_dragging(). @returns where the target is now.
   geometric::Pose drag(const OrbitCamera& camera, const QSize& size, const QPointF& place,
                        bool snap);
   /// Moves on along the axes of the world that the handle leaves free. @pre is_dragging().
   geometric::Pose shift(const Eigen::Vector3d& step);
-  /// Takes a key of a number that is typed in place of a drag: digits, sign, point, Backspace, and
-  /// Tab for the plates' other axis. In mm or degrees. @returns whether it is one.
+  /// Handles a key of a number that is typed in place of a drag, in mm or degrees: digits, sign,
+  /// point, Backspace, and Tab for the plates' other axis. @returns whether it is one.
   bool type(int key, const QString& text);
   /// Returns whether a number has been typed, which replaces the pointer's amount.
   [[nodiscard]] bool has_typed() const;
-  /// Lets go. @returns where the target was when it was taken hold of.
+  /// Releases the handle. @returns the pose of the target when it was grabbed.
   geometric::Pose release();
-  /// Lets go. The target is back where it was, which is returned.
+  /// Releases the handle. @returns the pose of the target when it was grabbed, which it has again.
   geometric::Pose cancel();
   [[nodiscard]] const std::optional<geometric::Pose>& pose() const { return X_WO_; }
   /// Returns how far the target has been dragged: "X +35 mm", "Z −15°".

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-/// From where a scene is looked at, and what is to be seen of it.
+/// Viewpoints of a scene, and the points that have to be visible.
 namespace handway::gui {
 
 /// Points (world, m) that a picture of the scene should contain: corners around
@@ -29,8 +29,8 @@ namespace handway::gui {
 /// Initial view of a scene.
 struct OpeningView {
   OrbitCamera camera;
-  /// In front of which point (world, m), towards the camera, objects have to be cut away to see the
-  /// robots that they hide; nothing if enough of them is seen.
+  /// Point (world, m) in front of which, towards the camera, objects have to be cut away to see the
+  /// robots that they hide; nothing if enough of them is visible.
   std::optional<Eigen::Vector3d> section = std::nullopt;
 };
 

@@ -25,7 +25,7 @@ class CommandPalette : public QFrame {
   /// @param window whose menus it lists.
   explicit CommandPalette(QWidget& window);
 
-  /// Comes up over the window.
+  /// Opens the palette over the window.
   void ask();
 
  protected:

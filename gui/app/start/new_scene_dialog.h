@@ -20,7 +20,8 @@ struct LibraryRobot {
   bool has_hand = false;
 };
 
-/// In alphabetical order. A robot without such groups counts as an arm.
+/// Returns the robots of the library in alphabetical order. A robot without such groups counts as
+/// an arm.
 [[nodiscard]] std::vector<LibraryRobot> library_robots();
 
 /// Asks for the robot of a new scene, from pictures: an arm, and the hand that is mounted on it; or

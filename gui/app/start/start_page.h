@@ -20,7 +20,7 @@ struct ShippedScene {
   QString picture;  ///< In the resource folder; may not exist.
 };
 
-/// In alphabetical order; empty if the program's scenes are not where they belong.
+/// Returns the scenes that ship in alphabetical order; empty if their folder is missing.
 [[nodiscard]] std::vector<ShippedScene> shipped_scenes();
 /// Returns whether the scene is in the folder of the scenes that ship.
 [[nodiscard]] bool is_shipped(const std::filesystem::path& scene);
@@ -39,7 +39,7 @@ class StartPage : public ScrollingPage {
   void open_requested(const QString& file);
   void browse_requested();
   void new_requested(const std::string& robot);
-  /// To choose an arm and a hand from pictures.
+  /// Emitted when an arm and a hand are to be chosen from pictures.
   void choice_requested();
 
  protected:

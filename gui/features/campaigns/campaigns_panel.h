@@ -43,7 +43,7 @@ class CampaignRunner : public QObject {
   void read(const std::filesystem::path& database);
   /// Carries out what is left of a campaign: one run at a time for each core but one.
   void run(const std::filesystem::path& campaign);
-  /// Ends it; what is done is kept.
+  /// Stops the campaign; finished runs are kept.
   void stop();
   [[nodiscard]] bool is_running() const { return job_.is_busy(); }
 

@@ -41,7 +41,7 @@ class StopControls : public QObject {
   /// @param active whether there is something to stop.
   void set_active(bool active);
 
-  /// For tool tips: "Ctrl+Space, Pause or F12".
+  /// Returns the keys for tool tips: "Ctrl+Space, Pause or F12".
   [[nodiscard]] static QString keys_text();
 
  signals:
@@ -58,9 +58,9 @@ class StopControls : public QObject {
   QList<QPointer<QPushButton>> buttons_;
 };
 
-/// From a path on screen to a motion of the hardware: times it, clears it from where the robot
-/// stands, runs it, shows where the robot is, and keeps what was executed. An edit of the scene
-/// revokes what was cleared, and reaches a motion that runs.
+/// Runs the path on screen on the hardware: times it, clears it from the measured posture, runs it,
+/// shows the measured robot, and keeps the executed motion. An edit of the scene revokes the
+/// clearance, and reaches a running motion.
 class DeviceSession : public QObject {
   Q_OBJECT
 
@@ -73,7 +73,7 @@ class DeviceSession : public QObject {
   /// Stops the robot; to be where it is always seen. Hidden while nothing is connected.
   [[nodiscard]] QPushButton* stop_button() const { return stop_; }
 
-  /// To be asked before the scene or the program is left. If the robot moves, asks whether to stop
+  /// Call this before the scene or the program is left. If the robot moves, it asks whether to stop
   /// it, stops it, and waits until it is at rest. @returns false to stay.
   [[nodiscard]] bool may_leave(QWidget& window);
 
@@ -90,7 +90,7 @@ class DeviceSession : public QObject {
   void start_here_requested(const Eigen::VectorXd& q);
   /// Plan again with that margin.
   void margin_requested(double millimetres);
-  /// For the log.
+  /// Emitted with a message for the log.
   void reported(bool good, const QString& message);
 
  private:

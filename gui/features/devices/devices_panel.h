@@ -52,7 +52,7 @@ class MotionDeviceField : public QComboBox {
   [[nodiscard]] QString address() const;
   /// "none", "emulator" or an address. For tests and options.
   void choose(const QString& device);
-  /// Puts an address that worked among those to choose from, for next time too.
+  /// Adds an address that worked to the choices, also for the next start.
   void remember();
 
  private:

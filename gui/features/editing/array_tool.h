@@ -35,7 +35,7 @@ class ArrayCard : public FloatingCard {
   [[nodiscard]] std::vector<geometric::Pose> motions(const Eigen::Vector3d& p_W) const;
   /// Returns whether original and copies become a group.
   [[nodiscard]] bool groups() const;
-  /// Says how many objects there will be more; above `most` there are none.
+  /// Shows how many objects will be added; above `most` none are.
   void show_count(int count, int most);
 
  signals:
@@ -75,7 +75,7 @@ class ArrayTool : public QObject {
   Q_OBJECT
 
  public:
-  /// Most copies that are made at once.
+  /// Largest number of copies that are made at once.
   static constexpr int kMostCopies = 400;
 
   /// All outlive it.

@@ -14,8 +14,8 @@ class QLabel;
 
 namespace handway::gui {
 
-/// Asks in which unit and with which axis upwards a mesh file was written, and shows what comes of
-/// it: sizes, and a picture with the height of a person's hand beside it.
+/// Asks for the unit and the up axis of a mesh file, and shows the result: sizes, and a picture
+/// with the height of a person's hand beside it.
 class MeshImportDialog : public QDialog {
   Q_OBJECT
 

@@ -42,10 +42,10 @@ class PalmTool : public QObject {
   /// Swings the elbow of a redundant arm while its palm is held.
   void swing(const SceneItem& item, double clicks);
   void drop(const SceneItem& item, const geometric::Pose& X_WP);
-  /// Says how near the arm gets, and leaves all as it is.
+  /// Shows how near the arm gets, without changing anything.
   void refuse(const SceneItem& item, const geometric::Pose& X_WP,
               const planning::PalmMove& nearest);
-  /// Goes on from `q`, and shows it.
+  /// Continues from `q`, and shows it.
   void take(const SceneItem& item, const geometric::Configuration& q);
   /// Shows whether the palm reaches the pose that it is dragged to, and the arm's manipulability
   /// there.

@@ -32,9 +32,9 @@ class PropertiesPanel : public PanelArea {
   void refresh_icons();
 
  signals:
-  /// To fix the selected object to a link; both empty: to the world.
+  /// Emitted to attach the selected object to a link; both empty: to the world.
   void attach_requested(const std::string& robot, const std::string& link);
-  /// To mount the selected robot on a link; nothing: to stand it in the world.
+  /// Emitted to mount the selected robot on a link; nothing: to place it in the world.
   void mount_requested(const std::string& robot,
                        const std::optional<handway::gui::LinkOfRobot>& on);
 

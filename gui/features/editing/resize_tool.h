@@ -20,11 +20,11 @@ class ResizeTool : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive it.
+  /// The editor and the view outlive it.
   ResizeTool(SceneEditor& editor, SceneView& view, QObject* parent = nullptr);
 
   void set_wanted(bool wanted) { wanted_ = wanted; }
-  /// Puts the knobs where the object is now. @returns whether there are any.
+  /// Moves the knobs to the object's present sides. @returns whether there are any.
   bool update();
   [[nodiscard]] bool is_dragging() const { return drag_.has_value(); }
   /// Returns the positions of the knobs in the view.

@@ -51,7 +51,7 @@ class PropertiesPanel;
 class SceneTree;
 class SceneView;
 
-/// Keeps view, tree, properties and menus in step with what is selected and edited.
+/// Keeps view, tree, properties and menus consistent with selection and edits.
 class SceneEditing : public QObject {
   Q_OBJECT
 
@@ -62,13 +62,13 @@ class SceneEditing : public QObject {
   [[nodiscard]] EditActions& actions() { return edit_actions_; }
   [[nodiscard]] ArrangeActions& arrange() { return arrange_actions_; }
   [[nodiscard]] ResizeTool& resize() { return resize_; }
-  /// To be put into docks.
+  /// Returns the tree, to be put into a dock.
   [[nodiscard]] SceneTree& tree() const { return *tree_; }
   [[nodiscard]] PropertiesPanel* properties() const { return properties_; }
 
   /// Adds a mesh from a file, or emits failed().
   void add_mesh(const QString& file);
-  /// Takes objects that are dragged from the tree into the view.
+  /// Handles drops of objects from the tree into the view.
   bool eventFilter(QObject* watched, QEvent* event) override;
   /// Shows or hides the handles of the selection, if it can be moved.
   void show_handles(bool shown);
@@ -108,7 +108,7 @@ class ConstraintDisplay : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive it.
+  /// The document and the view outlive it.
   ConstraintDisplay(Document& document, SceneView& view, QObject* parent = nullptr);
 
   void show();

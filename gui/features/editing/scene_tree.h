@@ -25,7 +25,7 @@ class SceneTree : public QTreeWidget {
   static constexpr const char* kDraggedObjects = "application/x-handway-objects";
   [[nodiscard]] static std::vector<std::string> dragged_objects(const QMimeData& data);
 
-  /// Null empties the tree.
+  /// Sets the scene; null empties the tree.
   void set_scene(std::shared_ptr<const geometric::Scene> scene);
   /// Shows an edited scene, unfolded as before.
   void update_scene(const SceneState& state);

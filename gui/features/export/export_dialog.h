@@ -97,7 +97,7 @@ class ExportDialog : public QDialog {
   ExportDialog(std::shared_ptr<const planning::PluginManager> plugins, Document& document,
                planning::Path path, const QString& name, QWidget* parent = nullptr);
 
-  /// Leaves the choice as it is if there is no such exporter.
+  /// Chooses the exporter of this name; without such an exporter, the choice is unchanged.
   void choose_format(const std::string& name);
   void set_folder(const QString& folder);
   /// Sets the clearance that has to remain beyond the robot's following error, m.

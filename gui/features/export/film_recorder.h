@@ -118,8 +118,8 @@ struct FilmShot {
   int oversampling = 1;  ///< See ScenePictures.
 };
 
-/// Takes pictures of a path one by one while the window stays alive: between two events no more
-/// is done than to have one drawn, or to take one that is.
+/// Takes pictures of a path one by one while the window stays responsive: between two events it
+/// only requests one picture, or takes a finished one.
 class FilmRecorder : public QObject {
   Q_OBJECT
 
@@ -131,7 +131,7 @@ class FilmRecorder : public QObject {
   void start(const FilmShot& shot, std::unique_ptr<FilmSink> sink);
   /// Begins a strip; taken() or failed() follows.
   void start(const FilmShot& shot);
-  /// Ends it; nothing is written.
+  /// Cancels the recording; nothing is written.
   void cancel();
   [[nodiscard]] bool is_busy() const { return pictures_ != nullptr; }
 

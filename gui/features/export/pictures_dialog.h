@@ -29,12 +29,12 @@ class StripWriter : public QObject {
 
   /// written() or failed() follows.
   void start(const QString& file, const QString& title, const std::vector<QImage>& pictures);
-  /// While it draws: nothing is written.
+  /// Cancels while pictures are drawn; nothing is written.
   void cancel();
   [[nodiscard]] bool is_busy() const { return busy_; }
 
  signals:
-  /// It has drawn, and can't be cancelled any more.
+  /// Emitted when all is drawn, and the export can't be cancelled any more.
   void writing();
   void written();
   void failed(const QString& message);

@@ -28,7 +28,7 @@ class ReconstructionChart : public QWidget {
  public:
   explicit ReconstructionChart(QWidget* parent = nullptr);
 
-  /// Empty: not known.
+  /// Sets the errors; empty: not known.
   void set_errors(std::vector<sampling::ReconstructionError> errors);
 
   [[nodiscard]] QSize sizeHint() const override { return {260, 150}; }

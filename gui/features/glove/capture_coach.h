@@ -33,7 +33,7 @@ struct JointVisits {
 
   /// Visited bins over all, in [0, 1].
   [[nodiscard]] double share() const;
-  /// From least to most; 0 before the first posture.
+  /// Returns the range from least to most; 0 before the first posture.
   [[nodiscard]] double range() const { return most > least ? most - least : 0.0; }
 };
 

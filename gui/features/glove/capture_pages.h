@@ -42,7 +42,7 @@ class CapturedPostures {
   [[nodiscard]] const std::vector<std::string>& joints() const { return joints_; }
   [[nodiscard]] const std::vector<int>& left_out() const { return left_out_; }
   [[nodiscard]] Eigen::Index count() const { return count_; }
-  /// From the first posture to the last, s.
+  /// Returns the time from the first posture to the last, s.
   [[nodiscard]] double duration() const { return last_time_ - first_time_; }
   /// Evenly chosen ones of all that were added, at most some thousand.
   [[nodiscard]] const std::vector<Eigen::VectorXd>& samples() const { return samples_; }
@@ -109,7 +109,7 @@ class CapturePages : public QObject {
   [[nodiscard]] PmdExplorer& explorer() { return *explorer_; }
   [[nodiscard]] const CapturedPostures& postures() const { return live_; }
 
-  /// Another scene. @param basis that it names; its basis may be null.
+  /// Sets the hand of another scene. @param basis that it names; its basis may be null.
   void set_hand(std::shared_ptr<const geometric::RobotModel> model, const HandBasis& basis);
   /// The scene names another basis; what has been captured stays.
   void set_basis(const HandBasis& basis);

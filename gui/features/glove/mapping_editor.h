@@ -57,7 +57,7 @@ class MappingWires : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
-  /// Says of each sensor what it measures.
+  /// Shows the tool tip of the sensor under the mouse.
   bool event(QEvent* event) override;
 
  private:
@@ -82,7 +82,8 @@ class WireForm;
 struct MappingComparison {
   Eigen::VectorXd shares_a;  ///< Shares of variance, falling.
   Eigen::VectorXd shares_b;
-  /// Between the spaces of the first k directions, rad; entry k-1. Only for joints in both.
+  /// Angles between the spaces of the first k directions, rad; entry k-1. Only joints in both are
+  /// considered.
   Eigen::VectorXd angles;
 };
 

@@ -63,7 +63,7 @@ class PmdExplorer : public QWidget {
  public:
   explicit PmdExplorer(QWidget* parent = nullptr);
 
-  /// Another scene. @param basis that it names; its basis may be null.
+  /// Sets the hand of another scene. @param basis that it names; its basis may be null.
   void set_hand(std::shared_ptr<const geometric::RobotModel> model, const HandBasis& basis);
   /// The scene names another basis.
   void set_scene_basis(const HandBasis& basis);
@@ -102,7 +102,7 @@ class PmdExplorer : public QWidget {
   void failed(const QString& message);
   /// The page has come to be seen.
   void shown();
-  /// Another number of directions, or other free joints.
+  /// Emitted when the number of directions or the free joints have changed.
   void options_changed();
 
  protected:

@@ -73,7 +73,7 @@ class PmdPad : public QWidget {
 class HandAxes {
  public:
   HandAxes() = default;
-  /// Empty if the robot lacks a joint of the basis.
+  /// The axes are empty if the robot lacks a joint of the basis.
   HandAxes(std::shared_ptr<const geometric::RobotModel> model, sampling::PmdBasis basis);
 
   [[nodiscard]] bool empty() const { return variables_.empty(); }

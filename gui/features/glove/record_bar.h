@@ -29,7 +29,7 @@ class RecordBar : public QWidget {
   [[nodiscard]] static std::filesystem::path unnamed_folder();
 
   void begin();
-  /// Ends the recording and asks what to call it.
+  /// Ends the recording and asks for its name.
   void finish();
   /// Gives the last recording a name. @throws std::filesystem::filesystem_error
   void keep_as(const std::filesystem::path& file);

@@ -38,7 +38,7 @@ class GraspCard : public FloatingCard {
   GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen);
 
   void show_search(const QString& object);
-  /// While the search goes on. @param fraction of it that is done, in [0, 1].
+  /// Shows the grasps found while the search runs. @param fraction of it that is done, in [0, 1].
   void show_progress(const std::vector<planning::Pregrasp>& grasps, double fraction);
   /// The search has ended. @param stopped before its end.
   void show_grasps(const std::vector<planning::Pregrasp>& grasps, bool stopped);
@@ -72,8 +72,8 @@ class GraspCard : public FloatingCard {
   bool is_chosen_ = false;  ///< A person has chosen the row.
 };
 
-/// From an object to a plan: finds pre-grasps in the background, shows them as ghosts of the goal,
-/// and plans to the one that is chosen.
+/// Plans to an object: finds pre-grasps in the background, shows them as ghosts of the goal, and
+/// plans to the chosen one.
 class GraspTool : public QObject {
   Q_OBJECT
 
@@ -82,7 +82,7 @@ class GraspTool : public QObject {
   GraspTool(Document& document, SceneEditor& editor, PlanningSession& session, SceneView& view,
             QObject* parent = nullptr);
 
-  /// Looks for ways to grasp the selected object.
+  /// Searches for grasps of the selected object.
   void begin();
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
   [[nodiscard]] const std::vector<planning::Pregrasp>& grasps() const { return grasps_.value; }
@@ -99,7 +99,8 @@ class GraspTool : public QObject {
   void choose(int index);
   /// Takes the grasps that a search has found so far. @param search the number of the search.
   void take_progress(int search, std::vector<planning::Pregrasp> found, double fraction);
-  /// In the view: the object, and the hand in each of the grasps.
+  /// Returns the points of the view that should stay visible: of the object, and of the hand in
+  /// each of the grasps.
   [[nodiscard]] std::vector<QPoint> to_be_seen() const;
 
   Document& document_;

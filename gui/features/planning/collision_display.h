@@ -60,7 +60,7 @@ class CollisionDisplay : public QObject {
   [[nodiscard]] CollisionLabel* label() const { return label_; }
   /// The switch of the line between the bodies that are closest.
   [[nodiscard]] QAction* closest_shown() const { return closest_shown_; }
-  /// Another scene is shown, of which nothing is known yet.
+  /// Resets for another scene, without a result yet.
   void show_scene();
 
  signals:
@@ -118,8 +118,8 @@ class DoctorCard : public FloatingCard {
 /// One or two sentences about what is wrong, as rich text.
 [[nodiscard]] QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& end);
 
-/// Looks after start and goal of the document: what can't be planned with is explained in the
-/// view, with a free posture nearby to take instead.
+/// Checks start and goal of the document: an end that can't be planned with is explained in the
+/// view, with a free posture nearby as an alternative.
 class QueryCheck : public QObject {
   Q_OBJECT
 

@@ -36,7 +36,7 @@ class PlanPanel : public QWidget {
   /// Enters a number into the field of a parameter, if the planner has one of that name and
   /// does not run.
   void enter(const char* key, double value);
-  /// Puts something below the parameters.
+  /// Adds a section below the parameters.
   void add_section(QWidget* section);
   /// Shows the reason why the path is not valid in the present scene; empty: it is valid.
   void show_validity(const QString& reason);
@@ -79,7 +79,7 @@ class PlanPanel : public QWidget {
   void show_replanned(const planning::PlanResult& result, const QString& origin);
   void show_failure(const QString& message);
   void begin_run();
-  /// Says which parameters differ from the preset, and offers its values if no planner runs.
+  /// Shows which parameters differ from the preset, and offers its values if no planner runs.
   void show_modified();
   /// Shows the controls that apply to one seed, or to several.
   void show_whether_several();

@@ -18,7 +18,7 @@ class PlanningCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive it.
+  /// The workbench and the panel outlive it.
   PlanningCommands(Workbench& workbench, PlanPanel& panel);
 
   /// Switches of what is drawn of a search.

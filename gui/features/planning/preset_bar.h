@@ -32,11 +32,11 @@ class PresetBar : public QWidget {
   [[nodiscard]] bool is_modified() const { return modified_; }
   /// The parameters that differ from what is chosen.
   [[nodiscard]] std::vector<std::string> modified_keys() const;
-  /// For a person: "Fast", or "Fast, modified".
+  /// Returns the displayed name: "Fast", or "Fast, modified".
   [[nodiscard]] QString words() const;
-  /// To be called whenever a parameter has another value.
+  /// Compares with the preset; call this whenever the value of a parameter has changed.
   void look_again();
-  /// Gives the planner the values of what is chosen.
+  /// Gives the planner the values of the chosen preset.
   void restore();
   [[nodiscard]] const PresetStore& store() const { return store_; }
 
@@ -48,7 +48,7 @@ class PresetBar : public QWidget {
  signals:
   /// The planner has the values of a preset.
   void applied();
-  /// Another preset, or the same with other values.
+  /// Emitted when another preset is chosen, or its values change.
   void changed();
   void failed(const QString& title, const QString& message);
 
@@ -59,7 +59,7 @@ class PresetBar : public QWidget {
   void apply(const QString& name);
   void ask_to_save();
   void ask_for_other_name();
-  /// Does what may be refused, and says why if it is.
+  /// Runs a function that may throw, and reports its error.
   void attempt(const QString& title, const std::function<void()>& what);
 
   const planning::PlannerRegistry& registry_;

@@ -42,8 +42,8 @@ struct ChartedRoadmap {
   Eigen::VectorXd goal;
 };
 
-/// Takes a moment with many nodes.
-/// @param roadmap may be null. @param path waypoints, close together; may be empty.
+/// Computes the chart, which takes a moment with many nodes. @param roadmap may be null.
+/// @param path waypoints, close together; may be empty.
 [[nodiscard]] ChartedRoadmap charted(PreparedProblem::Problem problem, SharedRoadmap roadmap,
                                      const std::vector<geometric::Configuration>& path);
 

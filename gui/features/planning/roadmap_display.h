@@ -164,7 +164,7 @@ class FrontierDisplay : public QObject {
   FrontierDisplay(Document& document, PlanningSession& session, SceneView& view,
                   QObject* parent = nullptr);
 
-  /// Null: nothing is shown.
+  /// Returns the reach that is shown, or null.
   [[nodiscard]] const planning::SearchReach* shown() const {
     return shown_ ? &*shown_->reach : nullptr;
   }

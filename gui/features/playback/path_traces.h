@@ -28,7 +28,7 @@ class PathTraces : public QObject {
   [[nodiscard]] QAction& trails() const { return *trails_; }
   [[nodiscard]] QAction& postures() const { return *postures_; }
   [[nodiscard]] QAction& volume() const { return *volume_; }
-  /// True while a volume is still to come.
+  /// Returns whether a volume is still being computed.
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
 
  private:

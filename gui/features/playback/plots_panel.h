@@ -26,7 +26,7 @@ enum class PlotQuantity { kPosition, kVelocity, kAcceleration, kClearance, kUnli
 /// Returns whether there is a curve for every joint, or one for all.
 [[nodiscard]] bool is_of_joints(PlotQuantity quantity);
 
-/// With its unit: "velocity, °/s".
+/// Returns the title of the axis with its unit: "velocity, °/s".
 [[nodiscard]] QString axis_title(PlotQuantity quantity, bool slides);
 
 /// The unit alone; empty: a pure number. @param slides of a joint that does not turn.
@@ -39,7 +39,7 @@ enum class PlotQuantity { kPosition, kVelocity, kAcceleration, kClearance, kUnli
 [[nodiscard]] std::vector<double> joint_values(const planning::Motion& motion, int variable,
                                                PlotQuantity quantity);
 
-/// Between what a joint's values have to stay, lowest first.
+/// Returns the limits of a joint's values, lowest first.
 [[nodiscard]] std::vector<double> joint_limits(const planning::Motion& motion, int variable,
                                                PlotQuantity quantity);
 

@@ -28,7 +28,7 @@ class JointPanel : public QWidget {
  public:
   explicit JointPanel(QWidget* parent = nullptr);
 
-  /// Null: no robot.
+  /// Sets the robot; null: none.
   void set_robot(std::shared_ptr<const geometric::RobotModel> model, const JointGroups& groups);
   /// @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);

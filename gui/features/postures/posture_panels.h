@@ -36,7 +36,7 @@ class PostureBar : public QWidget {
  public:
   explicit PostureBar(QWidget* parent = nullptr);
 
-  /// Null: no scene.
+  /// Sets the scene; null: none.
   void set_scene(const std::shared_ptr<const geometric::Scene>& scene);
 
  signals:
@@ -85,7 +85,7 @@ void add_postures(Workbench& workbench);
 
 class SceneEditor;
 
-/// Asks under which name a posture is kept, and of which part of the robot.
+/// Asks for the name of a posture to save, and the part of the robot.
 class KeepPostureDialog : public QDialog {
   Q_OBJECT
 
@@ -109,7 +109,7 @@ class KeepPostureDialog : public QDialog {
   QPushButton* keep_;
 };
 
-/// Keeps postures by name in the scene, and forgets them again, each in an edit that can be undone.
+/// Saves postures by name in the scene, and removes them again, each in an edit that can be undone.
 class KeptPostures : public QObject {
   Q_OBJECT
 
@@ -119,7 +119,7 @@ class KeptPostures : public QObject {
                QObject* parent = nullptr);
 
  private:
-  /// Asks for a name.
+  /// Asks for a name and saves the posture.
   void keep_this();
 
   const Document& document_;

@@ -32,9 +32,9 @@ void remember_package_path(const QString& folder);
 /// Asks for a robot's file. @returns empty if the user cancels.
 [[nodiscard]] QString choose_robot_file(QWidget* parent);
 
-/// Asks for a robot of the library or of a file, and where it goes: into the world, or onto a link
-/// of a robot that is there. While it is open, a link that is selected in the tree or the view is
-/// the one that it goes on.
+/// Asks for a robot of the library or of a file, and for its place: in the world, or on a link of a
+/// robot that is there. While the dialog is open, selecting a link in the tree or the view chooses
+/// it as the mount.
 class AddRobotDialog : public QDialog {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class AddRobotDialog : public QDialog {
   /// read.
   using FreePlace = std::function<geometric::Pose(const geometric::RobotInstance& robot)>;
 
-  /// Both outlive it.
+  /// The editor outlives the dialog.
   AddRobotDialog(std::shared_ptr<const planning::PluginManager> plugins, SceneEditor& editor,
                  FreePlace free_place, QWidget* parent = nullptr);
 
@@ -59,7 +59,7 @@ class AddRobotDialog : public QDialog {
   void list_library();
   void list_links();
   void browse();
-  /// Asks for a folder and looks there for the meshes that the robot's file names in vain.
+  /// Asks for a folder and searches it for the missing meshes of the robot's file.
   void search();
   void read_chosen();
   void take_robot(geometric::RobotInstance robot);

@@ -61,7 +61,7 @@ class RunsPanel : public QWidget {
   QPushButton* compare_;
 };
 
-/// Keeps the runs of a session in the history, and puts them back.
+/// Adds the runs of a session to the history, and restores them.
 class RunsTool : public QObject {
   Q_OBJECT
 
@@ -70,8 +70,8 @@ class RunsTool : public QObject {
   RunsTool(PathHistory& history, RunsPanel& runs, PlanningSession& session, PlanSettings& settings,
            SceneEditor& editor, QObject* parent = nullptr);
 
-  /// Gives settings and scene what the run began with, and shows what it found; what changes the
-  /// scene can be undone. Nothing happens while a planner runs.
+  /// Restores the settings and the scene of the run, and shows its result; changes of the scene can
+  /// be undone. Nothing happens while a planner runs.
   /// @pre the record has a run, of the scene that is open.
   void restore(const PathRecord& record);
 

@@ -35,7 +35,7 @@ class FollowForm : public QWidget {
   [[nodiscard]] std::optional<int> sensor() const;
   /// Returns whether the sensor's button closes the clutch.
   [[nodiscard]] bool button_closes() const;
-  /// Puts the box around a point of the base frame, m, as long as it is off.
+  /// Centres the box at a point of the base frame, m, as long as it is off.
   void centre_box(const Eigen::Vector3d& p_B);
 
  signals:

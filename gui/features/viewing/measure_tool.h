@@ -19,7 +19,7 @@ namespace handway::gui {
 
 class Workbench;
 
-/// At the view's lower right while distances are measured: what was measured, or what to do.
+/// Card at the view's lower right while distances are measured, with the result or the next step.
 class MeasureCard : public FloatingCard {
   Q_OBJECT
 
@@ -47,7 +47,7 @@ class MeasureTool : public QObject {
   /// @param workbench outlives it.
   explicit MeasureTool(Workbench& workbench);
 
-  /// Takes clicks, and Escape, from the view while it is on.
+  /// Handles clicks and Escape in the view while it is on.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -62,7 +62,7 @@ class MeasureTool : public QObject {
   [[nodiscard]] std::optional<SceneHit> hit_at(const QPoint& place);
   void draw(const std::optional<SceneHit>& end);
   void show_card();
-  /// Looks for the points where the two bodies are closest, on another thread.
+  /// Computes the closest points of the two bodies, on another thread.
   void find_gap();
 
   Workbench& workbench_;

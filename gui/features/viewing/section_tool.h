@@ -18,7 +18,7 @@ namespace handway::gui {
 class QuantityField;
 class Workbench;
 
-/// At the view's lower right while a section is shown: across which axis, and where.
+/// Card at the view's lower right while a section is shown, with its axis and position.
 class SectionCard : public FloatingCard {
   Q_OBJECT
 

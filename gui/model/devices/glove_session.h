@@ -76,7 +76,7 @@ class RecordingTap {
 
   [[nodiscard]] bool is_on() const;
   [[nodiscard]] std::size_t rows() const;
-  /// From the first row to the last, s.
+  /// Returns the time from the first row to the last, s.
   [[nodiscard]] double duration() const;
   /// Returns the error in writing rows; empty if all were written.
   [[nodiscard]] std::string error() const;
@@ -98,7 +98,7 @@ class GloveLink : public DeviceLink<device::Glove, ArrivedFrame> {
  public:
   explicit GloveLink(QObject* parent = nullptr);
 
-  /// Takes the place of the stream before.
+  /// Replaces the stream.
   /// @param emulator that the glove talks to, kept as long; may be null.
   void start(std::unique_ptr<device::Glove> glove,
              std::unique_ptr<device::GloveEmulator> emulator = nullptr);
@@ -138,9 +138,10 @@ class GloveSession : public QObject {
   /// A mapping that doesn't fit gives way to the paper's Table 1, or to one that is proposed for
   /// the hand. @param model null: no robot.
   void set_robot(std::shared_ptr<const geometric::RobotModel> model);
-  /// Null: there is none.
+  /// Returns the robot; null if there is none.
   [[nodiscard]] const std::shared_ptr<const geometric::RobotModel>& robot() const { return model_; }
-  /// Its ranges go into the mapping, its bones into retargeting. Nothing: the typical one.
+  /// Sets the calibration: its ranges are used by the mapping, its bones by retargeting. Nothing:
+  /// the typical one.
   void set_calibration(std::optional<device::GloveCalibration> calibration);
   void set_mapping(device::HandMapping mapping);
   [[nodiscard]] const device::GloveCalibration& calibration() const;
@@ -153,10 +154,10 @@ class GloveSession : public QObject {
 
   void set_method(PostureMethod method);
   [[nodiscard]] PostureMethod method() const { return method_; }
-  /// Looks for the fingers of the hand, in the background, unless that is done.
+  /// Finds the fingers of the hand, in the background, unless that is done.
   void prepare_retargeting();
-  /// Nullptr before prepare_retargeting() has ended, or if the hand can't be retargeted, see
-  /// retargeting_error().
+  /// Returns the retargeter; nullptr before prepare_retargeting() has ended, or if the hand can't
+  /// be retargeted, see retargeting_error().
   [[nodiscard]] const std::shared_ptr<const device::FingertipRetargeter>& retargeter() const {
     return retargeter_;
   }
@@ -177,7 +178,7 @@ class GloveSession : public QObject {
   /// All frames since the last time, the latest last.
   void sampled(const std::vector<handway::gui::GloveSample>& samples);
   void mapping_changed();
-  /// Another source(), or none.
+  /// Emitted when source() is another one, or none.
   void source_changed();
   /// prepare_retargeting() has ended.
   void retargeting_prepared();

@@ -61,8 +61,8 @@ struct MotionDevices {
   bool emulated_hand = false;
 };
 
-/// Keeps the connection to an arm and a hand on a thread of its own, reports where they are, and
-/// runs motions on them.
+/// Keeps the connection to an arm and a hand on a thread of its own, reports their joints, and runs
+/// motions on them.
 class MotionDriver : public QObject {
   Q_OBJECT
 
@@ -132,7 +132,7 @@ class MotionDriver : public QObject {
   void serve(Devices& devices, const std::stop_token& stop);
   /// @returns false if a fault ended the motion.
   bool carry_out(Devices& devices, const Order& order);
-  /// On the GUI thread, later.
+  /// Runs a function on the GUI thread, later.
   template <typename F>
   void tell(F&& news);
   void set_state(State state);

@@ -51,7 +51,8 @@ class StreamInbox {
     box_->owner = nullptr;
   }
 
-  /// To be called from any thread, as long as it likes.
+  /// Returns a function that passes items to the link. It may be called from any thread, at any
+  /// time.
   [[nodiscard]] std::function<void(const Item&)> item_slot() const {
     return [box = box_](const Item& item) { push(box, item); };
   }
@@ -203,7 +204,7 @@ class DeviceLink : public StreamLink {
   using StreamLink::StreamLink;
   using Stream = device::DeviceStream<Device>;
 
-  /// Takes the place of the stream before.
+  /// Replaces the stream.
   /// @param emulator that the device talks to, kept as long; may be null.
   /// @param make_item called by the stream's thread.
   /// @param on_items gets items since the last time, oldest first, never none.

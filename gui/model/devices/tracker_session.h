@@ -23,7 +23,7 @@ class TrackerLink : public DeviceLink<device::Tracker, device::TrackerSample> {
  public:
   using DeviceLink::DeviceLink;
 
-  /// Takes the place of the stream before.
+  /// Replaces the stream.
   /// @param emulator that the tracker talks to, kept as long; may be null.
   void start(std::unique_ptr<device::Tracker> tracker,
              std::unique_ptr<device::DeviceEmulator> emulator = nullptr);
@@ -79,7 +79,7 @@ class ArmLeader : public QObject {
                  const std::vector<int>& arm, const geometric::Configuration& q);
   /// Returns the reason why the arm can't be led; empty if it can.
   [[nodiscard]] const QString& problem() const { return problem_; }
-  /// Takes effect at once: a closed clutch engages again.
+  /// Changes the settings at once: a closed clutch engages again.
   void set_settings(const device::ToolFollowerSettings& settings);
   [[nodiscard]] const device::ToolFollowerSettings& settings() const { return settings_; }
   void set_configuration(const geometric::Configuration& q) { q_ = q; }

@@ -33,9 +33,9 @@ struct LostScene {
   QDateTime time;  ///< Time of the last change.
 };
 
-/// Keeps a copy of the scene with its unsaved changes in a folder of this window,
-/// written on a thread of its own and replaced whole. The folder goes when the
-/// window ends as it should; if it does not, it is found the next time.
+/// Saves a copy of the scene with its unsaved changes in a folder of this window, written on a
+/// thread of its own and replaced as a whole. The folder is removed when the window closes
+/// normally; otherwise it is found at the next start.
 class Autosave : public QObject {
   Q_OBJECT
 
@@ -50,7 +50,7 @@ class Autosave : public QObject {
   /// Writes `scene` soon; one that still waits is dropped.
   /// @param then_forget left by another window; removed when `scene` is safe.
   void store(UnsavedScene scene, const std::optional<LostScene>& then_forget = std::nullopt);
-  /// There is nothing unsaved any more.
+  /// Removes the copy, as there are no unsaved changes any more.
   void clear();
 
   /// Returns the scenes that windows which ended have left, the newest first.

@@ -34,11 +34,11 @@ class CollisionMonitor : public QObject {
 
   explicit CollisionMonitor(QObject* parent = nullptr);
 
-  /// Null: nothing to check.
+  /// Sets the problem; null: nothing to check.
   void set_problem(std::shared_ptr<const PreparedProblem> problem);
   /// @param q of the first robot, shape [variable_count].
   void check(const geometric::Configuration& q);
-  /// True while an answer is still to come.
+  /// Returns whether an answer is still expected.
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
 
  signals:

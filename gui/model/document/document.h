@@ -67,7 +67,7 @@ class RecordedHand : public QObject {
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const std::shared_ptr<const sampling::PmdBasis>& basis() const { return basis_; }
-  /// Null unless kReady.
+  /// Returns the postures; null unless kReady.
   [[nodiscard]] const std::shared_ptr<const sampling::RecordedPostures>& postures() const {
     return postures_;
   }
@@ -158,7 +158,7 @@ class Document : public QObject {
   [[nodiscard]] const planning::LoadedScene& loaded() const { return loaded_; }
   /// Returns the revision that present results depend on. Any edit changes it, undo included.
   [[nodiscard]] const planning::Revision& revision() const { return revision_; }
-  /// For planning and collision checks; null if there is no robot.
+  /// Returns the problem for planning and collision checks; null if there is no robot.
   [[nodiscard]] const std::shared_ptr<const PreparedProblem>& problem() const { return problem_; }
   /// The first robot; nullptr if there is none.
   [[nodiscard]] const geometric::RobotInstance* robot() const;

@@ -45,7 +45,7 @@ class Edit : public QUndoCommand {
   QElapsedTimer age_;
 };
 
-/// From one value to another and back.
+/// Edit from one value to another and back.
 template <typename Value>
 class ValueEdit final : public Edit {
  public:

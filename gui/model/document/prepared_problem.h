@@ -55,7 +55,8 @@ class PreparedProblem {
  public:
   using Problem = std::shared_ptr<const planning::PlanningProblem>;
 
-  /// Begins at once. A scene without start or goal has both where its robot stands.
+  /// The preparation begins at once. A scene without start or goal gets the robot's configuration
+  /// for both.
   /// @param before that of the scene before an edit, which saves work; null for a scene that was
   /// just opened.
   PreparedProblem(planning::LoadedScene loaded, const planning::Revision& revision,
@@ -89,7 +90,8 @@ class OwnChecker {
   explicit OwnChecker(std::shared_ptr<const PreparedProblem> problem)
       : problem_(std::move(problem)) {}
 
-  /// Null if PreparedProblem::wait() gives none. @throws InputError as that does.
+  /// Returns the checker; null if PreparedProblem::wait() gives none. @throws InputError as that
+  /// does.
   [[nodiscard]] geometric::CollisionChecker* wait(const std::stop_token& stop);
 
  private:

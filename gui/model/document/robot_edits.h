@@ -60,7 +60,7 @@ struct LinkOfRobot {
 /// Returns whether the group names something that the first robot lacks: a robot beside it.
 [[nodiscard]] bool joins_robots(const geometric::Scene& scene,
                                 const std::vector<std::string>& group);
-/// Lets what the group names move; see geometric::set_moving_group().
+/// Sets the group that moves; see geometric::set_moving_group().
 /// @throws InputError as that does.
 [[nodiscard]] SceneState with_group(const SceneState& state, const geometric::Configuration& q,
                                     const std::vector<std::string>& group);
@@ -69,13 +69,13 @@ struct LinkOfRobot {
 [[nodiscard]] SceneState with_mount(const SceneState& state, const geometric::Configuration& q,
                                     const std::string& robot, const LinkOfRobot& on,
                                     const geometric::Pose& X_LB);
-/// Stands a mounted part in the world, where it is.
+/// Removes the mount of a part, which stays at its pose in the world.
 [[nodiscard]] SceneState without_mount(const SceneState& state, const geometric::Configuration& q,
                                        const std::string& part);
 /// The base of a mounted part elsewhere in the world.
 [[nodiscard]] SceneState with_mount_at(const SceneState& state, const geometric::Configuration& q,
                                        const std::string& part, const geometric::Pose& X_WB);
-/// With another model of the same joints and links, with which parts are composed again.
+/// Replaces the model by another one with the same joints and links, and composes the parts again.
 [[nodiscard]] SceneState with_model(const SceneState& state, const geometric::Configuration& q,
                                     const std::string& robot,
                                     const std::shared_ptr<const geometric::RobotModel>& model);

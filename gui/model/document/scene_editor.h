@@ -88,8 +88,8 @@ class SceneEditor : public QObject {
   /// Mounts a robot, or one that is mounted already, on another link, at its origin; or takes it
   /// off where `on` is nothing.
   void mount(const std::string& robot, const std::optional<LinkOfRobot>& on);
-  /// Goes on with another model of the same robot or part: with other groups, or other pairs of
-  /// links that may touch.
+  /// Replaces the model of a robot or part by one with other groups, or other pairs of links that
+  /// may touch.
   void set_model(const std::string& robot, std::shared_ptr<const geometric::RobotModel> model,
                  Outcome outcome);
   /// Returns whether the selection is a robot that can be removed; the last robot of a scene can't.
@@ -107,7 +107,7 @@ class SceneEditor : public QObject {
   /// Adds what was copied, in free space as near as can be to where it was.
   /// @throws InputError if it is none.
   void paste(const std::string& text);
-  /// Puts objects that aren't locked into free space as near as can be to a place, together.
+  /// Moves objects that aren't locked together into free space as near as possible to a place.
   void put_at(const std::vector<std::string>& objects, const Eigen::Vector3d& foot);
   /// Makes objects that aren't locked members of a group, or of none (empty).
   void move_into_group(const std::vector<std::string>& objects, const std::string& group);
@@ -160,10 +160,10 @@ class SceneEditor : public QObject {
   /// when the scene was opened.
   void set_goal(const geometric::Configuration& q,
                 const std::optional<geometric::Configuration>& start = {});
-  /// Keeps a posture in the scene, in place of one of the same name.
+  /// Saves a posture in the scene, or replaces the one of the same name.
   void keep_posture(const geometric::NamedPosture& posture);
   void forget_posture(const std::string& name);
-  /// Keeps a view in the scene, in place of one of the same name.
+  /// Saves a view in the scene, or replaces the one of the same name.
   void save_view(const geometric::SavedView& view);
   void forget_view(const std::string& name);
   /// The hand is planned for with a basis, by whose file the scene names it.

@@ -71,7 +71,7 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
                                               const DisplayChange& change);
 [[nodiscard]] SceneState with_renamed_object(const SceneState& state, const std::string& name,
                                              const std::string& new_name);
-/// In place of the one of that name, or as a new one. @param constraint about one of
+/// Adds a constraint, or replaces the one of that name. @param constraint about one of
 /// constrainable_bodies().
 [[nodiscard]] SceneState with_constraint(const SceneState& state,
                                          geometric::PathConstraint constraint);
@@ -88,7 +88,7 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 [[nodiscard]] SceneState with_goal_pose(const SceneState& state, std::size_t index,
                                         const geometric::PoseGoal& goal);
 [[nodiscard]] SceneState without_goal_pose(const SceneState& state, std::size_t index);
-/// In place of the one of that name, or as a new one.
+/// Adds a posture, or replaces the one of that name.
 [[nodiscard]] SceneState with_posture(const SceneState& state,
                                       const geometric::NamedPosture& posture);
 [[nodiscard]] SceneState without_posture(const SceneState& state, std::string_view name);

@@ -27,14 +27,14 @@ class LatestJob : public QObject {
   explicit LatestJob(QObject* parent = nullptr);
   ~LatestJob() override;
 
-  /// Ends the job before, whose answer never arrives.
+  /// Cancels the previous job, whose answer never arrives, and runs this one.
   void run(Job job);
-  /// Lets the job before come to its end, and its answer arrive: for questions that may come faster
-  /// than they can be answered.
+  /// Runs the job after the previous one has ended and its answer has arrived: for queries that may
+  /// come faster than they can be answered.
   void run_next(Job job);
   /// Cancels the job, like run() without another job.
   void cancel();
-  /// True while an answer is still to come.
+  /// Returns whether an answer is still expected.
   [[nodiscard]] bool is_busy() const { return wanted_ != done_; }
 
  signals:

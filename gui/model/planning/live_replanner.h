@@ -26,13 +26,13 @@ class LiveReplanner : public QObject {
   /// Begins with a path that was planned for `problem`.
   void begin(std::shared_ptr<const PreparedProblem> problem, planning::Path path,
              const planning::PlanRequest& request);
-  /// There is no path any more.
+  /// Ends replanning, as there is no path any more.
   void end();
   [[nodiscard]] bool is_active() const { return followed_ != nullptr; }
-  /// True while an answer is still to come.
+  /// Returns whether an answer is still expected.
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
 
-  /// Asks for a path in a scene with the same robots. @param revision of that scene; none of a
+  /// Requests a path in a scene with the same robots. @param revision of that scene; none of a
   /// document's if it is only tried.
   void follow(std::shared_ptr<const geometric::Scene> scene, const planning::Revision& revision);
 

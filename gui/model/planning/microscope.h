@@ -43,7 +43,7 @@ struct RecordedRun {
   [[nodiscard]] std::vector<std::pair<int, int>> edges_after(std::size_t count) const;
 };
 
-/// Keeps the first steps of a run, so many that memory stays small.
+/// Records the first steps of a run, limited so that memory stays small.
 class RunRecorder : public planning::AlgorithmObserver {
  public:
   explicit RunRecorder(std::size_t most_steps) : most_steps_(most_steps) {}
@@ -81,7 +81,7 @@ class Microscope : public QObject {
   void forget();
   [[nodiscard]] bool is_recording() const { return job_.is_busy(); }
 
-  /// Null: none.
+  /// Returns the run, or null.
   [[nodiscard]] const std::shared_ptr<const RecordedRun>& run() const { return run_; }
   /// Palm of each node of the roadmap (world, m).
   [[nodiscard]] const std::vector<Eigen::Vector3d>& palms() const { return palms_; }
@@ -90,14 +90,14 @@ class Microscope : public QObject {
   [[nodiscard]] const RecordedStep& step() const { return run_->steps[position_]; }
 
   void go_to(std::size_t position);
-  /// To the next step (or back to the one before) that the filter lets through.
+  /// Moves to the next step (or back to the one before) that the filter accepts.
   /// @returns false at the end.
   bool go(int direction, StepFilter filter);
 
  signals:
   void recorded();
   void failed(const QString& message);
-  /// At another step, or there is no run any more.
+  /// Emitted when the step has changed, or there is no run any more.
   void moved();
 
  private:

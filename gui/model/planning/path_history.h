@@ -46,7 +46,7 @@ struct PlanRun {
 
 /// "350 ms", "2.41 s".
 [[nodiscard]] QString seconds_text(double seconds);
-/// With commas between thousands.
+/// Returns the count with commas between thousands.
 [[nodiscard]] QString count_text(std::uint64_t count);
 
 /// The key figures of a path.
@@ -67,10 +67,10 @@ struct PathFigures {
 /// @pre the record has a motion with its curves; if those have no clearance, it has a run.
 [[nodiscard]] PathFigures figures_of(const PathRecord& record);
 
-/// In joints normalised to [0, 1].
+/// Returns the length of the path in joints normalised to [0, 1].
 [[nodiscard]] double length_of(const geometric::RobotModel& model, const planning::Path& path);
 
-/// By how much a path changes its direction at all its waypoints together, rad, in joints
+/// Returns by how much a path changes its direction at all its waypoints together, rad, in joints
 /// normalised to [0, 1]: 0 for a straight one.
 [[nodiscard]] double turning_of(const geometric::RobotModel& model, const planning::Path& path);
 
@@ -128,7 +128,7 @@ class PathHistory : public QObject {
   /// found in the same scene is that run's.
   /// @returns the motion that the record goes by now; null if it has none.
   std::shared_ptr<const planning::Motion> add(PathRecord record);
-  /// Another scene is open.
+  /// Begins the records of another scene.
   void begin_scene();
   [[nodiscard]] const std::vector<PathRecord>& records() const { return records_; }
   [[nodiscard]] bool is_of_open_scene(const PathRecord& record) const {

@@ -40,7 +40,7 @@ class PathValidity : public QObject {
 
  private:
   void look();
-  /// In some revision of the scene.
+  /// Returns whether the path was valid in some revision of the scene.
   [[nodiscard]] bool was_valid() const;
   void check();
   void set(State state, const QString& reason = {});

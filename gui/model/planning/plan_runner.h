@@ -34,7 +34,7 @@ class PlanRunner : public QObject {
   void start(std::shared_ptr<planning::Planner> planner,
              std::shared_ptr<const PreparedProblem> problem, const planning::PlanRequest& request,
              int palm_link);
-  /// Asks the run to end; it does within 100 ms.
+  /// Requests the end of the run, which ends within 100 ms.
   void cancel();
   [[nodiscard]] bool is_running() const { return job_.is_busy(); }
 
@@ -82,16 +82,16 @@ class SeedRunner : public QObject {
 
   /// @pre none are going on; the planners are not touched until they have ended.
   void start(SeedRuns runs);
-  /// Ends them at once; what is still found is not reported any more.
+  /// Ends the runs at once; later results are not reported.
   void cancel();
   [[nodiscard]] bool is_running() const { return running_; }
 
  signals:
-  /// In the order in which they are done.
+  /// Emitted for each seed, in the order in which they are done.
   void found(const handway::gui::SeedOutcome& outcome);
   /// All are done, or were cancelled.
   void ended(bool cancelled);
-  /// They can't be done. @param message one sentence for a person.
+  /// Emitted if the seeds can't be run. @param message one displayed sentence.
   void failed(const QString& message);
 
  private:
@@ -151,9 +151,9 @@ class OptimizeRunner : public QObject {
 
   /// @pre none is going on.
   void start(OptimizeTask task);
-  /// Ends it after the round that goes on; the best path so far is the outcome.
+  /// Stops optimising after the present round; the best path so far is the outcome.
   void stop();
-  /// Ends it without an outcome.
+  /// Stops optimising without an outcome.
   void discard();
   [[nodiscard]] bool is_running() const { return job_.is_busy(); }
 
@@ -167,7 +167,7 @@ class OptimizeRunner : public QObject {
  private:
   struct Work;
 
-  /// On the job's thread.
+  /// Runs on the job's thread.
   void take_up(const OptimizeTask& task, const PreparedProblem::Problem& problem);
   [[nodiscard]] OptimizeProgress progress(double seconds, double limit_s) const;
   [[nodiscard]] OptimizeOutcome run(const OptimizeTask& task, int generation,
@@ -194,7 +194,7 @@ class TimingRunner : public QObject {
              const std::string& name, const planning::TimingOptions& options);
   /// No answer is wanted any more.
   void forget() { job_.cancel(); }
-  /// True while an answer is still to come.
+  /// Returns whether an answer is still expected.
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
 
  signals:

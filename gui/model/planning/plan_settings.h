@@ -42,7 +42,7 @@ class PlanSettings : public QObject {
   /// The chosen planner with the settings that differ from its defaults.
   [[nodiscard]] geometric::PlannerRequest choice() const;
 
-  /// Takes over a scene's planner with its settings.
+  /// Applies a scene's planner with its settings.
   /// @throws InputError if it names an unknown planner, key or value.
   void apply(const geometric::PlannerRequest& choice);
   /// Resets to the initial settings of a scene: one seed, 1, no margin, and the usual time limit
@@ -75,10 +75,10 @@ class PlanSettings : public QObject {
   /// Returns the number of seeds to plan with, beginning with the seed.
   [[nodiscard]] int seeds() const { return seeds_; }
   void set_seeds(int seeds);
-  /// By which the best of several seeds' paths is chosen.
+  /// Returns the criterion for the best of several seeds' paths.
   [[nodiscard]] PathMerit merit() const { return merit_; }
   void set_merit(PathMerit merit);
-  /// For how long a path is optimised at most, s; infinite: until it is stopped.
+  /// Returns the longest time of optimising, s; infinite: until it is stopped.
   [[nodiscard]] double optimize_limit() const { return optimize_limit_; }
   /// @param seconds 0: until it is stopped.
   void set_optimize_limit(double seconds);
@@ -89,16 +89,16 @@ class PlanSettings : public QObject {
   void set_preset(const QString& words) { preset_ = words; }
 
  signals:
-  /// Another planner, or the same with parameters that were set from outside its form.
+  /// Emitted when the planner has changed, or its parameters were set from outside its form.
   /// @param from_defaults presets begin with the planner's own values.
   void planner_changed(bool from_defaults);
-  /// Another planner, or another value of a parameter.
+  /// Emitted when the planner or the value of a parameter has changed.
   void parameters_changed();
-  /// Anything but planner and parameters.
+  /// Emitted when a setting other than planner and parameters has changed.
   void request_changed();
 
  private:
-  /// Keeps `value` in `member`, and says so if it is another.
+  /// Stores `value` in `member`, and announces a change.
   template <typename Value>
   void keep(Value& member, const Value& value) {
     if (member != value) {
@@ -122,13 +122,13 @@ class PlanSettings : public QObject {
   QString preset_;
 };
 
-/// Puts what a person changes of the planner and its settings onto the undo stack, one entry for
-/// all that changes at once. They alone make no unsaved work, of which a person would be asked.
+/// Puts the user's changes of the planner and its settings onto the undo stack, one entry for all
+/// that changes at once. They don't count as unsaved work.
 class SettingsHistory : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive it.
+  /// The settings and the editor outlive it.
   SettingsHistory(PlanSettings& settings, SceneEditor& editor, QObject* parent = nullptr);
 
   /// The settings as they are now are those to begin with, as of a scene that was opened.

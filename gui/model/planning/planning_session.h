@@ -14,9 +14,9 @@
 
 namespace handway::gui {
 
-/// From a click on Plan to a path that plays: runs the chosen planner on the
-/// document's scene, with one seed or several, moves the document's robot along the result, and
-/// keeps the path valid while the scene is edited.
+/// Plans for the document: runs the chosen planner on its scene, with one seed or
+/// several, moves its robot along the result, and keeps the path valid while the scene is
+/// edited.
 class PlanningSession : public QObject {
   Q_OBJECT
 
@@ -26,17 +26,17 @@ class PlanningSession : public QObject {
                   QObject* parent = nullptr);
 
   void start();
-  /// Goes on with optimising the path that is shown, for the planner's objective; the result is a
-  /// path of its own, as after planning. Nothing happens without a path that is valid in the scene
-  /// as it is.
+  /// Continues optimising the path that is shown, for the planner's objective; the result is a path
+  /// of its own, as after planning. Nothing happens without a path that is valid in the present
+  /// scene.
   void optimize();
-  /// Ends what runs; of optimising the best path so far is the result.
+  /// Stops the running plan; of optimising, the best path so far is the result.
   void cancel();
   [[nodiscard]] bool is_running() const {
     return runner_.is_running() || seeds_.is_running() || is_optimizing();
   }
   [[nodiscard]] bool is_optimizing() const { return optimizer_.is_running(); }
-  /// There is no path any more, nor a run that goes on.
+  /// Discards the path and the running plan.
   void forget();
   /// Shows what a run found in the scene that is open, as if it had just ended.
   /// @pre it has a run; none is going on.
@@ -51,7 +51,7 @@ class PlanningSession : public QObject {
   [[nodiscard]] const QString& opened_from() const { return opened_from_; }
   /// The run whose path is shown; null if there is none, or the path has followed edits.
   [[nodiscard]] const std::shared_ptr<const PlanRun>& shown_run() const { return shown_; }
-  /// True while a path follows an edit.
+  /// Returns whether a path is being planned after an edit.
   [[nodiscard]] bool is_replanning() const { return live_.is_busy(); }
 
   /// Returns the roadmap of the last run as far as it has grown; null: none.

@@ -58,8 +58,9 @@ class PresetStore : public QObject {
   [[nodiscard]] const QString& fault() const { return fault_; }
   [[nodiscard]] static std::filesystem::path file();
 
-  /// Keeps a preset, in the place of a person's own one of that name if there is one.
-  /// @throws InputError if it can't be written, or the name is one of the program's or blank.
+  /// Saves a preset, or replaces the user's own one of that name.
+  /// @throws InputError if it can't be written, or the name is blank or that of a preset that
+  /// ships.
   void save(const std::string& planner, const PlannerPreset& preset);
   /// @throws InputError as save() does, and if there is one of the new name already.
   void rename(const std::string& planner, const QString& name, const QString& new_name);

@@ -28,15 +28,15 @@ struct EndDiagnosis {
   std::optional<planning::CollisionRemedy> remedy;  ///< Alternative that may be meant.
 };
 
-/// Looks at start and goal on a thread of its own.
+/// Checks start and goal on a thread of its own.
 class QueryDoctor : public QObject {
   Q_OBJECT
 
  public:
   explicit QueryDoctor(QObject* parent = nullptr);
 
-  /// Looks at those ends that `scene` has. diagnosed() follows, unless it is asked again before.
-  /// @param problem of that scene; null: nothing to look at.
+  /// Checks those ends that `scene` has. diagnosed() follows, unless this is called again before.
+  /// @param problem of that scene; null: nothing to check.
   void examine(const std::shared_ptr<const geometric::Scene>& scene,
                const std::shared_ptr<const PreparedProblem>& problem);
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }

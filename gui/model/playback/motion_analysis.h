@@ -40,7 +40,7 @@ struct MotionCurves {
   std::vector<double> to_recorded;
 };
 
-/// More clearance (m) is not distinguished.
+/// Limit of clearance, m; more is not distinguished.
 inline constexpr double kMostClearance = 0.1;
 
 /// @param postures of a person, may be null.
@@ -69,13 +69,13 @@ class MotionAnalysis : public QObject {
     kFailed,
   };
 
-  /// Both outlive it.
+  /// The document and the player outlive it.
   MotionAnalysis(Document& document, PathPlayer& player, QObject* parent = nullptr);
 
   [[nodiscard]] State state() const { return state_; }
-  /// Null unless the state is kTimed.
+  /// Returns the motion; null unless the state is kTimed.
   [[nodiscard]] const std::shared_ptr<const planning::Motion>& motion() const { return motion_; }
-  /// Null until they are there.
+  /// Returns the curves; null until they are computed.
   [[nodiscard]] const std::shared_ptr<const MotionCurves>& curves() const { return curves_; }
   /// Returns the reason why there are no times.
   [[nodiscard]] const QString& fault() const { return fault_; }

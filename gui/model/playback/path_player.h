@@ -24,14 +24,15 @@ class PathTimeline {
   PathTimeline() = default;
   PathTimeline(const geometric::RobotModel& model, planning::Path path);
 
-  /// Goes as `motion` does from now on. @pre it is one of this path, or null: at even speed.
+  /// Sets the motion that playback follows from now on. @pre it is one of this path, or null: at
+  /// constant speed.
   void set_motion(std::shared_ptr<const planning::Motion> motion) { motion_ = std::move(motion); }
   [[nodiscard]] const std::shared_ptr<const planning::Motion>& motion() const { return motion_; }
 
   [[nodiscard]] bool empty() const { return path_.empty(); }
   /// Sum of the normalised distances between waypoints.
   [[nodiscard]] double length() const { return empty() ? 0.0 : distance_.back(); }
-  /// At real time if it is timed; else as long as one likes to look at it, s.
+  /// Returns the duration in real time if the path is timed; else a convenient one, s.
   [[nodiscard]] double duration() const;
   [[nodiscard]] const planning::Path& path() const { return path_; }
 
@@ -109,10 +110,10 @@ class PathPlayer : public QObject {
   void play();
   void pause();
   void seek(double fraction);
-  /// To the next waypoint, or the one before.
+  /// Steps to the next waypoint, or the one before.
   void step_forward() { seek(timeline_.next_waypoint(fraction_)); }
   void step_back() { seek(timeline_.previous_waypoint(fraction_)); }
-  /// By pictures, as if it played at real time. @param frames below 0: back.
+  /// Steps by frames, as if it played at real time. @param frames below 0: back.
   void step_frames(int frames);
   /// @param factor times real time, above 0.
   void set_speed(double factor) { speed_ = factor; }
@@ -150,7 +151,7 @@ class PathPlayer : public QObject {
 /// Moves the document's robot by hand, which pauses a path that is played.
 class Posing : public QObject {
  public:
-  /// Both outlive it.
+  /// The document and the player outlive it.
   Posing(Document& document, PathPlayer& player, QObject* parent = nullptr)
       : QObject(parent), document_(document), player_(player) {}
 

@@ -21,7 +21,7 @@ struct Options {
   std::filesystem::path scene;       ///< Empty: start with an empty window.
   std::filesystem::path screenshot;  ///< Empty: stay open.
   bool view_only = false;            ///< The picture shows the 3-D view alone, of that size.
-  /// Empty: the last size; at first, and for pictures, kUsualSize.
+  /// Window size; empty: the last one; at first, and for pictures, kUsualSize.
   std::optional<QSize> size;
   std::filesystem::path path;  ///< File of a path to show at once; empty: none.
   bool play = false;           ///< Plan at once, unless there is a path, then play in a loop.

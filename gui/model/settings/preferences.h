@@ -63,7 +63,7 @@ class Preferences : public QObject {
   explicit Preferences(QObject* parent = nullptr);
 
   [[nodiscard]] const PreferenceValues& values() const { return values_; }
-  /// Keeps other values and emits changed(), if they have.
+  /// Stores the values and emits changed(), if they differ.
   void set(const PreferenceValues& values);
   /// Sets one of the values: set(&PreferenceValues::floor, false).
   template <typename Value>

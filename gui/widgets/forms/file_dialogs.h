@@ -7,10 +7,10 @@ class QWidget;
 
 namespace handway::gui {
 
-/// Asks where to write a file. A name without an ending gets that of the type that is chosen before
-/// it is asked whether a file that is there may be replaced.
-/// @param name that is proposed, with or without a folder. @param filters as QFileDialog has them.
-/// @returns nothing if it was cancelled.
+/// Asks for the file to write. A name without an ending gets that of the chosen type before the
+/// question whether to replace an existing file.
+/// @param name that is proposed, with or without a folder.
+/// @param filters as QFileDialog has them. @returns nothing if it was cancelled.
 [[nodiscard]] QString ask_where_to_save(QWidget* parent, const QString& title, const QString& name,
                                         const QString& filters);
 

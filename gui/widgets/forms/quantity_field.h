@@ -124,8 +124,8 @@ class SliderRow : public QWidget {
   QDoubleSpinBox* field_;
 };
 
-/// Keeps the wheel from changing sliders, number fields and choices over which it merely happens
-/// to scroll: it changes only those that have the focus, and goes on to what scrolls otherwise.
+/// Prevents the wheel from changing sliders, number fields and choices that it merely scrolls over:
+/// it changes only those that have the focus, and otherwise scrolls.
 class WheelGuard : public QObject {
   Q_OBJECT
 

@@ -46,8 +46,8 @@ struct ShownChoice {
 /// @param current row; negative: none.
 void show_choices(QComboBox& box, const std::vector<ShownChoice>& choices, int current);
 
-/// Takes what is typed in the field as entered, as the key Return does. Text that is no valid
-/// value stays in the field.
+/// Enters the typed text, as the key Return does. Text that is no valid value stays in the
+/// field.
 void enter_typed(QWidget& field);
 /// Forgets what is typed in the widget and in all fields inside: they are about something else from
 /// now on.

@@ -22,7 +22,7 @@ struct DockContent {
   QString title;
   QWidget* widget;
   int height = 0;  ///< At first, px; for those above each other.
-  /// Takes over a page of another part of the window; empty: there is no room for any.
+  /// Adds a page of another part of the window; empty: there is no room for any.
   std::function<void(const QString& title, QWidget* page)> add_page = {};
 };
 
@@ -43,8 +43,8 @@ struct DockSwitches {
 /// Docks at their usual places.
 [[nodiscard]] DockSwitches build_docks(QMainWindow& window, const DockContents& contents);
 
-/// Lets the Tab key go from a widget through all in it, in the order in which they were put there,
-/// also those that were put there later than what stands behind it.
+/// Sets the Tab order of a widget to all widgets in it, in the order in which they were put there,
+/// also those that were added later than the widgets after it.
 void order_tabs(QWidget& widget);
 
 /// A page without a frame that scrolls where it has not enough room. The Tab key goes through what
@@ -82,8 +82,8 @@ class PanelArea : public ScrollingPage {
 void save_layout(const QMainWindow& window);
 /// @returns false if there is none, or one of another version of the program.
 bool restore_layout(QMainWindow& window);
-/// Puts the window where it was; at first in the `wanted` size, px, or maximised on a screen that
-/// has no room for that and a frame.
+/// Restores the place of the window; at first it has the `wanted` size, px, or is maximised on a
+/// screen that has no room for that and a frame.
 void restore_geometry(QMainWindow& window, const QSize& wanted);
 
 }  // namespace handway::gui

@@ -53,7 +53,7 @@ class Banner : public FloatingCard {
   explicit Banner(QWidget* host);
 
   void show_message(const QString& title, const QString& message);
-  /// Puts a message away; an offer stays.
+  /// Closes a message; an offer stays.
   void hide_message();
   /// A question that may be left open. Both buttons put the banner away.
   void offer(const QString& title, const QString& message, const QString& accept,

@@ -28,7 +28,7 @@ class LogPanel : public QPlainTextEdit {
     QString message;
   };
 
-  /// In the current theme's colours.
+  /// Appends an entry in the current theme's colours.
   void append(const Entry& entry);
 
   std::deque<Entry> entries_;

@@ -37,7 +37,7 @@ class PlaybackBar : public QWidget {
   /// Redraws the icons, after a change of theme.
   void refresh_icons();
 
-  /// Without the buttons that can be left out.
+  /// Returns the smallest size, without the buttons that can be left out.
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:

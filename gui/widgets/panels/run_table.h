@@ -87,7 +87,7 @@ class RunTable : public QAbstractTableModel {
 
   void clear();
   void add(const std::vector<RunRow>& rows);
-  /// In place of all there are.
+  /// Replaces all rows.
   void set_rows(std::vector<RunRow> rows);
   [[nodiscard]] const std::vector<RunRow>& rows() const { return rows_; }
 

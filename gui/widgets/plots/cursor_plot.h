@@ -95,7 +95,7 @@ class TimePlot : public QWidget {
   void show_legend();
   /// Sets the colours, in place of those of a printed figure.
   void set_colors(const PlotColors& colors);
-  /// Takes all curves away.
+  /// Removes all curves.
   void clear();
   /// @param times s. @param values as many.
   void set_curve(int index, const std::vector<double>& times, const std::vector<double>& values);

@@ -50,7 +50,7 @@ class ProjectionPlot : public QWidget {
 
   void set_colors(const ProjectionColors& colors);
   void set_titles(const QString& x, const QString& y);
-  /// Looks at all of it. @param keeps_view looks where it looked before.
+  /// Sets the roadmap. @param keeps_view keeps the visible range; otherwise shows all.
   void set_roadmap(PlaneRoadmap roadmap, bool keeps_view);
   /// Sets the position of the robot; nothing: no cross.
   void set_robot(const std::optional<QPointF>& place);

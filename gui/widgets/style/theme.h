@@ -36,10 +36,10 @@ struct ThemeColors {
 
 [[nodiscard]] ThemeColors colors_of(Theme theme);
 
-/// Gives the program Fusion style, palette and style sheet of `theme`.
+/// Sets Fusion style, palette and style sheet of `theme`.
 /// @param text_scale 1 is 100 %; widgets that exist keep the widths that they have.
 void apply_theme(QApplication& application, Theme theme, double text_scale);
-/// With text as large as it is.
+/// Sets the theme with the present size of text.
 void apply_theme(QApplication& application, Theme theme);
 
 /// Returns a length for text, px: `pixels` at 100 %, scaled with the size of the text.
@@ -71,7 +71,7 @@ void set_text_size(QPainter& painter, int pixels);
 /// Calls `take`, at once and whenever the widget gets another theme.
 void follow_theme(QWidget& widget, std::function<void()> take);
 
-/// Gives a widget that is shown already another role in the style sheet; empty: none.
+/// Sets another role in the style sheet for a widget that is already shown; empty: none.
 void set_role(QWidget& widget, const QString& role);
 
 /// Returns the colour of what needs attention but is no fault: joints at their limits, sensors at

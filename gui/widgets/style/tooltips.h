@@ -10,7 +10,7 @@ class WrappedTooltips : public QObject {
   Q_OBJECT
 
  public:
-  /// For as long as it lives.
+  /// Wraps tool tips as long as it lives.
   explicit WrappedTooltips(QObject* parent);
 
  protected:
