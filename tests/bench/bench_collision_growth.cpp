@@ -116,7 +116,7 @@ void bm_triangles(benchmark::State& state) {
   ask(state, checker);
 }
 
-// Every thread asks a clone of its own; real time a question, all threads together.
+// Every thread queries its own clone; times are real time per query, all threads together.
 template <typename Checker>
 void bm_threads(benchmark::State& state) {
   static const Checker kChecker(scattered_boxes(100));
@@ -125,8 +125,8 @@ void bm_threads(benchmark::State& state) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
 }
 
-// From a scene in memory to the first answer. peak_MB is what the process has needed at most
-// so far: run one case alone (--benchmark_filter) to see its own.
+// Measures the time from a scene in memory to the first answer. peak_MB is the peak memory of the
+// process so far: run one case alone (--benchmark_filter) to see its own.
 template <typename Checker>
 void bm_load(benchmark::State& state) {
   const WorldPtr world = one_ball(static_cast<int>(state.range(0)));

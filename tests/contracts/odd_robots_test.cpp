@@ -55,7 +55,8 @@ RobotDescription planar(std::vector<geometric::JointGroup> groups,
 
 constexpr double kReach = 0.4;  // of the joints' ranges, from start to goal
 
-/// From near the middle of all ranges to 0.4 of them away, past a post, free at both ends.
+/// Returns a problem from near the middle of all ranges to 0.4 of them away, past a post, free at
+/// both ends.
 PlanningProblem problem_of(RobotDescription robot, bool has_basis) {
   geometric::Scene scene = test::scene_of(std::move(robot));
   test::add_object(scene, "post", geometric::Cylinder{0.03, 0.3}, Eigen::Vector3d(-0.5, 0.0, 0.0));
@@ -132,8 +133,8 @@ const std::vector<OddRobot> kOddRobots = {
      }},
 };
 
-/// Every setting that chooses among words or is on or off, with each of its values; the
-/// first is that nothing is set.
+/// Returns every setting that is a choice or on or off, with each of its values; the first is that
+/// nothing is set.
 std::vector<std::pair<std::string, std::string>> choices_of(Planner& planner) {
   std::vector<std::pair<std::string, std::string>> choices = {{"", ""}};
   for (const Parameter& parameter : planner.parameters()) {

@@ -22,7 +22,7 @@ namespace handway::test {
 /// Empty if there is no such heading.
 [[nodiscard]] std::string section(const std::string& markdown, std::string_view name);
 
-/// Every "--option" in `text`, without its argument.
+/// Returns every "--option" in `text`, without its argument.
 [[nodiscard]] std::set<std::string> long_options(const std::string& text);
 
 /// README.md, CHANGELOG.md and all of docs/.

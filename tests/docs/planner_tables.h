@@ -6,7 +6,8 @@
 
 namespace handway::test {
 
-/// For each planner its description, what it can do and a table of its parameters, in Markdown.
+/// Returns for each planner its description, its capabilities and a table of its parameters, in
+/// Markdown.
 [[nodiscard]] std::string planner_tables(const planning::PlannerRegistry& registry);
 
 /// `page` with what stands between the two marks replaced by `tables`.

@@ -27,7 +27,7 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// From `start` by `way` at an even pace within two seconds.
+/// Returns a motion from `start` by `way` at a constant speed within two seconds.
 device::JointTrajectory line(const Eigen::VectorXd& start, const Eigen::VectorXd& way) {
   constexpr Eigen::Index kSteps = 100;
   device::JointTrajectory line;
@@ -79,7 +79,7 @@ class FloodedMotion : public testing::Test {
     targets_[1].link->upload(line(hand_settings_.position, way));
   }
 
-  /// Both go on to tell where they were, without pause.
+  /// Floods with the present position of the hand, repeated without pause.
   void flood_from_hand() {
     hand_proxy_->flood(device::to_line({0.0, "running", targets_[1].link->measured().position}));
   }

@@ -1,4 +1,4 @@
-/// From the place of a tool to the place of a path, and along it.
+/// Tests the map from the pose of a tool to the place on a path, and motions along it.
 #include "handway/execution/guidance/guidance_run.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/robot_state.h"

@@ -26,7 +26,7 @@ std::uint16_t port_of(const std::string& address) {
   return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
 }
 
-/// From `start` to `end` at an even pace within a second and a half.
+/// Returns a motion from `start` to `end` at a constant speed within a second and a half.
 device::JointTrajectory line(const Eigen::VectorXd& start, const Eigen::VectorXd& end) {
   constexpr Eigen::Index kSteps = 75;
   device::JointTrajectory line;
@@ -38,7 +38,7 @@ device::JointTrajectory line(const Eigen::VectorXd& start, const Eigen::VectorXd
   return line;
 }
 
-/// Does what a test says whenever a motion has gone on.
+/// Calls a test's function whenever a motion has progressed.
 class Watcher final : public MotionObserver {
  public:
   std::function<void(double time)> progress = [](double) {};

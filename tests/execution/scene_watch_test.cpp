@@ -242,7 +242,7 @@ TEST(SceneWatch, BlocksASceneThatMakesNoProblem) {
   EXPECT_THAT(verdict.reason, HasSubstr("a mesh that is not there"));
 }
 
-/// Does what a test says whenever the motion has gone on, or is held.
+/// Calls a test's function whenever the motion has progressed, or is held.
 class Script final : public MotionObserver {
  public:
   std::function<void(double time)> progress = [](double) {};

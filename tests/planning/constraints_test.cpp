@@ -80,7 +80,7 @@ PathConstraint strip() {
               geometric::Pose(Eigen::Translation3d(0.5 * (near + far), 0.0, corner.z()))}};
 }
 
-// At steps of less than 1 mm and 0.1°.
+// Checks the path at steps of less than 1 mm and 0.1°.
 void expect_along(const Path& path, const PlanningProblem& problem,
                   const std::function<bool(const geometric::Pose&)>& holds) {
   constexpr double kStep = 5e-4;  // rad, of all joints together, of a robot that reaches 2 m

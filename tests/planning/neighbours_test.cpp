@@ -20,7 +20,7 @@ constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 Eigen::VectorXd at(double x) { return Eigen::VectorXd::Constant(1, x); }
 
-// Every point looked at.
+// Finds the neighbours by linear search.
 std::vector<Neighbour> by_brute_force(const std::vector<Eigen::VectorXd>& points,
                                       const Eigen::VectorXd& point, std::size_t most, double radius,
                                       const std::function<bool(int)>& wanted) {

@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(OfPlanners, EveryPlanner, testing::Values("auto", "rrt-
                            return std::string(test.param == "auto" ? "Auto" : "RrtConnect");
                          });
 
-/// Says that it has found a path.
+/// Planner that reports a path it has not found.
 class Liar final : public Planner {
  public:
   explicit Liar(std::vector<Configuration> waypoints) : waypoints_(std::move(waypoints)) {}

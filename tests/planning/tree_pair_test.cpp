@@ -8,7 +8,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// On a line: start 0 at x = 0, goal 1 at x = 10.
+// The nodes are on a line: start 0 at x = 0, goal 1 at x = 10.
 class ATreePair : public testing::Test {
  protected:
   static Eigen::VectorXd at(double x) { return Eigen::VectorXd::Constant(1, x); }

@@ -1,4 +1,4 @@
-// Every scene that ships is a problem that a person can open and plan at once.
+// Tests that every scene that ships is a problem that a user can open and plan at once.
 
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/formats/scene_file.h"

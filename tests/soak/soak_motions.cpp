@@ -106,7 +106,7 @@ using planning::PlanningProblem;
 using Problem = std::shared_ptr<const PlanningProblem>;
 using Clock = SceneWatch::Clock;
 
-// From an edit to rest: the hold, the devices' own stopping, the last sample.
+// Time from an edit to rest: the hold, the devices' own stopping, the last sample.
 constexpr double kReaction = 0.5;              // s
 constexpr double kAtRest = 2e-4;               // rad, from one sample to the next
 constexpr std::chrono::milliseconds kStep{1};  // of a device in virtual time
@@ -147,7 +147,7 @@ class ChangingScene {
     }
   }
 
-  /// Puts an object elsewhere. @returns its name.
+  /// Moves an object to another place. @returns its name.
   std::string move(const std::string& name) {
     geometric::SceneObject& moved =
         *std::ranges::find(scene_.objects, name, &geometric::SceneObject::name);
@@ -162,7 +162,8 @@ class ChangingScene {
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const std::shared_ptr<const sampling::PmdBasis>& basis() const { return basis_; }
 
-  /// Half of the obstacles are put near one of these from now on, shape [3] each, m, in the world.
+  /// Sets places in the world, shape [3] each, m. Half of the obstacles are put near one of them
+  /// from now on.
   void set_busy_places(std::vector<Eigen::Vector3d> places) { busy_places_ = std::move(places); }
 
   /// Uniform in [lower, upper].
@@ -258,7 +259,7 @@ class Reference {
   }
 
  private:
-  // In steps as far as the distance at their beginning leaves room for, or of a millimetre.
+  // Checks the edge in steps as far as the distance at their beginning permits, or of a millimetre.
   [[nodiscard]] bool edge_collides(int pair, const Configuration& from,
                                    const Configuration& along) {
     constexpr double kLeastStep = 1e-3;  // m
@@ -346,7 +347,7 @@ class KeptPath {
     return true;
   }
 
-  /// Has the reference look at what it has not yet.
+  /// Checks with the reference what it has not checked yet.
   void confirm(EditTally& tally) {
     if (passed_.empty()) {
       return;

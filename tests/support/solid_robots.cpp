@@ -45,7 +45,7 @@ void add_body(RobotDescription& robot, const std::string& link, const Shape& sha
   link_named(robot, link).collision.push_back({shape, X_LG, {}});
 }
 
-// From `begin` to `end` in the link's frame.
+// Adds a bar from `begin` to `end` in the link's frame.
 void add_bar(RobotDescription& robot, const std::string& link, const Eigen::Vector3d& begin,
              const Eigen::Vector3d& end, double radius) {
   Pose X = Pose::Identity();

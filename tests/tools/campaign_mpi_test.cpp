@@ -70,7 +70,7 @@ TEST_F(HandwayUnderMpi, GoesOnWithWhatThreadsBegan) {
   EXPECT_THAT(rows("study"), SizeIs(40));
 }
 
-// Ends the process that leads, and alone writes the database, without warning.
+// Kills the process that leads, and alone writes the database, without warning.
 TEST_F(HandwayUnderMpi, LosesAndDoublesNothingWhenTheLeaderIsKilled) {
   line_.replace("study.yaml", "seeds: 8", "seeds: 40");
   ASSERT_EQ(line_.run("bench study.yaml --out whole").exit_code, 0);

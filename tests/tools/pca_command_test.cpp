@@ -24,7 +24,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-// Three slow motions of all sensors that Table 1 uses, in counts at 50 Hz.
+// Records three slow motions of all sensors that Table 1 uses, in counts at 50 Hz.
 std::string recording(double phase) {
   std::string text = "time,c,e,f,j,g,h,k,l,n,o,p\n";
   for (int row = 0; row < 500; ++row) {
@@ -195,8 +195,8 @@ TEST_F(Pca, FindsTheHandFromTheFolderOfTheMapping) {
   EXPECT_THAT(lacking.err, HasSubstr("nothing for joint thumb_abduction"));
 }
 
-// From the recording of a right hand to a left hand's plan, by both methods, and again from another
-// folder: files name each other from where they are.
+// Tests the way from the recording of a right hand to a left hand's plan, by both methods, and
+// again from another folder: files name each other by relative paths.
 TEST_F(Pca, TakesALeftHandFromARightHandsRecordingToAPlan) {
   const auto robots = source_dir() / "resources/robots";
   const std::string right = (robots / "allegro_class_right/allegro_class_right.urdf").string();

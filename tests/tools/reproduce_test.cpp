@@ -16,7 +16,7 @@ using testing::Not;
 
 class HandwayReproduce : public testing::Test {
  protected:
-  // On the scenes that ship alone: the published problems take longer.
+  // Uses only the scenes that ship: the published problems take longer.
   HandwayReproduce() { unsetenv("HANDWAY_REFERENCE_DIR"); }
 
   CommandLine line_;

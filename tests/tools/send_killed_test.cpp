@@ -24,8 +24,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-// From the signal to rest: 0.25 s in which the hand hears nothing, or 0.5 s that are left of what
-// a robot in ROS was sent, 0.25 s of brakes, and a busy machine.
+// Longest time from the signal to rest: 0.25 s in which the hand receives nothing, or 0.5 s that
+// are left of the points sent to a robot in ROS, 0.25 s of brakes, and a busy machine.
 constexpr milliseconds kLongestRest{1500};
 
 /// Emulated devices at the scene's start in this process, and `handway send` in another.

@@ -1,4 +1,5 @@
-/// Two arms with two hands plan alone and together, as robots of one scene or on one stand.
+/// Tests plans of two arms with two hands alone and together, as robots of one scene or on one
+/// stand.
 #include "command_line.h"
 #include "handway_test/paths.h"
 
@@ -24,8 +25,8 @@ std::string arm_with_hand(const fs::path& robots, const std::string& side,
          ", link: ee_link, pose: {xyz: [0.1, 0, 0], rpy_deg: [0, 90, 0]}}}\n";
 }
 
-/// Both reach forward. @param left before names of its joints: the part that stands in the world
-/// keeps its own.
+/// Returns goals at which both arms reach forward. @param left prefix of the names of its joints:
+/// the part that stands in the world keeps its own.
 std::string goals(const std::string& left) {
   return "goal: {" + left + "A1: 0.3, " + left + "A2: 0.7, " + left +
          "A4: -1.2, right/A1: -0.3, right/A2: 0.7, right/A4: -1.2, right_hand/joint_1.0: 0.4}\n";

@@ -57,7 +57,7 @@ TEST(Val3Controller, ForgetsItsQueueAtAStop) {
   SimpleMessage stop = point(0.0F, 0.0F);
   stop.sequence = kStopSequence;
   EXPECT_TRUE(takes(controller, stop, 0.2));
-  // From 3.5 rad/s in half of the 0.25 s that it takes from full speed.
+  // Braking from 3.5 rad/s takes half of the 0.25 s that it takes from full speed.
   controller.advance(0.2 + 0.125 + 0.1);
   EXPECT_FALSE(controller.moving());
   const double stood = controller.position()[0];

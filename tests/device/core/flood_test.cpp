@@ -68,7 +68,7 @@ class LateStop {
           source_.request_stop();
         }) {}
   [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
-  /// Since the request; to be asked after it.
+  /// Returns the time since the request; call it after the request.
   [[nodiscard]] double ms_ago() {
     thread_.join();
     return ms_since(requested_);
@@ -265,7 +265,7 @@ TEST_P(Flood, TakesNoTurnLongAndNoMemory) {
   const auto begin = Clock::now();
   double longest = 0.0;
   int turns = 0;
-  // It may end with a fault: that it can't be read.
+  // The link may end with a fault: that the flood can't be read.
   while (flooded.link->fault().empty() && ms_since(begin) < 1000.0) {
     const double turn = test::cpu_seconds();
     flooded.link->update();
@@ -303,7 +303,7 @@ TEST_P(Flood, EndsAnUploadInTime) {
   try {
     flooded.link->upload(still);
   } catch (const DeviceError&) {
-    // It does not answer, or sends more than can be read.
+    // The device does not answer, or sends more than can be read.
   }
   EXPECT_LT(ms_since(begin), 1500.0) << "ms";
 }

@@ -37,7 +37,7 @@ TEST(LineBuffer, RefusesALineThatIsTooLongWithAndWithoutItsEnd) {
   }
 }
 
-// With an erasure from the front for each line this took minutes.
+// An erasure from the front for each line would take minutes.
 TEST(LineBuffer, TakesAsLongForALineOfManyAsOfFew) {
   std::string text;
   for (int k = 0; k < 2'000'000; ++k) {

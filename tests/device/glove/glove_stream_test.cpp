@@ -18,7 +18,7 @@ using test::counting_signal;
 using test::on_tcp;
 using testing::HasSubstr;
 
-/// Keeps what a stream tells.
+/// Records the events of a stream.
 class GloveListener {
  public:
   GloveStreamHandlers handlers() {

@@ -36,7 +36,8 @@ GloveAngles angles_of(int frame) {
   return angles;
 }
 
-// In m about its own middle, as MediaPipe's world landmarks: x right, y down, z away.
+// Returns landmarks in m about their own middle, as MediaPipe's world landmarks: x right, y down, z
+// away.
 HandLandmarks world(int frame, bool left = false) {
   HandLandmarks points = hand_landmarks(angles_of(frame));
   points.colwise() -= points.rowwise().mean().eval();

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTick = 0.002;  // s
 
-/// Half a circle of 0.4 m, in a plane.
+/// Returns half a circle of 0.4 m, in a plane.
 std::shared_ptr<const ToolCurve> half_circle() {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i <= 100; ++i) {

@@ -103,7 +103,7 @@ void expect_moves_like_a_person(const RobotModel& model) {
   set(beside, "ThumbMPJ", 20.0);
   GloveAngles opposed = beside;
   set(opposed, "ThumbRotate", 70.0);
-  // From beside the palm (y) to before it (-z), as a person's.
+  // The axis turns the thumb from beside the palm (y) to before it (-z), as a person's.
   const Eigen::Vector3d across(0.0, 1.0, 1.0);
   const double thumb_beside = mapped_tips(model, mapping, beside)[0].dot(across);
   const double thumb_opposed = mapped_tips(model, mapping, opposed)[0].dot(across);

@@ -1,4 +1,5 @@
-// Hands as other makers describe them: built otherwise, with other signs, zeros, frames and names.
+// Tests hands as other makers describe them: built otherwise, with other signs, zeros, frames and
+// names.
 
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
@@ -379,7 +380,8 @@ TEST(HandsOfOtherMakers, BaseFingersOnAFoldingPalmAtTheirOwnFirstJoints) {
   EXPECT_LT(errors[0], errors[1] + 0.005) << "as near as with a palm that does not fold";
 }
 
-/// Two alike fingers that bend both ways alike, and a third one in their plane.
+/// The hand has two equal fingers that bend equally in both directions, and a third one in their
+/// plane.
 TEST(HandsOfOtherMakers, AreDoubtedWhereNothingTellsToWhichSideTheyClose) {
   HandBuilder hand("star");
   for (const double y : {-0.03, 0.0, 0.03}) {

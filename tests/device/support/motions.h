@@ -7,8 +7,8 @@
 
 namespace handway::test {
 
-/// From rest at `from` to rest `way` (rad) farther, along a cosine,
-/// in `duration` s, a point every 20 ms.
+/// Returns a motion from rest at `from` to rest `way` (rad) farther, along a cosine, in `duration`
+/// s, a point every 20 ms.
 [[nodiscard]] device::JointTrajectory swing(const Eigen::VectorXd& from, const Eigen::VectorXd& way,
                                             double duration);
 

@@ -113,7 +113,7 @@ TEST(FastrakParser, FindsARecordBehindAnyGarbage) {
   for (int k = 0; k < 1000; ++k) {
     Bytes garbage(random() % 60);
     std::ranges::generate(garbage, [&] { return static_cast<std::uint8_t>(random()); });
-    // Half of a record before, as after a lost byte.
+    // Half of a record comes first, as after a lost byte.
     const Bytes half(kBinary.begin(), kBinary.begin() + static_cast<int>(random() % 32));
     FastrakParser binary({});
     const auto records = binary.push(joined({garbage, half, kBinary, kBinary}));

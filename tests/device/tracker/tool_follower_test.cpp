@@ -163,7 +163,7 @@ TEST_F(FollowedTx90, HoldsWhereTheHandLeavesItsReachAndGoesOnWhenItIsBack) {
   Configuration last = start_;
   bool held = false;
   double time = 0.0;
-  // Two metres out and back.
+  // The hand moves two metres out and back.
   for (int k = 0; k <= 2400; ++k, time += kPeriod) {
     const double way = k <= 1200 ? k / 600.0 : (2400 - k) / 600.0;
     step = follower.update(sample_at(time, {way, 0.0, 0.0}));

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 constexpr seconds kPatience{10};
 
-/// Keeps what a stream tells.
+/// Records the events of a stream.
 class TrackerListener {
  public:
   TrackerStreamHandlers handlers() {

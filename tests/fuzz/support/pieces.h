@@ -10,7 +10,7 @@ namespace handway::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Hands a stream over as a connection would: in pieces. The first byte says how long they are.
+/// Passes a stream on as a connection would: in pieces. The first byte says how long they are.
 template <typename Take>
 void in_pieces(const std::uint8_t* data, std::size_t size, Take&& take) {
   if (size == 0) {

@@ -13,7 +13,7 @@
 
 namespace handway::test {
 
-/// Asks FclChecker and ExactCollisionChecker the same questions.
+/// Compares the answers of FclChecker and ExactCollisionChecker to the same queries.
 class CheckerAgreement {
  public:
   explicit CheckerAgreement(const geometric::Scene& scene)
@@ -29,7 +29,7 @@ class CheckerAgreement {
   /// Pairs asked for their distance.
   [[nodiscard]] std::uint64_t pairs_measured() const { return pairs_measured_; }
 
-  /// Every pair: do they touch?
+  /// Compares for every pair whether it collides.
   void expect_same_collisions(const geometric::Configuration& q) {
     exact_.place(q);
     bounded_.place(q);
@@ -45,7 +45,8 @@ class CheckerAgreement {
     ASSERT_TRUE(!found || exact_.pair_collides(*found)) << name(*found);
   }
 
-  /// Every pair: how far apart, and closer than a few tolerances, up to `enough`?
+  /// Compares for every pair the distance, and whether it is closer than a few tolerances, up to
+  /// `enough`.
   void expect_same_distances(const geometric::Configuration& q, double enough) {
     exact_.place(q);
     bounded_.place(q);

@@ -24,7 +24,8 @@ class EdgeJudge {
   [[nodiscard]] geometric::FclChecker& exact() { return exact_; }
   [[nodiscard]] geometric::ContinuousCollisionChecker& edges() { return edges_; }
 
-  /// Does FCL find a collision where no point moves more than `step` (m) between samples?
+  /// Returns whether FCL finds a collision when no point moves more than `step` (m) between
+  /// samples.
   [[nodiscard]] bool collides(const geometric::Configuration& from,
                               const geometric::Configuration& to, double step) {
     const geometric::Configuration delta = to - from;

@@ -50,7 +50,8 @@ Scene crowded() {
   return scene;
 }
 
-// Between `free` and `colliding`, as close to the first contact as doubles tell.
+// Returns two configurations between `free` and `colliding`, as close to the first contact as
+// doubles allow.
 std::pair<Configuration, Configuration> contact(FclChecker& checker, Configuration free,
                                                 Configuration colliding) {
   for (int i = 0; i < 40; ++i) {

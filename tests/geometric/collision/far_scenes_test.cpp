@@ -77,7 +77,7 @@ Scene with_vertices_at(const Eigen::Vector3d& offset) {
 
 class FarScene : public testing::TestWithParam<double> {
  protected:
-  // Every pair, by the distances that FCL finds at the origin.
+  // Compares every pair with the distances that FCL finds at the origin.
   void expect_same_answers(const Scene& far) {
     const auto near_world = std::make_shared<const CollisionWorld>(hall());
     const auto far_world = std::make_shared<const CollisionWorld>(far);

@@ -39,7 +39,8 @@ class Sources {
         motion_(*problem.world),
         random_(problem.world->model(), 31) {}
 
-  /// From next to the query's segment to twice the width of the planners' corridors.
+  /// Returns a configuration from next to the query's segment to twice the width of the planners'
+  /// corridors.
   Configuration around() {
     const double spread = 0.02 * std::floor(random_.uniform(0.0, 6.0));
     return problem_.start + random_.uniform(0.0, 1.0) * (problem_.goal - problem_.start) +

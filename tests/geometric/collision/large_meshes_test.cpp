@@ -17,7 +17,7 @@
 namespace handway::geometric {
 namespace {
 
-// Some 115,000 triangles: a ring that bulges, around the z axis.
+// Returns a mesh of some 115,000 triangles: a ring that bulges, around the z axis.
 Mesh ring() {
   constexpr std::uint32_t kAround = 240;
   TriangleMesh mesh;

@@ -142,7 +142,7 @@ TEST(Padding, GoesWithScale) {
   EXPECT_FALSE(checker->first_collision(Eigen::Vector3d(0.379, 0, 0)));
 }
 
-// Every kind of link and object, mirrored meshes among them, at random places.
+// The test covers every kind of link and object, mirrored meshes among them, at random places.
 TEST(Padding, AgreesWithDistancesOfFcl) {
   std::mt19937_64 engine(5);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);

@@ -25,7 +25,7 @@ class RandomShapes {
  public:
   explicit RandomShapes(unsigned seed) : engine_(seed) {}
 
-  // Between `least` and `most` (m), as often small as large.
+  // Returns a length between `least` and `most` (m), as often small as large.
   double length(double least, double most) {
     return least * std::pow(most / least, between(0.0, 1.0));
   }

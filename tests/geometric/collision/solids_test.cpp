@@ -34,7 +34,7 @@ TriangleMesh inside_out(TriangleMesh mesh) {
   return mesh;
 }
 
-// Without the two triangles of its lid.
+// Returns a box without the two triangles of its lid.
 TriangleMesh open_box(const Eigen::Vector3d& size) {
   TriangleMesh box = *tessellate(Box{size});
   std::erase_if(box.triangles, [&](const auto& t) {

@@ -278,7 +278,7 @@ class Flight {
 
   static std::size_t index(int body) { return static_cast<std::size_t>(body); }
 
-  // On three slides and three hinges of its own.
+  // Adds a link on three slides and three hinges of its own.
   void add_link(const std::string& name, const Body& body) {
     std::string parent = "frame";
     for (int i = 0; i < 6; ++i) {

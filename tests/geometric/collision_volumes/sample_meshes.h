@@ -44,7 +44,7 @@ class RandomPoints {
     return box_.centre() + half.cwiseProduct(Eigen::Vector3d(draw(), draw(), draw()));
   }
 
-  /// On the surface, of any triangle.
+  /// Returns a point on the surface, of any triangle.
   Eigen::Vector3d next_on(const TriangleMesh& mesh, std::uint32_t& triangle) {
     triangle = std::uniform_int_distribution<std::uint32_t>(
         0, static_cast<std::uint32_t>(mesh.triangles.size()) - 1)(engine_);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kLeaf = 0.01;  // m
 
-// Is the point of `triangle` in a leaf's sphere that lists it, below spheres that
-// contain it, too?
+// Returns whether the point of `triangle` is in a leaf's sphere that lists it, below spheres that
+// contain it, too.
 bool is_covered(const SphereTree& cover, std::uint32_t index, const Eigen::Vector3d& p,
                 std::uint32_t triangle) {
   const SphereTree::Node& node = cover.node(index);

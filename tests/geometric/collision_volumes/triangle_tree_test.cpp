@@ -32,7 +32,8 @@ void at_points(const Look& look) {
   }
 }
 
-// Three points on a line that rounding bends, two or three at the same place, in any order.
+// The corners are three points on a line that rounding bends, two or three at the same place, in
+// any order.
 TEST(NearestOnTriangle, IsOnAnEdgeWhereTheTriangleIsALine) {
   const Eigen::Vector3d a(0.0131, -0.0272, 0.0405);
   const Eigen::Vector3d along(0.0171, 0.0093, -0.0117);

@@ -204,7 +204,7 @@ TEST(MeshReader, RefusesNodesThatBringFarVerticesBack) {
       HasSubstr("5000 m"));
 }
 
-// More than a megabyte: points along a line, and one triangle for each of them.
+// Returns a file of more than a megabyte: points along a line, and one triangle for each of them.
 std::string large_obj(int count) {
   std::string text = "v 0 0 1\n";
   for (int i = 0; i < count; ++i) {

@@ -32,7 +32,7 @@ class Tree {
     return *this;
   }
 
-  /// Two fingers of two joints each on `palm`, and a fixed tip on the first.
+  /// Adds two fingers of two joints each to `palm`, and a fixed tip on the first.
   Tree& add_fingers(const std::string& palm, const std::string& name) {
     add(palm, name + "1", 0.05).add(name + "1", name + "2", 0.05);
     add(name + "2", name + "tip", 0.02, JointType::kFixed);
@@ -67,7 +67,7 @@ class Tree {
     return *this;
   }
 
-  /// Two joints that turn balls of 3 cm, which are 10 cm from each other.
+  /// Adds two joints that turn balls of 3 cm, which are 10 cm from each other.
   Tree& add_eyes(const std::string& head) {
     for (const double side : {-0.05, 0.05}) {
       const std::string eye = side < 0.0 ? "right_eye" : "left_eye";

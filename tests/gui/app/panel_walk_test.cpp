@@ -350,7 +350,8 @@ TEST_P(PanelWalk, CutsNothingWithDevices) {
   wait_for([&] { return workbench().driver.state() == gui::MotionDriver::State::kOff; });
 }
 
-// With an emulated glove: what has data, and the guide from its first posture to its end.
+// The walk covers the pages with data of an emulated glove, and the guide from its first posture to
+// its end.
 TEST_P(PanelWalk, CutsNothingWithAGlove) {
   open_task();
   auto& panel = *window_->findChild<gui::GlovePanel*>();

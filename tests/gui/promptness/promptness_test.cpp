@@ -69,8 +69,9 @@ device::GloveSignal stamped_signal(const std::shared_ptr<Step>& step) {
   };
 }
 
-// From the sensors' step until the picture with its posture of a hand that ships is drawn. The next
-// step comes only then: one that the glove has no time to read would never be shown.
+// The time is measured from the sensors' step until the picture with its posture of a hand that
+// ships is drawn. The next step comes only then: one that the glove has no time to read would never
+// be shown.
 TEST_F(Promptness, ShowsAPostureWithin50Milliseconds) {
   constexpr int kSteps = 60;
   constexpr double kAllowed = 50.0;  // ms, median

@@ -1,5 +1,5 @@
-/// From postures to a plan with a basis of one's own, for hands of all kinds, with the mouse alone
-/// but for the address of a glove, which is typed.
+/// Tests the way from postures to a plan with a user's own basis, for hands of all kinds, with the
+/// mouse alone but for the address of a glove, which is typed.
 #include "features/glove/glove_panel.h"
 #include "features/glove/hand_bases.h"
 #include "handway/device/core/device_emulator.h"
@@ -280,7 +280,7 @@ class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<B
     const device::GloveEmulator glove(settings, device::exploring_hand_signal(2));
     connect_to(glove.address());
   }
-  /// By datagrams that an emulated camera sends to a free port, or over TCP.
+  /// Connects by datagrams that an emulated camera sends to a free port, or over TCP.
   void connect_to_emulated_camera(bool datagrams) const {
     device::DeviceEmulatorSettings settings;
     const std::string port = free_udp_port();

@@ -1,4 +1,4 @@
-/// From the start page to a saved scene with a plan, with the keyboard alone.
+/// Tests the way from the start page to a saved scene with a plan, with the keyboard alone.
 #include "features/editing/scene_tree.h"
 #include "hands_on.h"
 #include "handway/geometric/formats/scene_file.h"
@@ -48,7 +48,7 @@ class Keyboard : public HandsOn {
     ASSERT_NO_FATAL_FAILURE(tab_to(field));
     enter(text);
   }
-  /// Over what is in the field that has the focus.
+  /// Types over the content of the field that has the focus.
   void enter(const char* text) const {
     hit(Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(QApplication::focusWidget(), QString::fromUtf8(text));

@@ -76,7 +76,7 @@ class Story : public ::testing::Test {
     trigger("Plan");
     return wait_for([&] { return !ended.isEmpty(); }) && ended.front().front().toBool();
   }
-  /// Lets the window come to rest, and keeps how it looks.
+  /// Waits until the window is at rest, and saves a picture of it.
   void picture(const QString& name) const { picture(name, *window_); }
   static void picture(const QString& name, QWidget& of) {
     QTest::qWait(150);

@@ -6,7 +6,7 @@
 
 namespace handway::test {
 
-/// While one lives no file of this program can grow: a limit that stands for a disk without room.
+/// Stands for a disk without room: as long as it lives, no file of this program can grow.
 class FullDisk {
  public:
   FullDisk() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

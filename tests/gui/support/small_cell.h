@@ -14,7 +14,7 @@ class SmallCell {
  public:
   SmallCell();
 
-  /// From one side of a post to the other; there is a way around it.
+  /// Returns a scene with a motion from one side of a post to the other; there is a way around it.
   [[nodiscard]] std::filesystem::path post() const { return scene(kPost, "1.5"); }
   /// The post stands far from the straight motion.
   [[nodiscard]] std::filesystem::path post_aside() const { return scene(kPostAside, "1.5"); }

@@ -17,7 +17,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   if (depth_ > 0) {
     return QApplication::notify(receiver, event);
   }
-  // Both may be gone afterwards.
+  // Receiver and event may be gone afterwards.
   const QString name =
       QStringLiteral("%1 at %2")
           .arg(QLatin1String(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type())),

@@ -22,7 +22,7 @@ class WatchedApplication : public QApplication {
   [[nodiscard]] static const Stall& longest() { return longest_; }
   static void forget() { longest_ = {}; }
 
-  /// While one lives nothing counts.
+  /// Suspends the measurement as long as it lives.
   class LooksAway {
    public:
     LooksAway() { ++depth_; }

@@ -90,7 +90,7 @@ class OpeningView : public ::testing::Test {
   std::unique_ptr<gui::SceneView> view_;
 };
 
-/// Stands on the floor beside the robot, to that side of it.
+/// Returns a wall on the floor beside the robot, to that side of it.
 geometric::SceneObject wall(const geometric::Scene& scene, int side, double distance,
                             double height) {
   geometric::SceneObject wall;

@@ -155,7 +155,7 @@ TEST_F(TargetsOfTheFlatArm, KeepThePosturesOfTheEndsInHalfOfTheDrawsAroundThem) 
   EXPECT_NEAR(as_at_start, kDraws / 4.0, 50.0);
 }
 
-// Half of the samples; the others have the arm next to the straight motion.
+// This holds for half of the samples; the others have the arm next to the straight motion.
 TEST_F(TargetsOfTheFlatArm, AreAnywhereOnceTheCorridorWasWidenedInVain) {
   PlanningContext context(problem_, {}, stop_.get_token(), observer_);
   const TargetRegion region{.near_ends = 0.0,

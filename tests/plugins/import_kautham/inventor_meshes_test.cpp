@@ -17,7 +17,7 @@ using test::write_text;
 
 class InventorMeshesTest : public testing::Test {
  protected:
-  // With an empty cache.
+  // Begins with an empty cache.
   void SetUp() override { setenv("XDG_CACHE_HOME", (files_.folder() / "cache").c_str(), 1); }
   void TearDown() override {
     before_.empty() ? unsetenv("XDG_CACHE_HOME") : setenv("XDG_CACHE_HOME", before_.c_str(), 1);

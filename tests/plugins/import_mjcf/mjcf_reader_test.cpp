@@ -104,7 +104,7 @@ TEST(MjcfReader, MovesAsMujocoDoes) {
   EXPECT_TRUE(
       link_pose(model, q, "distal").translation().isApprox(Eigen::Vector3d(0.0, 0.0, 0.59), 1e-12));
   q[model.find_variable("bend").value()] = std::numbers::pi / 2.0;
-  // About a point 1 cm up the link: 6 cm from there, to the side.
+  // The joint turns about a point 1 cm up the link: 6 cm from there, to the side.
   EXPECT_TRUE(link_pose(model, q, "distal")
                   .translation()
                   .isApprox(Eigen::Vector3d(0.0, -0.06, 0.53), 1e-12));
@@ -300,8 +300,9 @@ TEST(MjcfReader, NamesLoopsThatItOpens) {
               Contains(testing::AllOf(HasSubstr("loops"), HasSubstr("distal with pin"))));
 }
 
-/// Two bars of 0.1 m, 0.06 m from each other, with a third one of length `across` on the second
-/// and a pin from there to the first one's end. @param knee a joint halfway up the first bar.
+/// Returns two bars of 0.1 m, 0.06 m from each other, with a third one of length `across` on the
+/// second and a pin from there to the first one's end. @param knee a joint halfway up the first
+/// bar.
 RobotDescription four_bars(double across, const char* knee = "", const char* more = "") {
   return MjcfFile(fmt::format(R"(<worldbody><body name="a">
     <joint name="driver" axis="0 1 0" range="-45 45"/><geom size="0.01" pos="0 0 0.1"/>

@@ -110,7 +110,7 @@ constexpr const char* kVirtualJoint =
     R"(<virtual_joint name="world_joint" type="planar" parent_frame="odom" child_link="base"/>
   <group name="crane_arm">)";
 
-// On the left of where the problem has it, turned by a quarter.
+// The base is on the left of its place in the problem, turned by a quarter.
 constexpr const char* kBaseState = R"(robot_state:
   multi_dof_joint_state:
     joint_names: [world_joint]

@@ -45,7 +45,7 @@ class ReferencePanda : public testing::Test {
     test::copy_folder(reference / "moveit/panda", panda_);
   }
 
-  // Every tenth problem of each kind: its scene and its request.
+  // Returns every tenth problem of each kind: its scene and its request.
   [[nodiscard]] std::vector<fs::path> scenes() const {
     std::vector<fs::path> all;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(panda_ / "problems")) {

@@ -99,7 +99,7 @@ TEST(SdfReader, HasJointsWithTheirFrames) {
       link_pose(model, q, "trolley").translation().isApprox(Eigen::Vector3d(0.3, 0.0, 0.4), 1e-12));
   q[model.find_variable("lift").value()] = -std::numbers::pi / 2.0;
   q[model.find_variable("reach").value()] = 0.1;
-  // About a point 10 cm behind the boom: up.
+  // The joint turns about a point 10 cm behind the boom: up.
   EXPECT_TRUE(
       link_pose(model, q, "boom").translation().isApprox(Eigen::Vector3d(-0.1, 0.0, 0.5), 1e-12));
   EXPECT_TRUE(link_pose(model, q, "trolley")

@@ -54,7 +54,7 @@ void set(planning::Planner& planner, const std::string& key, const std::string& 
   planner.set_parameter(key, value);
 }
 
-// Without those that all planners share, which come last.
+// Returns the parameters without those that all planners share, which come last.
 std::vector<planning::Parameter> own_parameters(planning::Planner& planner) {
   std::vector<planning::Parameter> list = planner.parameters();
   list.erase(std::ranges::find(list, "objective", &planning::Parameter::key), list.end());

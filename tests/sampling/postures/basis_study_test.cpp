@@ -32,7 +32,7 @@ RecordedHand hand(const std::string& name, std::uint64_t seed, double seconds, d
   return result;
 }
 
-/// Two fingertips, 0.1 m per joint and range.
+/// Returns the positions of two fingertips, which move by 0.1 m per joint and range.
 Eigen::Matrix3Xd fingertips(const Eigen::VectorXd& posture) {
   Eigen::Matrix3Xd tips(3, 2);
   tips.col(0) = 0.1 * posture.head<3>();

@@ -144,7 +144,7 @@ TEST(SdkSequence, VisitsEveryCellOfEveryLevelOnce) {
   }
 }
 
-// In how many axes two of the first `count` cells of level 1 differ at least.
+// Returns in how many axes two of the first `count` cells of level 1 differ at least.
 double mutual_distance(const SdkSequence& sequence, std::uint64_t count) {
   double smallest = sequence.dimension();
   for (std::uint64_t i = 0; i < count; ++i) {

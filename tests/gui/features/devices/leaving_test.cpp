@@ -24,7 +24,7 @@ class Leaving : public MovingRobot {
     }
   }
 
-  /// Does what leaves the scene, and answers the question that comes.
+  /// Leaves the scene by a function, and answers the question that follows.
   void leave(const std::function<void()>& leave, QMessageBox::StandardButton answer) {
     bool was_asked = false;
     QTimer watch;

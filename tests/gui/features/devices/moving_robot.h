@@ -43,7 +43,7 @@ class MovingRobot : public WindowTest {
     ASSERT_TRUE(QTest::qWaitFor([&] { return measured_.size() > 0; }, kPatienceMs));
   }
 
-  /// Lets the shoulder turn from where it is, to and fro from motion to motion.
+  /// Turns the shoulder from its present position, to and fro from motion to motion.
   void begin_motion(double speed) {
     ASSERT_TRUE(waits_for(gui::MotionDriver::State::kConnected));
     geometric::Configuration there = measured_;

@@ -48,7 +48,8 @@ class Stop : public MovingRobot {
     }
   }
 
-  /// By its words; those of the menu bar, which have an underlined letter, come first.
+  /// Returns the action with this text; those of the menu bar, which have an underlined letter,
+  /// come first.
   [[nodiscard]] QAction& action(const QString& text) const {
     QAction* found = nullptr;
     for (QAction* action : window().findChildren<QAction*>()) {

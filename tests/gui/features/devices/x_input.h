@@ -22,7 +22,7 @@ class XInput {
   /// Presses keys, one after the other, and lets them go. @param keysyms of X.Org.
   /// @throws std::runtime_error if the keyboard has no such key.
   void type(const std::vector<xcb_keysym_t>& keysyms);
-  /// Gives the keyboard to a window of its own: another program's, as the X server sees it.
+  /// Gives the keyboard to a window that is another program's for the X server.
   void take_keyboard();
   /// Presses the left button at a place of the screen, in device pixels, and lets it go.
   void click(const QPoint& place);

@@ -44,7 +44,7 @@ class EditingTest : public WindowTest {
   void select(const char* name) const {
     editor().select({gui::SceneItem::Kind::kObject, "", name});
   }
-  /// Into the QuantityField of this name, and Return.
+  /// Types into the QuantityField of this name, followed by Return.
   void type(const char* field, const char* text) const {
     auto& box = part<gui::QuantityField>(field);
     box.selectAll();

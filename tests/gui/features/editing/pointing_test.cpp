@@ -44,7 +44,7 @@ class Pointing : public EditingTest {
     }
     return texts;
   }
-  /// Takes hold of an arrow of the gizmo.
+  /// Grabs an arrow of the gizmo.
   void hold_arrow(int axis) const {
     QTest::qWait(50);
     const gui::GizmoFrame frame = view().gizmo().frame(view().camera(), view().size());

@@ -33,7 +33,7 @@ class CapturePages : public GloveDock {
  protected:
   [[nodiscard]] gui::PmdPad& pad() const { return part<gui::PmdPad>("pmd_pad"); }
 
-  // Both sensors through much of their ranges, the middle finger slower.
+  // Records a motion of both sensors through much of their ranges, the middle finger slower.
   [[nodiscard]] std::filesystem::path recording() const {
     device::Recording recording;
     recording.header.kind = device::RecordingKind::kAngles;
@@ -171,7 +171,7 @@ class CapturePagesOfAHand : public WindowTest {
     return QTest::qWaitFor([&] { return errors().contains(QStringLiteral("<table")); },
                            kPatienceMs);
   }
-  /// Some seconds of an exploring hand. @returns the file.
+  /// Records some seconds of an exploring hand. @returns the file.
   [[nodiscard]] QString recording(const char* name, std::uint64_t seed) const {
     device::HandExploration hand(seed);
     device::Recording recording;

@@ -60,7 +60,7 @@ TEST_F(RoadmapInTheView, IsThatOfTheRun) {
   keep_picture("roadmap");
 }
 
-/// Lies over the lower edge.
+/// Card that lies over the lower edge.
 class LowCard : public gui::FloatingCard {
  public:
   using gui::FloatingCard::appear;

@@ -54,7 +54,7 @@ class HumanLikenessMeter : public WindowTest {
   [[nodiscard]] std::string note() const {
     return part<QLabel>("likeness_note").text().toStdString();
   }
-  /// Both fingers at these parts of their ranges.
+  /// Sets both fingers to these parts of their ranges.
   void pose(double left, double right) const {
     const geometric::RobotModel& model = *window().document().robot()->model;
     geometric::Configuration q = window().document().configuration();

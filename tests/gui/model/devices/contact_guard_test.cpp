@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// By the typical calibration.
+// Returns the closing angle by the typical calibration.
 double closing_at(double counts) { return 0.01616 * (counts - 72.0); }
 
 class ContactGuard : public GloveDock {

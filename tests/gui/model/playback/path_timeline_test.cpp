@@ -9,7 +9,7 @@ namespace {
 
 class PathTimelines : public ::testing::Test {
  protected:
-  // From 0 by a quarter of the way to the second waypoint, then the rest.
+  // Makes a path from 0 by a quarter of the motion to the second waypoint, then the rest.
   PathTimelines() {
     const SmallCell cell;
     model_ = planning::load_scene(cell.post(), {}).scene->robots.front().model;

@@ -27,7 +27,7 @@ class FloodingProxy {
   void flood(const std::string& message);
   /// Floods with what the device sent last. @pre it has sent something.
   void flood();
-  /// Takes nothing of what the host says from now on.
+  /// Stops reading what the host sends.
   void stop_reading() { reads_ = false; }
 
   /// Bytes that the host has been flooded with so far.

@@ -13,8 +13,8 @@ namespace handway::test {
                                                             double thumb = 0.0, double left = 0.0,
                                                             double right = 0.0);
 
-/// Its hand's basis: the thumb free, one direction that spreads both fingers,
-/// one that spreads one and closes the other.
+/// Returns the basis of its hand: the thumb free, one direction that spreads both fingers, one that
+/// spreads one and closes the other.
 [[nodiscard]] sampling::PmdBasis planar_hand_basis();
 
 /// The query in `scene`, whose robot is planar_hand_arm(), with the basis above.

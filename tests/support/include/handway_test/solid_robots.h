@@ -15,7 +15,7 @@ namespace handway::test {
 /// that touch each other in the neutral configuration, may collide.
 [[nodiscard]] geometric::RobotDescription solid_tx90_sah();
 
-/// Three sliding joints "x", "y", "z" (±1 m, along the world's axes) that carry
+/// Returns a robot of three sliding joints "x", "y", "z" (±1 m, along the world's axes) that carry
 /// a link "probe" of the given shape, centred at the joints' values.
 [[nodiscard]] geometric::RobotDescription gantry(const geometric::Shape& probe);
 
