@@ -76,6 +76,11 @@ TEST_F(RecoveringWork, LosesAtMostOneEditWhenItIsKilled) {
   EXPECT_TRUE(QTest::qWaitFor([&] {
     return !stored.isEmpty() && tool<gui::Recovery>().autosave().find_lost().empty();
   })) << "offered once";
+
+  ready.clear();
+  window().workbench().document.open(cell().post_aside());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }));
+  EXPECT_FALSE(window().isWindowModified()) << "nothing of the scene that was opened next";
 }
 
 TEST_F(RecoveringWork, KeepsTheLastCopyWhileTheDiskIsFullAndSaysSoOnce) {
