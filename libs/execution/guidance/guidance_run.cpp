@@ -14,9 +14,9 @@
 namespace handway::execution {
 namespace {
 
-// How far joints go from one point of the curve to the next, rad or m over all of them.
+// Largest motion from one point of the curve to the next, norm over all joints, rad or m.
 constexpr double kStep = 0.01;
-// Ways of a link that are rounding, m.
+// Displacement of a link below which it is at rest, because of rounding, m.
 constexpr double kStands = 1e-6;
 
 [[noreturn]] void refuse(std::string found, std::string expected) {

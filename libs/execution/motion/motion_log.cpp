@@ -62,12 +62,12 @@ using geometric::InputError;
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr std::string_view kMeasured = ".measured";
-constexpr std::size_t kFirstJoint = 2;  // after time and device
+constexpr std::size_t kFirstJoint = 2;  // column after time and device
 
-/// The rows of one device, while they are read.
+/// Rows of one device while they are read.
 struct Rows {
   RecordedDevice device;
-  std::vector<std::size_t> columns;  ///< Of the joints as planned.
+  std::vector<std::size_t> columns;  ///< Columns of the planned positions.
   std::vector<Eigen::VectorXd> planned;
   std::vector<Eigen::VectorXd> measured;
 };
@@ -86,7 +86,7 @@ class Reader {
       ++line_;
       read_row(line);
     }
-    // As in the header, not as they happened to speak first.
+    // Devices are in the order of the header, not of their first rows.
     std::ranges::sort(rows_, {}, [](const Rows& rows) { return rows.columns; });
     std::vector<RecordedDevice> devices;
     devices.reserve(rows_.size());
@@ -129,7 +129,8 @@ class Reader {
     return *value;
   }
 
-  // A device's joints are those that its first row has numbers for.
+  // Returns the rows of the device in `cells`, creating them at its first row. The device's joints
+  // are those with numbers in that row.
   Rows& rows_of(const std::vector<std::string_view>& cells) {
     const auto found =
         std::ranges::find_if(rows_, [&](const Rows& rows) { return rows.device.kind == cells[1]; });
@@ -183,7 +184,7 @@ class Reader {
   const std::filesystem::path& file_;
   int line_ = 1;
   std::vector<std::string> header_;
-  std::size_t joints_ = 0;  ///< In the file.
+  std::size_t joints_ = 0;  ///< Number of joints in the file.
   std::vector<Rows> rows_;
 };
 

@@ -24,11 +24,11 @@ namespace {
 using device::MotionPhase;
 using Clock = device::TrajectoryClient::Clock;
 
-// How long devices may take to come to rest, s, and what is rest: positions from one time to the
-// next, rad.
+// Longest wait for all devices to come to rest, s.
 constexpr double kLongestRest = 1.5;
+// Change of every joint from one sample to the next below which a device is at rest, rad.
 constexpr double kAtRest = 2e-4;
-// From the wish to hold to the hold, s of the motion.
+// Motion time from the request of a hold to the hold, s.
 constexpr double kHoldNotice = 0.1;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -67,7 +67,7 @@ class Run {
         outcome_.fault.empty() && outcome_.collision.empty() && !requests_.stop.stop_requested();
     if (!outcome_.done) {
       stop_all();
-      // The request came after `polled`.
+      // The stop was requested after `polled`.
       outcome_.stop_sent = Clock::now();
       outcome_.stop_sent_ms = 1e3 * seconds(outcome_.stop_sent - polled);
     }
@@ -80,7 +80,8 @@ class Run {
   }
 
  private:
-  // What one device or the observer throws is the fault that ends the motion of all.
+  // Runs `step`. An exception of a device or of the observer is a fault that ends the motion of all
+  // devices.
   template <typename Step>
   void guarded(const Step& step) {
     try {
@@ -92,7 +93,7 @@ class Run {
     }
   }
 
-  // The first counts: what follows is its consequence.
+  // Stores the first fault. Later faults are its consequences and are ignored.
   void note_fault(const std::string& fault) {
     if (outcome_.fault.empty()) {
       outcome_.fault = fault.empty() ? "An exception without a message." : fault;
@@ -111,7 +112,7 @@ class Run {
     }
   }
 
-  // All at the same time: a device that takes no more bytes holds up its own stop only.
+  // Stops all devices in parallel: a device that accepts no more bytes delays only its own stop.
   void stop_all() {
     {
       std::vector<std::jthread> senders;
@@ -140,7 +141,8 @@ class Run {
     return requests_.watch->look(time(), with_measured(requests_.watch->start(), targets_));
   }
 
-  // Waits for the watch's answer; devices are listened to meanwhile.
+  // Returns whether the motion may start: waits for the watch's verdict and polls the devices
+  // meanwhile. Without a watch the motion may start at once.
   bool may_start() {
     if (requests_.stop.stop_requested() || !requests_.watch) {
       return !requests_.stop.stop_requested();
@@ -160,7 +162,7 @@ class Run {
     return start.state == SceneVerdict::State::kFree;
   }
 
-  // With notice enough for all of them they hold at the same time of the motion.
+  // Pauses all devices with a notice, so that they can hold at the same motion time.
   void pause() {
     held_ = true;
     is_asked_ = false;
@@ -188,7 +190,8 @@ class Run {
     }
   }
 
-  // Asks the watch once the motion shall go on; it stays held if it must not.
+  // Asks the watch once whether a held motion may continue, and returns whether its rest is known
+  // to be free. If the rest is blocked the motion stays held.
   bool rest_is_free() {
     if (!requests_.watch) {
       return true;
@@ -206,7 +209,8 @@ class Run {
     return rest.state == SceneVerdict::State::kFree;
   }
 
-  // Somebody has to let it go on, whatever was asked for before.
+  // Sets MotionRequests::hold for a new reason and reports the reason. The motion then stays held
+  // until the request is cleared from outside.
   void hold_for(const std::string& reason) {
     if (reason != reason_) {
       reason_ = reason;
@@ -217,7 +221,8 @@ class Run {
     }
   }
 
-  // What an edit, or a measured posture, means for the motion.
+  // Holds or stops the motion if its rest or the measured configuration is blocked, or unchecked
+  // for too long; reports if a held motion may continue.
   void look_at_scene() {
     if (!requests_.watch || is_asked_) {
       return;
@@ -243,7 +248,7 @@ class Run {
     }
   }
 
-  // Every device's news; errors count while it moves.
+  // Polls all devices and reports new samples. Following errors are counted while a device runs.
   void update() {
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       device::TrajectoryClient& link = *targets_[i].link;
@@ -276,7 +281,8 @@ class Run {
     }
   }
 
-  // An observer that threw isn't called again: rest has to be waited for without it.
+  // Calls the observer. After an exception it isn't called again, and the wait for rest goes on
+  // without it.
   template <typename Call>
   void observe(const Call& call) {
     observer_works_ = false;
@@ -317,13 +323,13 @@ class Run {
   MotionOutcome outcome_;
   std::vector<std::uint64_t> seen_;
   std::vector<Eigen::VectorXd> last_;
-  std::vector<int> still_;  ///< How many times in a row a device did not move.
+  std::vector<int> still_;  ///< Number of consecutive samples at rest, by device.
   bool held_ = false;
-  double hold_time_ = 0.0;      ///< When the motion holds, s of it, …
-  Clock::time_point held_at_;   ///< … and that moment.
-  bool is_asked_ = false;       ///< The motion shall go on: the watch was asked whether it may.
-  std::string reason_;          ///< Why the scene holds it; empty: it never did.
-  bool observer_works_ = true;  ///< It has thrown nothing.
+  double hold_time_ = 0.0;      ///< Motion time of the hold, s.
+  Clock::time_point held_at_;   ///< Clock time of the hold.
+  bool is_asked_ = false;       ///< The watch was asked whether a held motion may continue.
+  std::string reason_;          ///< Reason reported by hold_for(); empty: none yet.
+  bool observer_works_ = true;  ///< The observer has thrown no exception.
 };
 
 }  // namespace

@@ -18,11 +18,11 @@
 namespace handway::execution {
 namespace {
 
-/// A device as `--to` names it.
+/// Address of a device in the option `--to`.
 struct MotionAddress {
-  std::string text;  ///< As it was written.
-  std::string part;  ///< Of the robot: "arm", "hand" or kWholeRobot.
-  /// Of a VAL3 server or a hand; or of a robot in ROS.
+  std::string text;  ///< Address as the user wrote it.
+  std::string part;  ///< Part of the robot: "arm", "hand" or kWholeRobot.
+  /// TCP address of a VAL3 server or a hand, or address of a robot in ROS.
   std::variant<device::TcpAddress, device::RosAddress> where;
 };
 
@@ -37,7 +37,7 @@ constexpr const char* kDefaultController = "/joint_trajectory_controller";
        "Write, for example, arm://localhost:11000."});
 }
 
-/// Cuts `text` at the first `mark`. @returns what comes from the mark on.
+/// Cuts `text` at the first `mark`. @returns the part from the mark on; empty without a mark.
 std::string cut_from(std::string& text, char mark) {
   const std::size_t at = std::min(text.find(mark), text.size());
   std::string tail = text.substr(at);
@@ -60,7 +60,7 @@ MotionAddress ros_address(const std::string& text, std::string where, device::Ro
 }
 
 /// Reads "arm://HOST[:PORT]", "hand://HOST[:PORT]", "ros://HOST[:PORT][/CONTROLLER][#arm|#hand]" or
-/// "ros2://" the same.
+/// "ros2://" with the same parts.
 /// @throws InputError for anything else.
 MotionAddress parse_motion_address(const std::string& text) {
   const std::size_t at = text.find(kScheme);
@@ -163,7 +163,7 @@ std::vector<MotionTarget> parse_targets(const std::string& text,
   if (targets.empty()) {
     static_cast<void>(parse_motion_address(text));
   }
-  // An arm can hold at its points only, and is asked first when all shall hold together.
+  // Arms come first: an arm can pause only at its points, so that its pause sets the others' time.
   std::stable_partition(targets.begin(), targets.end(),
                         [](const MotionTarget& target) { return target.kind == "arm"; });
   return targets;
@@ -171,7 +171,7 @@ std::vector<MotionTarget> parse_targets(const std::string& text,
 
 namespace {
 
-// What a joint may turn and still count as standing, rad.
+// Largest displacement of a joint at rest, rad or m.
 constexpr double kStillSpeed = 1e-6;
 
 }  // namespace

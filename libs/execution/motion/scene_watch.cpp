@@ -25,7 +25,7 @@ SceneVerdict unknown(std::string reason, SceneWatch::Clock::time_point since) {
           since};
 }
 
-// As devices run it.
+// Shifts the times of a motion to begin at 0, as devices run it.
 Trajectory from_time_zero(Trajectory motion) {
   const double begin = motion.points.front().time;
   for (TrajectoryPoint& point : motion.points) {
@@ -49,13 +49,13 @@ Configuration position_at(const Trajectory& motion, double time) {
 
 }  // namespace
 
-// The questions about one scene.
+// Checks of the motion in one scene.
 class SceneWatch::Checks {
  public:
   Checks(const planning::PlanningProblem& problem, const Trajectory& motion)
       : search_(problem), motion_(motion) {}
 
-  /// Of a posture that the robot is measured in; empty: free.
+  /// Checks the measured configuration.
   [[nodiscard]] SceneVerdict posture(const Place& place) {
     const std::string conflict = search_.conflict_at(place.measured);
     if (!conflict.empty()) {
@@ -64,7 +64,8 @@ class SceneWatch::Checks {
     return {SceneVerdict::State::kFree, "", 0.0, {}};
   }
 
-  /// Straight from where the robot is measured to where it should be, and on to the end.
+  /// Checks the rest of the motion: straight from the measured to the planned configuration, then
+  /// along the motion to its end.
   [[nodiscard]] SceneVerdict rest(const Place& place, const std::stop_token& stop) {
     SceneVerdict here = posture(place);
     if (here.state == SceneVerdict::State::kBlocked) {
@@ -107,7 +108,7 @@ SceneWatch::~SceneWatch() {
   obsolete_.request_stop();
 }
 
-// What is known is void. @pre mutex_ is locked.
+// Invalidates the verdict for a new edit or question. @pre mutex_ is locked.
 void SceneWatch::renew() {
   if (answered_ == asked_) {
     verdict_ =
@@ -159,7 +160,7 @@ SceneVerdict SceneWatch::answer(std::unique_ptr<Checks>& checks, const Order& or
       checks.reset();
       const Problem problem = (*order.scene)(order.obsolete);
       if (!problem) {
-        return {};  // another scene has come
+        return {};  // a newer scene replaces this one
       }
       checks = std::make_unique<Checks>(*problem, motion_);
     }
@@ -204,7 +205,7 @@ void SceneWatch::work(const std::stop_token& stop) {
       new_since_.reset();
     }
     if (order->asked != asked_) {
-      continue;  // another scene or question has come
+      continue;  // a newer scene or question waits
     }
     answered_ = asked_;
     const bool is_news = verdict.state == SceneVerdict::State::kBlocked &&

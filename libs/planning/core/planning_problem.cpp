@@ -24,12 +24,15 @@ namespace {
 
 using geometric::InputError;
 
-constexpr double kAgreement = 1e-6;  // rad or m, of joints that do not move
+// Largest difference between start and goal of a joint that does not move, rad or m.
+constexpr double kAgreement = 1e-6;
 
-// Files round at limits: π is 3.14159 in one and 3.14159265 in the other.
-constexpr double kAtLimit = 1e-5;  // rad or m
+// Largest excess over a limit that counts as rounding in files, which write π as 3.14159 or
+// 3.14159265, rad or m.
+constexpr double kAtLimit = 1e-5;
 
-// Brings joints that are next to a limit, and beyond it, to the limit. More than rounding is noted.
+// Sets joints that exceed a limit by at most kAtLimit to the limit. Adds a warning unless the
+// excess is within the tolerance of a limit.
 void clamp_at_limits(const geometric::RobotModel& model, const char* which, Configuration& q,
                      std::vector<std::string>& warnings) {
   if (q.size() != model.variable_count()) {
@@ -70,7 +73,8 @@ void set_ends(const geometric::Scene& scene, GoalNeed need, PlanningProblem& pro
   clamp_at_limits(*robot.model, "goal", problem.goal, problem.warnings);
 }
 
-// What does not move can't be brought back within its limits, and need not be.
+// Adds a warning for each fixed joint beyond its limits at the start: it can't move back, and the
+// path may keep it there.
 void warn_of_fixed_joints(PlanningProblem& problem) {
   if (!geometric::configuration_fault(problem.model(), problem.start).empty()) {
     return;
@@ -92,7 +96,7 @@ bool has_all(const std::vector<int>& moving, const std::vector<int>& variables) 
                              [&](int v) { return std::ranges::binary_search(moving, v); });
 }
 
-// Where the goal has joints elsewhere than the start, or has to: those that move the links of goal
+// Returns the variables whose goal differs from the start, and those that move the links of goal
 // poses. Empty without a goal.
 std::vector<int> variables_with_a_goal(const geometric::Scene& scene) {
   const geometric::RobotInstance& robot = scene.robots.front();
@@ -111,7 +115,7 @@ std::vector<int> variables_with_a_goal(const geometric::Scene& scene) {
   return variables;
 }
 
-// What moves, of arm and hand, and the basis if it is for what moves.
+// Sets the moving variables and those of arm and hand, and the basis if the whole hand may move.
 void set_joints(const geometric::Scene& scene, std::shared_ptr<const sampling::PmdBasis> basis,
                 PlanningProblem& problem) {
   problem.moving = geometric::moving_variables(scene);
@@ -131,12 +135,13 @@ void set_joints(const geometric::Scene& scene, std::shared_ptr<const sampling::P
   const std::vector<int> holding = holding_variables(scene);
   const auto holds = [&](int v) { return std::ranges::binary_search(holding, v); };
   if (std::erase_if(problem.hand, holds) > 0) {
-    problem.basis = nullptr;  // its directions are of the whole hand
+    problem.basis = nullptr;  // its directions move the whole hand
   }
   std::erase_if(problem.arm, holds);
 }
 
-// The joint of a basis: of several parts that have such a joint, of the one that moves.
+// Returns the variable of a joint of a basis. If several parts have such a joint, returns that of
+// the part that moves.
 std::optional<int> hand_variable(const geometric::RobotModel& model, const std::vector<int>& moving,
                                  const std::string& joint) {
   std::vector<int> named = moving;
@@ -148,7 +153,7 @@ std::optional<int> hand_variable(const geometric::RobotModel& model, const std::
                            : geometric::find_variable_of_part(model, joint);
 }
 
-// With the scene and the checker in place.
+// Sets the goal, or solves the goal poses. @pre problem has its scene and checker.
 void solve_goals(PlanningProblem& problem) {
   if (problem.scene->goal_poses.empty()) {
     problem.set_goal(std::move(problem.goal));
@@ -160,7 +165,7 @@ void solve_goals(PlanningProblem& problem) {
   problem.goal_fault = std::move(solved.fault);
 }
 
-// @param checker, motion null: made of the world.
+// Assembles a problem. @param checker, motion null: made from `world`.
 PlanningProblem assembled(std::shared_ptr<const geometric::Scene> scene,
                           std::shared_ptr<const sampling::PmdBasis> basis,
                           const std::shared_ptr<const geometric::CollisionWorld>& world,
@@ -187,7 +192,7 @@ void PlanningProblem::set_goal(Configuration q) {
   goal = std::move(q);
   goals.clear();
   goal_fault.clear();
-  // A file's rounding is no motion.
+  // A fixed joint whose goal differs from the start by rounding only does not move.
   for (Eigen::Index v = 0; v < std::min(goal.size(), start.size()); ++v) {
     const bool moves = std::ranges::binary_search(moving, static_cast<int>(v));
     if (!moves && std::abs(goal[v] - start[v]) <= kAgreement) {
@@ -276,7 +281,7 @@ std::vector<int> hand_variables(const geometric::Scene& scene, const sampling::P
   return hand;
 }
 
-// A group "arm" without joints that move says nothing, as if it were not there.
+// A group "arm" without variables, or with the hand's only, counts as missing.
 std::vector<int> arm_variables(const geometric::RobotModel& model, const std::vector<int>& hand) {
   const auto is_of_hand = [&](int v) { return std::ranges::count(hand, v) > 0; };
   std::vector<int> arm = model.find_group("arm").value_or(std::vector<int>{});

@@ -17,27 +17,27 @@
 
 namespace handway::execution {
 
-/// The curve of a robot's link along a path, and which place of the path belongs to which of
-/// its points.
+/// The curve of a robot's link along a path, with a mapping between arc lengths on the curve and
+/// places on the path.
 ///
-/// A place of a path is a waypoint's index with the share of the way to the next: 2.5 is in the
-/// middle of the third edge.
+/// A place on a path is the index of a waypoint plus the fraction of the edge to the next: 2.5 is
+/// the middle of the third edge.
 class HANDWAY_EXECUTION_EXPORT PathToolCurve {
  public:
-  /// @param link that is looked at.
+  /// @param link name of the link.
   /// @throws InputError if the path has no waypoints, or one of another size, or the robot has no
   /// such link.
   PathToolCurve(const std::shared_ptr<const geometric::RobotModel>& model, planning::Path path,
                 const std::string& link);
 
   [[nodiscard]] const planning::Path& path() const { return path_; }
-  /// m, in the frame of the robot's base.
+  /// The link's curve in the frame of the robot's base, m.
   [[nodiscard]] const std::shared_ptr<const device::ToolCurve>& curve() const { return curve_; }
 
-  /// The place of the path where the link is at `s` (m of the curve). Where the link stands while
-  /// other joints move, the last such place.
+  /// Returns the place on the path at arc length `s` (m) of the curve. If the link is at rest there
+  /// while joints move, returns the last such place.
   [[nodiscard]] double place_at(double s) const;
-  /// Where the link is at this place, m of the curve.
+  /// Returns the arc length of the curve at a place on the path, m.
   [[nodiscard]] double arc_length_at(double place) const;
   [[nodiscard]] geometric::Configuration configuration(double place) const;
   [[nodiscard]] double last_place() const { return places_.back(); }
@@ -45,24 +45,24 @@ class HANDWAY_EXECUTION_EXPORT PathToolCurve {
  private:
   planning::Path path_;
   std::shared_ptr<const device::ToolCurve> curve_;
-  std::vector<double> places_;  ///< Of the curve's points, rising.
+  std::vector<double> places_;  ///< Places of the curve's points, ascending.
 };
 
-/// The link that a haptic device stands for: the last of the arm, or the robot's last link.
-/// @param arm variables of the arm, in order.
+/// Returns the name of the link that a haptic device guides: the arm's last, or the robot's last
+/// without an arm. @param arm variables of the arm.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT std::string tool_link(const geometric::RobotModel& model,
                                                              const std::vector<int>& arm);
 
-/// Goes along a path towards a place that somebody leads it to, forwards and backwards, no faster
-/// than the joints may. It never leaves the path, so what was certified of the path holds.
+/// Moves along a path towards a guided place, forwards and backwards, within the velocity limits of
+/// the joints. The motion never leaves the path, so everything certified for the path holds.
 class HANDWAY_EXECUTION_EXPORT GuidedMotion {
  public:
   /// @param velocity limits, shape [variable_count], rad/s or m/s, > 0.
   /// @throws std::invalid_argument if the path has no waypoints, or shapes differ.
   GuidedMotion(planning::Path path, Eigen::VectorXd velocity);
 
-  /// Goes on for `dt` (s) towards `target`. @param target a place: a waypoint's index with the
-  /// share of the way to the next. @returns the place where it is then.
+  /// Moves towards `target` for `dt` (s). @param target place on the path: the index of a waypoint
+  /// plus the fraction of the edge to the next. @returns the place reached.
   double advance(double target, double dt);
 
   [[nodiscard]] double place() const { return place_; }
@@ -70,41 +70,41 @@ class HANDWAY_EXECUTION_EXPORT GuidedMotion {
  private:
   planning::Path path_;
   Eigen::VectorXd velocity_;
-  std::vector<double> durations_;  ///< Of each edge, at the limits, s.
+  std::vector<double> durations_;  ///< Duration of each edge at the velocity limits, s.
   double place_ = 0.0;
 };
 
-/// What came of one sample of a haptic device.
+/// State of a guidance after one sample of the haptic device.
 struct GuidanceSample {
-  double time = 0.0;  ///< s since the beginning.
+  double time = 0.0;  ///< Time since the beginning, s.
   device::HapticSample handle;
   device::GuideStep step;
-  double place = 0.0;          ///< Where on its path the robot is led to.
-  geometric::Configuration q;  ///< The robot there.
+  double place = 0.0;          ///< Place on the path to which the robot is guided.
+  geometric::Configuration q;  ///< Configuration of the robot at that place.
 };
 
-/// How a guidance ended.
+/// Result of a guidance.
 struct GuidanceOutcome {
-  bool arrived = false;  ///< At the path's end.
-  std::string fault;     ///< Why not; empty if it was asked to stop.
-  double time = 0.0;     ///< s
+  bool arrived = false;  ///< The end of the path was reached.
+  std::string fault;     ///< Message of the fault that ended the guidance; empty: none.
+  double time = 0.0;     ///< Time of the last sample, s.
   int samples = 0;
-  double largest_deviation = 0.0;  ///< Of the hand from the curve, m.
-  double strongest = 0.0;          ///< Force that was asked for, N.
+  double largest_deviation = 0.0;  ///< Largest distance of the hand from the curve, m.
+  double strongest = 0.0;          ///< Largest force requested of the device, N.
 };
 
-/// What else takes part in a guidance; both are called on its thread. What they throw is a fault
-/// and ends the guidance: no force then, and the robot rests where it was led to last.
+/// Callbacks of a guidance, called on its thread. An exception of a callback is a fault: it ends
+/// the guidance and the force, and the robot stays at the last configuration it was sent to.
 struct GuidanceListeners {
   std::function<void(const GuidanceSample&)> on_sample = [](const GuidanceSample&) {};
-  /// Leads a robot to a configuration; called every 50 ms.
+  /// Moves a robot to a configuration; called every 50 ms and on arrival.
   std::function<void(const geometric::Configuration&)> lead = [](const geometric::Configuration&) {
   };
 };
 
-/// Guides a hand along a path, and leads the robot where the hand is, until it is at the end, is
-/// asked to stop, or something goes wrong. However it ends, there is no force then.
-/// @param device connected. @param guide of curve.curve(). @param motion on curve.path().
+/// Guides a hand along a path and moves the robot along with it, until the robot is at the path's
+/// end, `stop` is requested or a fault occurs. The force ends in each of these cases.
+/// @param device connected device. @param guide for curve.curve(). @param motion on curve.path().
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT GuidanceOutcome
 run_guidance(device::HapticDevice& device, device::ForceGuide& guide, const PathToolCurve& curve,
              GuidedMotion& motion, const std::stop_token& stop, const GuidanceListeners& listeners);

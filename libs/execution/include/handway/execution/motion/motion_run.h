@@ -14,7 +14,7 @@
 
 namespace handway::execution {
 
-/// How far a device's joints were from where they should have been; shapes [joints].
+/// Following errors of a device: its joints' measured minus planned positions; shapes [joints].
 class HANDWAY_EXECUTION_EXPORT FollowingError {
  public:
   explicit FollowingError(Eigen::Index joints)
@@ -22,8 +22,8 @@ class HANDWAY_EXECUTION_EXPORT FollowingError {
 
   void add(const Eigen::VectorXd& error);
   [[nodiscard]] int samples() const { return samples_; }
-  [[nodiscard]] const Eigen::VectorXd& max() const { return max_; }  ///< rad
-  [[nodiscard]] Eigen::VectorXd rms() const;                         ///< rad
+  [[nodiscard]] const Eigen::VectorXd& max() const { return max_; }  ///< Largest errors, rad.
+  [[nodiscard]] Eigen::VectorXd rms() const;                         ///< Root mean squares, rad.
 
  private:
   Eigen::VectorXd max_;
@@ -31,60 +31,60 @@ class HANDWAY_EXECUTION_EXPORT FollowingError {
   int samples_ = 0;
 };
 
-/// What a device reported of itself while a motion ran.
+/// A device's planned and measured positions at one time of a motion.
 struct MotionSample {
-  double time = 0.0;         ///< s of the motion.
-  std::size_t target = 0;    ///< Which device.
-  Eigen::VectorXd planned;   ///< rad, [its joints]
-  Eigen::VectorXd measured;  ///< rad, [its joints]
+  double time = 0.0;         ///< Motion time of the measurement, s.
+  std::size_t target = 0;    ///< Index of the device among the targets.
+  Eigen::VectorXd planned;   ///< Planned positions, rad, shape [joints of the device].
+  Eigen::VectorXd measured;  ///< Measured positions, rad, shape [joints of the device].
 };
 
-/// Hears of a motion as it runs, on the thread that runs it. What it throws is a fault: it stops
-/// the motion, and the observer is not called again.
+/// Callbacks of a running motion, called on its thread. An exception of a callback is a fault: it
+/// stops the motion, and the observer is not called again.
 class HANDWAY_EXECUTION_EXPORT MotionObserver {
  public:
   virtual ~MotionObserver() = default;
   virtual void on_sample(const MotionSample& sample) = 0;
-  /// Every few milliseconds. @param time s of the motion. @param errors of each target so far.
+  /// Called every few milliseconds. @param time motion time, s. @param errors so far, by target.
   virtual void on_progress(double time, const std::vector<FollowingError>& errors) = 0;
-  /// The scene is why the motion is held: it set MotionRequests::hold. Comes again when the reason
-  /// changes; once nothing is in the way, hold can be set to false.
+  /// Called when the scene has held the motion: MotionRequests::hold is set. Called again when the
+  /// reason changes, also if the rest becomes free: then hold can be set to false.
   virtual void on_held(const std::string& /*reason*/) {}
 };
 
-/// What others may ask of a motion that runs, from any thread.
+/// Requests to a running motion, allowed from any thread.
 struct MotionRequests {
   std::stop_token stop;
-  /// Held while true. The run sets it for what its watch finds, and then waits for somebody to
-  /// clear it.
+  /// Holds the motion while true. run_motion() sets it if its watch finds a reason to hold, and
+  /// continues only after the caller has cleared it.
   std::atomic<bool> hold = false;
-  /// Of this motion; null: nobody edits the scene, and it was checked just now.
+  /// Watch of this motion; null: the scene is not edited, and the motion was checked just before.
   SceneWatch* watch = nullptr;
 };
 
-/// How a motion on devices ended.
+/// Result of a motion on devices.
 struct MotionOutcome {
-  bool done = false;          ///< To its end.
-  bool started = false;       ///< It began: something may have moved.
-  std::string fault;          ///< Why not done; empty if it was asked to stop.
-  std::string collision;      ///< Why the scene's watch stopped it or did not let it start.
-  double time = 0.0;          ///< s of the motion at the end.
-  double stop_sent_ms = 0.0;  ///< From the request at most until STOP was sent to all devices.
+  bool done = false;          ///< The motion reached its end.
+  bool started = false;       ///< The motion began: joints may have moved.
+  std::string fault;          ///< Message of the first fault; empty: none.
+  std::string collision;      ///< Reason why the watch stopped or refused the motion; empty: none.
+  double time = 0.0;          ///< Motion time of the last sample, s.
+  double stop_sent_ms = 0.0;  ///< Upper bound on the time from request to STOP sent to all, ms.
   device::TrajectoryClient::Clock::time_point
-      stop_sent;             ///< When they had been; unset if none was.
-  double at_rest_ms = -1.0;  ///< From there until all were measured at rest; -1: not seen.
-  std::vector<FollowingError> errors;  ///< Of each target.
+      stop_sent;             ///< Time when STOP was sent to all before the end; unset otherwise.
+  double at_rest_ms = -1.0;  ///< Time from the stop or the end to rest, ms; -1: not measured.
+  std::vector<FollowingError> errors;  ///< Following errors of each target.
 };
 
-/// Runs the motions that were uploaded to the targets together, from start to rest. What ends one
-/// ends all: a fault, an exception of a device or of the observer, or a stop. Nothing moves if the
-/// stop was requested before.
+/// Runs the motions that were uploaded to the targets together, from start to rest. A fault, an
+/// exception of a device or of the observer, or a stop ends the motion of all targets. Nothing
+/// moves if the stop was requested before.
 ///
-/// With a watch it starts, and goes on after a hold, only once the rest is free in the scene as it
-/// is then, from where the robot is measured. An edit that leaves the rest unanswered for
-/// SceneWatch::kLongestWait, or blocks it, holds the motion; where a hold would come too late it is
-/// stopped.
-/// @throws DeviceError if one can't start; all were stopped then, and waited for.
+/// With a watch, the motion starts, and continues after a hold, only once its rest is free in the
+/// current scene, from the robot's measured configuration. The motion is held if its rest is
+/// blocked, or unchecked for SceneWatch::kLongestWait. It is stopped if the conflict comes before
+/// the hold.
+/// @throws DeviceError if a device can't start, after stopping all and waiting for their rest.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT MotionOutcome
 run_motion(std::vector<MotionTarget>& targets, const device::MotionTolerances& tolerances,
            MotionRequests& requests, MotionObserver& observer);
