@@ -62,6 +62,7 @@ class HandsOn : public Story {
     ASSERT_TRUE(chosen.isEnabled()) << words;
     click(*top.menu(), top.menu()->actionGeometry(&chosen).center());
     ASSERT_TRUE(wait_for([&] { return !top.menu()->isVisible(); })) << menu;
+    activate();  // a window manager does it when a menu closes
   }
   /// Clicks into a field, types over what is there, and presses Enter.
   void type(QWidget& field, const QString& text) const {
