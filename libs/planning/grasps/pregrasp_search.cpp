@@ -1,6 +1,7 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 
 #include "core/thread_pool.h"
+#include "grasps/finger_closing.h"
 #include "grasps/hand_closing.h"
 #include "grasps/pregrasp_rejections.h"
 #include "handway/geometric/io/input_error.h"
@@ -43,10 +44,8 @@ constexpr double kBreadth = 0.03;   // m, of fingers
 constexpr double kAlong = 0.45;     // cosine: more than that is along the object's longest side
 constexpr int kDirections = 200;    // in which the object's outermost points are looked for
 constexpr double kTilt = geometric::radians(25.0);
-constexpr int kClosingSteps = 40;
 constexpr int kOpeningSteps = 12;
 constexpr double kOpeningStep = 0.06;  // normalised
-constexpr double kClosingStep = 0.03;  // normalised
 constexpr double kSameTurn = geometric::radians(30.0);
 constexpr double kSamePlace = 0.03;  // m
 constexpr int kMostJudged = 400;     // rejected places of the hand, to say what was in the way
@@ -263,9 +262,7 @@ class PregraspSearch {
         with_others_.push_back(pair);
       }
     }
-    for (const HandClosing::Finger& finger : hand_.fingers()) {
-      checks_.push_back(checks_of(finger));
-    }
+    closing_ = std::make_unique<FingerClosing>(problem, hand_, *checker_, with_object_, of_hand_);
   }
 
   /// Why there is nothing to try; empty if there is.
@@ -310,9 +307,7 @@ class PregraspSearch {
       q = hand_in(std::move(q), wider);
       const std::optional<int> pair = colliding(q);
       if (!pair && keeps_gaps()) {
-        for (std::size_t finger = 0; finger < hand_.fingers().size(); ++finger) {
-          q = closed_finger(std::move(q), finger);
-        }
+        q = closed(std::move(q), {.object_gap = options_.gap, .own_gap = options_.own_gap});
         result.grasp = grasp_of(q);
         result.end = result.grasp ? SampleEnd::kFound : SampleEnd::kOneSided;
         return result;
@@ -477,56 +472,6 @@ class PregraspSearch {
     return keep(with_object_, options_.gap) && keep(of_hand_, options_.own_gap);
   }
 
-  /// What is to be looked at when a finger moves: pairs and constraints of the links that its
-  /// joints move, each with the gap that it has to keep, m.
-  struct MovedCheck {
-    int check = 0;
-    double gap = 0.0;
-  };
-
-  [[nodiscard]] std::vector<MovedCheck> checks_of(const HandClosing::Finger& finger) const {
-    const geometric::RobotModel& model = problem_.model();
-    std::vector<bool> moved(static_cast<std::size_t>(model.link_count()), false);
-    for (int link = 1; link < model.link_count(); ++link) {
-      const bool is_driven = std::ranges::any_of(finger.joints, [&](int joint) {
-        return problem_.hand[static_cast<std::size_t>(joint)] == model.drive(link).variable;
-      });
-      moved[static_cast<std::size_t>(link)] =
-          is_driven || moved[static_cast<std::size_t>(model.parent(link))];
-    }
-    const geometric::CollisionWorld& world = checker_->world();
-    const auto moves = [&](int body) {
-      const int link = world.body(body).link;
-      return world.body(body).moves() && link >= 0 && moved[static_cast<std::size_t>(link)];
-    };
-    std::vector<MovedCheck> checks;
-    for (int check = 0; check < world.check_count(); ++check) {
-      if (const geometric::LinkConstraint* constraint = world.constraint(check)) {
-        if (moved[static_cast<std::size_t>(constraint->link())]) {
-          checks.push_back({check, 0.0});
-        }
-        continue;
-      }
-      const auto& bodies = world.pairs()[static_cast<std::size_t>(check)];
-      if (moves(bodies.a) || moves(bodies.b)) {
-        checks.push_back({check, std::ranges::count(with_object_, check) > 0 ? options_.gap
-                                 : std::ranges::count(of_hand_, check) > 0   ? options_.own_gap
-                                                                             : 0.0});
-      }
-    }
-    return checks;
-  }
-
-  /// Whether a finger keeps its gaps; of a configuration in which all else does.
-  bool keeps_gap(const Configuration& q, const std::vector<MovedCheck>& checks) {
-    checker_->place(q);
-    return std::ranges::all_of(checks, [this](const MovedCheck& moved) {
-      return moved.gap > 0.0 ? checker_->pair_closeness(moved.check, moved.gap) ==
-                                   geometric::Closeness::kFarther
-                             : !checker_->pair_collides(moved.check);
-    });
-  }
-
   /// Does it only depend on where the hand is?
   [[nodiscard]] bool is_of_hand(int pair) const {
     const geometric::CollisionWorld& world = checker_->world();
@@ -546,30 +491,11 @@ class PregraspSearch {
     return is_hand(bodies.a) && is_hand(bodies.b);
   }
 
-  /// Closes one finger around the object's core. Where something is in the way, its joints
-  /// stop one after the other, the one at the palm first, so that the outer links go on.
-  Configuration closed_finger(Configuration q, std::size_t which) {
-    const HandClosing::Finger& finger = hand_.fingers()[which];
+  /// `q` with all fingers closed, one after the other.
+  Configuration closed(Configuration q, const FingerClosing::Limits& limits) {
     const Pose X_PO = object_in_palm(q);
-    Eigen::VectorXd posture = hand_.hand_of(q);
-    Eigen::VectorXd rates;
-    for (int step = 0, first = 0; step < kClosingSteps && !stop_.stop_requested();) {
-      if (step % 4 == 0 || rates.size() == 0) {
-        rates = hand_.towards(finger, posture, core_, X_PO);
-      }
-      Eigen::VectorXd next = posture;
-      for (auto k = static_cast<Eigen::Index>(first); k < rates.size(); ++k) {
-        next[finger.joints[static_cast<std::size_t>(k)]] += kClosingStep * rates[k];
-      }
-      next = next.cwiseMax(0.0).cwiseMin(1.0);
-      const Configuration q_next = hand_.with_hand(q, next);
-      if (next != posture && keeps_gap(q_next, checks_[which])) {
-        posture = next;
-        q = q_next;
-        ++step;
-      } else if (++first == static_cast<int>(finger.joints.size())) {
-        break;
-      }
+    for (std::size_t finger = 0; finger < hand_.fingers().size(); ++finger) {
+      q = closing_->closed(std::move(q), finger, core_, X_PO, limits, stop_);
     }
     return q;
   }
@@ -704,8 +630,8 @@ class PregraspSearch {
   Pose X_BO_;
   std::vector<int> with_object_;
   std::vector<int> with_others_;
-  std::vector<int> of_hand_;                     ///< Pairs of its links.
-  std::vector<std::vector<MovedCheck>> checks_;  ///< Of each finger.
+  std::vector<int> of_hand_;  ///< Pairs of its links.
+  std::unique_ptr<FingerClosing> closing_;
   std::vector<std::vector<Vector3d>> surfaces_;  ///< Of every link of a finger, in its frame.
   std::string object_;
   int last_pair_ = 0;
