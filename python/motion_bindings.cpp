@@ -7,9 +7,11 @@
 #include "planner_model.h"
 #include "scene_model.h"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -87,14 +89,36 @@ std::vector<std::string> export_motion(const TimedPath& timed, const std::string
   return files;
 }
 
+py::list contacts_of(const planning::Pregrasp& grasp) {
+  py::list contacts;
+  for (const planning::HandContact& contact : grasp.contacts) {
+    py::dict answer;
+    answer["finger"] = contact.finger;
+    answer["link"] = contact.link;
+    answer["point"] = to_array(contact.contact.p_O);
+    answer["normal"] = to_array(contact.contact.normal_O);
+    answer["distance"] = contact.distance;
+    contacts.append(answer);
+  }
+  return contacts;
+}
+
 py::list grasps(const SceneModel& scene, const std::string& object, int most, int samples,
-                std::uint64_t seed) {
+                std::uint64_t seed, double friction, double payload) {
   for (const auto& [argument, value] : {std::pair("most", most), std::pair("samples", samples)}) {
     if (value < 1) {
       throw InputError({argument, "", std::to_string(value), "1 or more", ""});
     }
   }
+  for (const auto& [argument, value] :
+       {std::pair("friction", friction), std::pair("payload", payload)}) {
+    if (!(value > 0.0 && std::isfinite(value))) {
+      throw InputError({argument, "", fmt::format("{}", value), "a number above 0", ""});
+    }
+  }
   planning::PregraspOptions options;
+  options.contact.friction = friction;
+  options.payload = payload;
   options.most = most;
   options.samples = samples;
   options.seed = seed;
@@ -112,6 +136,13 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, in
     answer["fingers"] = grasp.fingers;
     answer["enclosure"] = grasp.enclosure;
     answer["clearance"] = grasp.clearance;
+    answer["closed"] = to_array(grasp.closed);
+    answer["squeezed"] = to_array(grasp.squeezed);
+    answer["epsilon"] = grasp.quality.epsilon;
+    answer["volume"] = grasp.quality.volume;
+    answer["holding_force"] = grasp.holding_force;
+    answer["doubt"] = grasp.doubt;
+    answer["contacts"] = contacts_of(grasp);
     answers.append(answer);
   }
   return answers;
@@ -208,11 +239,17 @@ void bind_motion(py::module_& module) {
            "speed: share of the limits' pace, above 0, at most 1. period: from point to point, s.\n"
            "jerk: limit jerk, too.")
       .def("grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
-           py::arg("samples") = 8000, py::arg("seed") = 1,
-           "Free configurations with the fingers around an object, the best first.\n\n"
+           py::arg("samples") = 8000, py::arg("seed") = 1, py::arg("friction") = 0.6,
+           py::arg("payload") = 0.1,
+           "Grasps of an object, the best first.\n\n"
            "object: name of one that stands still. most: how many at most. samples: palm poses\n"
-           "to try. seed: of the draws. Returns dicts: q [variables], score, fingers, enclosure,\n"
-           "clearance (m).");
+           "to try. seed: of the draws. friction: between hand and object. payload: mass of the\n"
+           "object, kg. Returns dicts: q, closed and squeezed [variables], the configurations\n"
+           "before contact, in contact and that pushes; score; epsilon (N) and volume of the\n"
+           "grasp wrench space; holding_force (N, the largest contact force that holds the\n"
+           "payload, or None); contacts, dicts with finger, link, point and normal (in the\n"
+           "object's frame) and distance (m); doubt, why not to trust it, or empty; fingers,\n"
+           "enclosure, clearance (m).");
   module.def("find_pmds", &find_pmds, py::arg("postures"), py::arg("joints"), py::kw_only(),
              py::arg("free") = std::vector<std::string>(), py::arg("directions") = 4,
              py::arg("hand") = "",

@@ -34,6 +34,9 @@ void add_export_command(CLI::App& app, int& exit_code);
 /// handway glove emulate|live|record|replay …
 void add_glove_command(CLI::App& app, int& exit_code);
 
+/// Adds `handway grasp SCENE OBJECT`.
+void add_grasp_command(CLI::App& app, int& exit_code);
+
 /// Adds `handway hand` and its command `emulate`.
 void add_hand_command(CLI::App& app, int& exit_code);
 

@@ -247,7 +247,14 @@ class Scene:
         jerk: bool = False,
     ) -> Motion: ...
     def grasps(
-        self, object: str, *, most: int = 8, samples: int = 8000, seed: int = 1
+        self,
+        object: str,
+        *,
+        most: int = 8,
+        samples: int = 8000,
+        seed: int = 1,
+        friction: float = 0.6,
+        payload: float = 0.1,
     ) -> list[dict[str, Any]]: ...
     def with_robot(
         self,

@@ -96,9 +96,9 @@ goal: {lift: 0.5}
 }
 
 TEST_F(Handway, NamesAnUnknownCommand) {
-  const Outcome run = line_.run("grasp post.yaml");
+  const Outcome run = line_.run("juggle post.yaml");
   EXPECT_EQ(run.exit_code, kWrongUsage);
-  EXPECT_THAT(run.err, AllOf(HasSubstr("unknown command \"grasp\""), HasSubstr("--help")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("unknown command \"juggle\""), HasSubstr("--help")));
 }
 
 // The saved problems help to analyse errors of other users.

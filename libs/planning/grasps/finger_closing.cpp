@@ -5,9 +5,10 @@
 namespace handway::planning {
 namespace {
 
-constexpr int kMostSteps = 40;
-constexpr double kStep = 0.03;        // normalised
-constexpr int kStepsOfDirection = 4;  // that a finger goes on in one direction of its joints
+constexpr int kMostClosingSteps = 40;
+constexpr double kLeastRate = 1e-3;    // of a joint's way that brings the tip closer
+constexpr double kClosingStep = 0.03;  // normalised
+constexpr int kStepsOfDirection = 4;   // that a finger goes on in one direction of its joints
 
 }  // namespace
 
@@ -26,14 +27,19 @@ Configuration FingerClosing::closed(Configuration q, std::size_t which, const ge
   const HandClosing::Finger& finger = hand_.fingers()[which];
   Eigen::VectorXd posture = hand_.hand_of(q);
   Eigen::VectorXd rates;
-  double size = kStep;
-  const double least = kStep / (1 << limits.halvings);
-  for (int step = 0, first = 0; step < kMostSteps && !stop.stop_requested();) {
+  double size = kClosingStep;
+  const double least = kClosingStep / (1 << limits.halvings);
+  const auto joints = static_cast<Eigen::Index>(finger.joints.size());
+  Eigen::Index first = 0;  // joint that does not stand
+  double way = 0.0;        // normalised
+  for (int step = 0; way < kMostClosingSteps * kClosingStep && !stop.stop_requested();) {
     if (step % kStepsOfDirection == 0 || rates.size() == 0) {
       rates = hand_.towards(finger, posture, core, X_PO);
+      const double left = rates.tail(joints - first).norm();
+      rates = left > kLeastRate ? Eigen::VectorXd(rates / left) : Eigen::VectorXd::Zero(joints);
     }
     Eigen::VectorXd next = posture;
-    for (auto k = static_cast<Eigen::Index>(first); k < rates.size(); ++k) {
+    for (Eigen::Index k = first; k < joints; ++k) {
       next[finger.joints[static_cast<std::size_t>(k)]] += size * rates[k];
     }
     next = next.cwiseMax(0.0).cwiseMin(1.0);
@@ -42,13 +48,15 @@ Configuration FingerClosing::closed(Configuration q, std::size_t which, const ge
     if (moves && keeps_gap(q_next, checks_[which], limits)) {
       posture = next;
       q = q_next;
+      way += size;
       ++step;
     } else if (moves && size > least) {
       size *= 0.5;
-    } else if (++first == static_cast<int>(finger.joints.size())) {
+    } else if (++first == joints) {
       break;
     } else {
-      size = kStep;
+      size = kClosingStep;
+      rates.resize(0);  // the outer joints go on at full pace
     }
   }
   return q;

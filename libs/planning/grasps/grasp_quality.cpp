@@ -77,7 +77,7 @@ ContactEdges edges_of(const GraspContact& contact, const ContactModel& model) {
 // Source: C. L. Lawson, R. J. Hanson, "Solving Least Squares Problems", 1974, chapter 23.
 VectorXd nonnegative_least_squares(const MatrixXd& A, const VectorXd& b) {
   const Eigen::Index n = A.cols();
-  const double tolerance = 1e-10 * (1.0 + A.cwiseAbs().maxCoeff() * b.cwiseAbs().maxCoeff());
+  const double tolerance = 1e-12 * (1.0 + A.cwiseAbs().maxCoeff() * b.cwiseAbs().maxCoeff());
   VectorXd x = VectorXd::Zero(n);
   std::vector<Eigen::Index> free;  // variables that are not held at 0
   const auto solve_free = [&] {
@@ -122,12 +122,16 @@ VectorXd nonnegative_least_squares(const MatrixXd& A, const VectorXd& b) {
 }
 
 // The forces with the least sum of squares whose edge coefficients x ≥ 0 satisfy `C x = d`.
+//
+// By the method of multipliers: the equations are terms of a least-squares problem, shifted until
+// they hold. Source: J. Nocedal, S. Wright, "Numerical Optimization", 2006, section 17.3.
 std::optional<std::vector<Vector3d>> least_forces(std::span<const GraspContact> contacts,
                                                   const ContactModel& model, const MatrixXd& C,
                                                   const VectorXd& d) {
-  // The equations weigh so much more than the forces that these do not disturb them.
-  constexpr double kWeight = 1e4;
-  constexpr double kResidual = 1e-5;  // of the load
+  constexpr double kWeight = 1e3;  // of the equations
+  constexpr int kMostRounds = 20;
+  constexpr double kExact = 1e-9;     // of the load
+  constexpr double kResidual = 1e-5;  // more: nothing balances it
   const int each = columns_each(model);
   const auto count = std::ssize(contacts);
   MatrixXd A = MatrixXd::Zero(C.rows() + 3 * count, C.cols());
@@ -137,9 +141,16 @@ std::optional<std::vector<Vector3d>> least_forces(std::span<const GraspContact> 
         edges_of(contacts[static_cast<std::size_t>(i)], model).forces;
   }
   VectorXd b = VectorXd::Zero(A.rows());
-  b.head(d.size()) = kWeight * d;
-  const VectorXd x = nonnegative_least_squares(A, b);
-  if ((C * x - d).norm() > kResidual * d.norm()) {
+  VectorXd shift = VectorXd::Zero(d.size());
+  VectorXd x;
+  double residual = HUGE_VAL;
+  for (int round = 0; round < kMostRounds && residual > kExact * d.norm(); ++round) {
+    b.head(d.size()) = kWeight * (d - shift);
+    x = nonnegative_least_squares(A, b);
+    shift += C * x - d;
+    residual = (C * x - d).norm();
+  }
+  if (residual > kResidual * d.norm()) {
     return std::nullopt;
   }
   std::vector<Vector3d> forces;
@@ -204,6 +215,32 @@ bool spans_all_dimensions(const Wrenches& wrenches) {
 }
 
 }  // namespace
+
+TorqueScale torque_scale(const geometric::TriangleMesh& mesh) {
+  require(!mesh.empty(), "a mesh without triangles has no centre of mass");
+  const bool is_solid = geometric::is_closed(mesh);
+  const Vector3d middle = geometric::bounding_box(mesh).centre();
+  double sum = 0.0;  // of volumes or areas
+  Vector3d moment = Vector3d::Zero();
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vector3d a = mesh.vertices[i] - middle;
+    const Vector3d b = mesh.vertices[j] - middle;
+    const Vector3d c = mesh.vertices[k] - middle;
+    const double part = is_solid ? a.dot(b.cross(c)) / 6.0 : 0.5 * (b - a).cross(c - a).norm();
+    sum += part;
+    moment += part * (a + b + c) / (is_solid ? 4.0 : 3.0);
+  }
+  constexpr double kNothing = 1e-15;  // m³ or m²: flat, all its triangles cancelling
+  TorqueScale scale{middle, 0.0};
+  if (std::abs(sum) > kNothing) {
+    scale.centre_O += moment / sum;
+  }
+  for (const Vector3d& vertex : mesh.vertices) {
+    scale.length = std::max(scale.length, (vertex - scale.centre_O).norm());
+  }
+  require(scale.length > 0.0, "a mesh needs an extent");
+  return scale;
+}
 
 Vector3d tangent(const Vector3d& normal) { return normal.unitOrthogonal(); }
 

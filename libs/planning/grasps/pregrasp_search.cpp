@@ -2,6 +2,7 @@
 
 #include "core/thread_pool.h"
 #include "grasps/finger_closing.h"
+#include "grasps/grasp_measurement.h"
 #include "grasps/hand_closing.h"
 #include "grasps/pregrasp_rejections.h"
 #include "handway/geometric/io/input_error.h"
@@ -18,6 +19,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -56,6 +58,12 @@ constexpr double kSurfaceSpacing = 0.004;  // m
 constexpr int kLeastSamples = 1024;        // before a search ends early …
 constexpr int kPatience = 1024;            // … since so many samples made the best ones no better
 constexpr double kBetter = 0.01;           // of a score
+constexpr double kOfEpsilon = 0.7;         // share of the score
+constexpr double kFullEpsilon = 0.15;      // N: more is not better
+constexpr int kPool = 2;                   // candidates that are measured, times those wanted, …
+constexpr int kLeastPool = 16;             // … and at least
+constexpr int kMostMeasured = 4;           // times that, with those that turn out bad
+constexpr std::size_t kMeasuredEach = 8;   // at a time
 constexpr int kBatch = 32;                 // samples between two reports of progress
 
 const geometric::SceneObject& needed_object(const PlanningProblem& problem, std::string_view name) {
@@ -82,6 +90,9 @@ const geometric::SceneObject& needed_object(const PlanningProblem& problem, std:
   }
   return *object;
 }
+
+// Candidates that are measured at a time, in places that differ.
+int pool_size(const PregraspOptions& options) { return std::max(kLeastPool, kPool * options.most); }
 
 // In [-1, 1].
 double signed_uniform(sampling::RandomStream& random) { return 2.0 * random.uniform() - 1.0; }
@@ -181,12 +192,22 @@ enum class SampleEnd {
   kUnknown,  ///< Rejected, and not asked why.
 };
 
+/// A pre-grasp that was found, and what is known of it.
+struct Candidate {
+  Pregrasp grasp;
+  double promise = 0.0;  ///< The score of the pre-grasp alone.
+  Pose X_BP;             ///< Of the palm.
+
+  [[nodiscard]] bool is_measured() const { return grasp.closed.size() > 0; }
+  [[nodiscard]] bool is_good() const { return is_measured() && grasp.doubt.empty(); }
+};
+
 /// What one place of the hand came to.
 struct SampleResult {
   SampleEnd end = SampleEnd::kUnknown;
   double width = HUGE_VAL;           ///< Of the object between the fingers, m.
   std::set<std::string> in_the_way;  ///< If blocked.
-  std::optional<Pregrasp> grasp;
+  std::optional<Candidate> candidate;
 };
 
 /// What the samples of a search came to, added in their order.
@@ -203,21 +224,22 @@ class SampleResults {
     if (result.end == SampleEnd::kBlocked) {
       rejections_.block(result.in_the_way);
     }
-    if (result.grasp) {
-      found_.push_back(std::move(*result.grasp));
+    if (result.candidate) {
+      candidates_.push_back(std::move(*result.candidate));
     }
   }
 
   [[nodiscard]] const PregraspRejections& rejections() const { return rejections_; }
   [[nodiscard]] double narrowest() const { return narrowest_; }
-  [[nodiscard]] const std::vector<Pregrasp>& found() const { return found_; }
+  [[nodiscard]] const std::vector<Candidate>& candidates() const { return candidates_; }
+  [[nodiscard]] Candidate& candidate(std::size_t index) { return candidates_[index]; }
   /// Whether it helps to know why one more sample is rejected.
   [[nodiscard]] bool asks_why() const {
-    return found_.empty() && rejections_.judged() < kMostJudged;
+    return candidates_.empty() && rejections_.judged() < kMostJudged;
   }
 
  private:
-  std::vector<Pregrasp> found_;
+  std::vector<Candidate> candidates_;
   PregraspRejections rejections_;
   double narrowest_ = HUGE_VAL;
 };
@@ -262,7 +284,13 @@ class PregraspSearch {
         with_others_.push_back(pair);
       }
     }
+    std::vector<int> with_hand;
+    std::ranges::copy_if(with_object_, std::back_inserter(with_hand),
+                         [this](int pair) { return is_of_hand(pair); });
     closing_ = std::make_unique<FingerClosing>(problem, hand_, *checker_, with_object_, of_hand_);
+    measurement_ = std::make_unique<GraspMeasurement>(
+        GraspMeasurement::Hand{problem, ik_, hand_, *checker_, *closing_}, object,
+        std::move(with_hand), core_, options, stop);
   }
 
   /// Why there is nothing to try; empty if there is.
@@ -281,6 +309,8 @@ class PregraspSearch {
     }
     return {};
   }
+
+  [[nodiscard]] int palm() const { return ik_.palm(); }
 
   /// Tries one place of the hand.
   /// @param judges whether a rejected one is asked for what is in the way.
@@ -308,8 +338,8 @@ class PregraspSearch {
       const std::optional<int> pair = colliding(q);
       if (!pair && keeps_gaps()) {
         q = closed(std::move(q), {.object_gap = options_.gap, .own_gap = options_.own_gap});
-        result.grasp = grasp_of(q);
-        result.end = result.grasp ? SampleEnd::kFound : SampleEnd::kOneSided;
+        result.candidate = candidate_of(q);
+        result.end = result.candidate ? SampleEnd::kFound : SampleEnd::kOneSided;
         return result;
       }
       if (!pair || is_of_hand(*pair)) {
@@ -322,39 +352,79 @@ class PregraspSearch {
     return result;
   }
 
+  /// Closes the hand of a candidate up to contact, measures how the object is held, and sets its
+  /// score.
+  void measure(Candidate& candidate) {
+    Pregrasp& grasp = candidate.grasp;
+    measurement_->measure(grasp);
+    grasp.score = kOfEpsilon * std::clamp(grasp.quality.epsilon / kFullEpsilon, 0.0, 1.0) +
+                  (1.0 - kOfEpsilon) * candidate.promise;
+  }
+
   [[nodiscard]] std::string why_none(const SampleResults& results) const {
     return why_no_grasp(results.rejections(), object_, results.narrowest(), hand_.widest(),
                         (X_BO_ * box_.centre()).norm());
   }
 
-  /// The best of all that differ, the best first.
-  [[nodiscard]] std::vector<Pregrasp> best(const std::vector<Pregrasp>& found) const {
-    std::vector<const Pregrasp*> ranked;
-    ranked.reserve(found.size());
-    for (const Pregrasp& grasp : found) {
-      ranked.push_back(&grasp);
-    }
-    std::ranges::stable_sort(ranked, std::greater(), &Pregrasp::score);
+  /// The measured ones that differ, the best first; those in doubt if there are no others.
+  [[nodiscard]] std::vector<Pregrasp> best(const std::vector<Candidate>& candidates) const {
+    const bool has_good = std::ranges::any_of(candidates, &Candidate::is_good);
     std::vector<Pregrasp> chosen;
-    std::vector<Pose> palms;
-    for (const Pregrasp* grasp : ranked) {
-      const Pose X_BP = ik_.pose(grasp->q);
-      const bool known = std::ranges::any_of(palms, [&](const Pose& other) {
-        return Eigen::AngleAxisd(X_BP.linear().transpose() * other.linear()).angle() < kSameTurn &&
-               (X_BP.translation() - other.translation()).norm() < kSamePlace;
-      });
-      if (!known) {
-        palms.push_back(X_BP);
-        chosen.push_back(*grasp);
+    for (const std::size_t i : distinct(
+             candidates, [](const Candidate& candidate) { return candidate.grasp.score; },
+             [&](const Candidate& candidate) {
+               return has_good ? candidate.is_good() : candidate.is_measured();
+             },
+             options_.most)) {
+      chosen.push_back(candidates[i].grasp);
+    }
+    return chosen;
+  }
+
+  /// Indices of those among the most promising ones that are to be measured.
+  [[nodiscard]] std::vector<std::size_t> to_be_measured(
+      const std::vector<Candidate>& candidates) const {
+    std::vector<std::size_t> promising = distinct(
+        candidates, [](const Candidate& candidate) { return candidate.promise; },
+        [](const Candidate& candidate) { return !candidate.is_measured() || candidate.is_good(); },
+        pool_size(options_));
+    std::erase_if(promising, [&](std::size_t i) { return candidates[i].is_measured(); });
+    return promising;
+  }
+
+ private:
+  /// Indices of the `most` admitted candidates with the highest value that have the palm at
+  /// different places, the highest first.
+  template <typename Value, typename Admits>
+  [[nodiscard]] std::vector<std::size_t> distinct(const std::vector<Candidate>& candidates,
+                                                  const Value& value, const Admits& admits,
+                                                  int most) const {
+    std::vector<std::size_t> ranked;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (admits(candidates[i])) {
+        ranked.push_back(i);
       }
-      if (static_cast<int>(chosen.size()) >= options_.most) {
+    }
+    std::ranges::stable_sort(ranked, std::greater(),
+                             [&](std::size_t i) { return value(candidates[i]); });
+    std::vector<std::size_t> chosen;
+    for (const std::size_t i : ranked) {
+      const Pose& X_BP = candidates[i].X_BP;
+      const bool is_known = std::ranges::any_of(chosen, [&](std::size_t other_index) {
+        const Pose& other = candidates[other_index].X_BP;
+        return (X_BP.translation() - other.translation()).norm() < kSamePlace &&
+               Eigen::AngleAxisd(X_BP.linear().transpose() * other.linear()).angle() < kSameTurn;
+      });
+      if (!is_known) {
+        chosen.push_back(i);
+      }
+      if (static_cast<int>(chosen.size()) >= most) {
         break;
       }
     }
     return chosen;
   }
 
- private:
   /// `q` with the hand of another one.
   [[nodiscard]] Configuration hand_in(Configuration q, const Configuration& other) const {
     q(problem_.hand) = other(problem_.hand);
@@ -533,7 +603,7 @@ class PregraspSearch {
   }
 
   /// The grasp of a closed hand, if two fingers are at different sides of the object.
-  std::optional<Pregrasp> grasp_of(const Configuration& q) {
+  std::optional<Candidate> candidate_of(const Configuration& q) {
     Pregrasp grasp{q};
     checker_->place(q);
     const Pose X_OB = X_BO_.inverse();
@@ -563,8 +633,8 @@ class PregraspSearch {
     Configuration arm_only = problem_.start;
     arm_only(problem_.arm) = q(problem_.arm);
     grasp.arm_travel = normalised_distance(problem_.model(), problem_.start, arm_only);
-    grasp.score = score(grasp, imbalance(sides));
-    return grasp;
+    const double promise = this->promise(grasp, imbalance(sides));
+    return Candidate{std::move(grasp), promise, ik_.pose(q)};
   }
 
   /// From the core of the object to the point of a link's surface that is nearest to it.
@@ -584,12 +654,12 @@ class PregraspSearch {
 
   /// @param unopposed imbalance() of the fingers' sides: such a grasp slips off, as jaws do that
   /// close on a chord of what is round.
-  [[nodiscard]] double score(const Pregrasp& grasp, double unopposed) const {
+  [[nodiscard]] double promise(const Pregrasp& grasp, double unopposed) const {
     const double hold = std::clamp((kSlips - unopposed) / (kSlips - kHolds), 0.0, 1.0);
-    return (kOfHold * hold + 1.0 - kOfHold) * plain_score(grasp);
+    return (kOfHold * hold + 1.0 - kOfHold) * plain_promise(grasp);
   }
 
-  [[nodiscard]] double plain_score(const Pregrasp& grasp) const {
+  [[nodiscard]] double plain_promise(const Pregrasp& grasp) const {
     const auto full = [](double value, double most) { return std::min(value / most, 1.0); };
     return 0.35 * grasp.fingers / static_cast<double>(hand_.fingers().size()) +
            0.25 * grasp.enclosure + 0.15 * full(grasp.clearance, 0.03) +
@@ -632,6 +702,7 @@ class PregraspSearch {
   std::vector<int> with_others_;
   std::vector<int> of_hand_;  ///< Pairs of its links.
   std::unique_ptr<FingerClosing> closing_;
+  std::unique_ptr<GraspMeasurement> measurement_;
   std::vector<std::vector<Vector3d>> surfaces_;  ///< Of every link of a finger, in its frame.
   std::string object_;
   int last_pair_ = 0;
@@ -652,8 +723,8 @@ class Patience {
       best_ = found.front().score;
       since_ = samples;
     }
-    ended_ = static_cast<int>(found.size()) >= most_ && samples >= kLeastSamples &&
-             samples - since_ >= kPatience;
+    const int patience = static_cast<int>(found.size()) >= most_ ? kPatience : 2 * kPatience;
+    ended_ = !found.empty() && samples >= kLeastSamples && samples - since_ >= patience;
   }
   [[nodiscard]] bool ended() const { return ended_; }
 
@@ -671,7 +742,10 @@ class SampleRunner {
  public:
   SampleRunner(const PlanningProblem& problem, const geometric::SceneObject& object,
                const PregraspOptions& options, const std::stop_token& stop)
-      : stop_(stop), random_(options.seed), threads_(std::max(options.threads, 1)) {
+      : stop_(stop),
+        measurements_left_(static_cast<std::size_t>(kMostMeasured * pool_size(options))),
+        random_(options.seed),
+        threads_(std::max(options.threads, 1)) {
     for (int thread = 0; thread < threads_.size(); ++thread) {
       searches_.push_back(std::make_unique<PregraspSearch>(problem, object, options, stop));
     }
@@ -698,11 +772,27 @@ class SampleRunner {
     for (SampleResult& result : batch) {
       results_.add(std::move(result));
     }
+    measure();
     return true;
   }
 
  private:
+  /// Measures the most promising candidates, a few at a time.
+  void measure() {
+    std::vector<std::size_t> next = search().to_be_measured(results_.candidates());
+    next.resize(std::min<std::size_t>({next.size(), kMeasuredEach, measurements_left_}));
+    measurements_left_ -= next.size();
+    std::atomic<std::size_t> begun = 0;
+    threads_.run(0, threads_.size(), [&](int thread) {
+      for (std::size_t i = begun++; i < next.size() && !stop_.stop_requested(); i = begun++) {
+        Candidate& candidate = results_.candidate(next[i]);
+        searches_[static_cast<std::size_t>(thread)]->measure(candidate);
+      }
+    });
+  }
+
   std::stop_token stop_;
+  std::size_t measurements_left_;
   sampling::RandomStream random_;
   ThreadPool threads_;
   std::vector<std::unique_ptr<PregraspSearch>> searches_;
@@ -718,20 +808,18 @@ Pregrasps find_pregrasps(const PlanningProblem& problem, std::string_view object
   const PlanningProblem of_hand = with_nearest_hand(problem, needed);
   SampleRunner runner(of_hand, needed, options, stop);
   if (std::string objection = runner.search().objection(); !objection.empty()) {
-    return {{}, std::move(objection)};
+    return {{}, std::move(objection), runner.search().palm()};
   }
   Pregrasps grasps;
+  grasps.palm = runner.search().palm();
   Patience patience(options);
   for (int done = 0; done < options.samples && !stop.stop_requested() && !patience.ended();) {
     const int last = std::min(done + kBatch, options.samples);
-    const std::size_t known = runner.results().found().size();
     if (!runner.run(done, last)) {
       break;
     }
     done = last;
-    if (runner.results().found().size() > known) {
-      grasps.found = runner.search().best(runner.results().found());
-    }
+    grasps.found = runner.search().best(runner.results().candidates());
     patience.note(grasps.found, done);
     if (progress) {
       progress(grasps.found, patience.ended() ? 1.0 : static_cast<double>(done) / options.samples);

@@ -274,7 +274,8 @@ Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path&
   const std::vector<YamlElement> joints = names.items();
   for (const YamlElement& name : joints) {
     if (!columns.append(name.text())) {
-      name.refuse("\"" + name.text() + "\"", "a joint of robot " + model.name() + " that moves");
+      name.refuse(fmt::format("\"{}\"", name.text()),
+                  "a joint of robot " + model.name() + " that moves");
     }
   }
   if (const auto joint = columns.miscounted()) {

@@ -1,5 +1,7 @@
 #include "handway/planning/grasps/grasp_quality.h"
 
+#include "handway/geometric/mesh/shape.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -123,6 +125,18 @@ TEST(GraspQuality, RefusesWhatIsNoContact) {
   EXPECT_THROW(quality_of(on_circle(2), {}, 0.0), std::invalid_argument);
   EXPECT_THROW(quality_of({{Vector3d::Zero(), Vector3d(0.0, 0.0, 2.0)}}, {}),
                std::invalid_argument);
+}
+
+TEST(GraspQuality, ScalesTorquesByTheObject) {
+  geometric::TriangleMesh box = *geometric::tessellate(geometric::Box{{0.02, 0.04, 0.04}});
+  for (Vector3d& vertex : box.vertices) {
+    vertex.x() += 0.5;
+  }
+  const TorqueScale scale = torque_scale(box);
+  EXPECT_TRUE(scale.centre_O.isApprox(Vector3d(0.5, 0.0, 0.0), 1e-9));
+  EXPECT_NEAR(scale.length, 0.03, 1e-9) << "from the middle to a corner";
+  const TorqueScale cone = torque_scale(*geometric::tessellate(geometric::Cone{0.03, 0.08}));
+  EXPECT_NEAR(cone.centre_O.z(), -0.02, 1e-4) << "a quarter of its height above its base";
 }
 
 const TorqueScale kScale{.length = kRadius};

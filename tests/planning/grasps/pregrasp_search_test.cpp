@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -62,6 +63,57 @@ TEST_F(PregraspSearch, FindsWaysAroundACanThatAreFree) {
       }
     }
     EXPECT_LT(nearest, 0.015) << "closed until near contact";
+  }
+}
+
+TEST_F(PregraspSearch, ClosesTheHandUpToContact) {
+  const PlanningProblem problem = shipped("can_on_table");
+  const Pregrasps grasps = find_pregrasps(problem, "can");
+  ASSERT_FALSE(grasps.found.empty());
+  const auto checker = problem.checker->clone();
+  const geometric::Aabb box = geometric::bounding_box(
+      *geometric::tessellate(geometric::find_object(*problem.scene, "can")->shape));
+  for (const Pregrasp& grasp : grasps.found) {
+    EXPECT_FALSE(checker->first_collision(grasp.closed)) << "contacts are not in each other";
+    EXPECT_EQ(grasp.closed(problem.arm), grasp.q(problem.arm));
+    EXPECT_TRUE((grasp.squeezed.array() >= problem.model().lower().array()).all());
+    EXPECT_TRUE((grasp.squeezed.array() <= problem.model().upper().array()).all());
+    EXPECT_NE(grasp.squeezed, grasp.closed);
+    std::set<int> fingers;
+    for (const HandContact& contact : grasp.contacts) {
+      fingers.insert(contact.finger);
+      EXPECT_LE(contact.distance, 0.001);
+      const Eigen::Vector3d& p_O = contact.contact.p_O;
+      EXPECT_NEAR(contact.contact.normal_O.norm(), 1.0, 1e-9);
+      EXPECT_GT(contact.contact.normal_O.dot(box.centre() - p_O), 0.0) << "into the can";
+      EXPECT_TRUE(((p_O - box.lower).array() > -1e-6).all());
+      EXPECT_TRUE(((box.upper - p_O).array() > -1e-6).all());
+    }
+    EXPECT_GE(fingers.size(), 2U);
+  }
+}
+
+TEST_F(PregraspSearch, RanksGraspsThatResistEverythingByHowMuch) {
+  const std::vector<Pregrasp> grasps = find_pregrasps(shipped("panda_and_leap"), "mug").found;
+  ASSERT_GE(grasps.size(), 5U);
+  for (const Pregrasp& grasp : grasps) {
+    EXPECT_GT(grasp.quality.epsilon, 0.0);
+    EXPECT_GT(grasp.quality.volume, 0.0);
+    EXPECT_TRUE(grasp.holding_force) << "what resists everything carries the payload";
+    EXPECT_EQ(grasp.doubt, "");
+  }
+  EXPECT_GT(grasps.front().quality.epsilon, 0.1);
+}
+
+TEST_F(PregraspSearch, SaysWhyAGraspIsInDoubt) {
+  PregraspOptions slippery;
+  slippery.contact.friction = 0.02;
+  const std::vector<Pregrasp> grasps =
+      find_pregrasps(shipped("can_on_table"), "can", slippery).found;
+  ASSERT_FALSE(grasps.empty()) << "nothing better exists";
+  for (const Pregrasp& grasp : grasps) {
+    EXPECT_LE(grasp.quality.epsilon, 0.0);
+    EXPECT_THAT(grasp.doubt, ::testing::Not(::testing::IsEmpty()));
   }
 }
 
@@ -118,6 +170,7 @@ goal: {}
   ASSERT_GE(grasps.size(), 3U);
   EXPECT_EQ(grasps.front().fingers, 2);
   EXPECT_GT(grasps.front().enclosure, 0.8);
+  EXPECT_GT(grasps.front().quality.epsilon, 0.0) << "both jaws touch, with soft fingers";
   geometric::Scene scene = *loaded.scene;
   scene.objects.back().shape = geometric::Cylinder{0.05, 0.12};
   const Pregrasps none = find_pregrasps(
@@ -176,8 +229,9 @@ TEST_F(PregraspSearch, PutsThumbAndFingersAroundWhatItGrasps) {
         std::pair("cans_in_shelf", "can"), std::pair("cans_on_desk", "can_left_above")}) {
     const std::vector<Pregrasp> grasps = find_pregrasps(shipped(scene), object).found;
     ASSERT_FALSE(grasps.empty()) << scene;
-    EXPECT_EQ(grasps.front().fingers, 4) << scene;
-    EXPECT_GT(grasps.front().enclosure, 0.8) << scene;
+    EXPECT_GE(grasps.front().fingers, 3) << scene;
+    EXPECT_GT(grasps.front().enclosure, 0.7) << scene;
+    EXPECT_EQ(grasps.front().doubt, "") << scene;
   }
 }
 
@@ -223,6 +277,9 @@ TEST_F(PregraspSearch, GivesTheSameForAnyNumberOfThreads) {
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].q, three[i].q);
     EXPECT_EQ(one[i].score, three[i].score);
+    EXPECT_EQ(one[i].closed, three[i].closed);
+    EXPECT_EQ(one[i].squeezed, three[i].squeezed);
+    EXPECT_EQ(one[i].quality.epsilon, three[i].quality.epsilon);
   }
 }
 

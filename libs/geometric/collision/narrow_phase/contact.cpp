@@ -42,11 +42,18 @@ std::optional<ClosestPoints> ClosestPointFinder::between(std::string_view a, std
   trees_->X_BL.resize(static_cast<std::size_t>(world_->model().link_count()));
   trees_->X_WBody.resize(bodies.size());
   world_->place(q, trees_->X_BL, trees_->X_WBody);
-  const Pose& X_WA = trees_->X_WBody[static_cast<std::size_t>(body_a - bodies.begin())];
-  const Pose& X_WB = trees_->X_WBody[static_cast<std::size_t>(body_b - bodies.begin())];
+  const auto a_index = static_cast<int>(body_a - bodies.begin());
+  const auto b_index = static_cast<int>(body_b - bodies.begin());
+  return between(a_index, b_index, trees_->X_WBody[static_cast<std::size_t>(a_index)],
+                 trees_->X_WBody[static_cast<std::size_t>(b_index)]);
+}
+
+std::optional<ClosestPoints> ClosestPointFinder::between(int a, int b, const Pose& X_WA,
+                                                         const Pose& X_WB) {
   const fcl::DistanceRequestd request(true);
   fcl::DistanceResultd result;
-  fcl::distance(trees_->get(*body_a), X_WA, trees_->get(*body_b), X_WB, request, result);
+  fcl::distance(trees_->get(world_->body(a)), X_WA, trees_->get(world_->body(b)), X_WB, request,
+                result);
   if (result.min_distance <= 0.0) {
     return std::nullopt;
   }

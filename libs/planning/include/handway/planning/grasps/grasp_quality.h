@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/planning/export.h"
 
 #include <Eigen/Core>
@@ -37,6 +38,11 @@ struct TorqueScale {
   Eigen::Vector3d centre_O = Eigen::Vector3d::Zero();  ///< The centre of mass.
   double length = 1.0;  ///< m, > 0: the object's largest distance from its centre of mass.
 };
+
+/// The scale of an object: about the centre of mass of an even density, of a closed mesh inside it,
+/// of an open one on its surface; its length is the largest distance of a vertex from there.
+/// @throws std::invalid_argument for a mesh without triangles or extent.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TorqueScale torque_scale(const geometric::TriangleMesh& mesh);
 
 /// Force (N) and torque divided by TorqueScale::length (N), on the object in its frame.
 using Wrench = Eigen::Matrix<double, 6, 1>;

@@ -2,9 +2,11 @@
 
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
+#include "handway/planning/grasps/grasp_quality.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -20,19 +22,50 @@ struct PregraspOptions {
   double own_gap = 0.0003;  ///< m that the hand's links keep to each other.
   int most = 8;             ///< Pre-grasps to give.
   std::uint64_t seed = 1;
-  int threads = 2;  ///< That search; any number of them gives the same bits.
+  int threads = 2;            ///< That search; any number of them gives the same bits.
+  ContactModel contact = {};  ///< What the hand's links transmit to the object.
+  double payload = 0.1;       ///< Mass of the object, kg, for Pregrasp::holding_force.
+  /// How far the links would go into the object in the squeeze posture, m: what a hand without
+  /// force control pushes with.
+  double squeeze = 0.01;
 };
 
-/// A free configuration with the fingers around an object, just before they touch it.
+/// A place where the hand touches the object.
+struct HandContact {
+  int finger = -1;   ///< Index from the first finger of the model; -1 is the palm.
+  std::string link;  ///< Its name.
+  GraspContact contact;
+  double distance = 0.0;  ///< m, what is left between the surfaces.
+};
+
+/// A grasp: a free configuration with the fingers around an object, just before they touch it, and
+/// what closing them leads to.
 struct Pregrasp {
   Configuration q;
+  /// With the fingers closed from there until they touch the object or something else. Where one
+  /// joint moves several fingers, the arm moves too, so that all of them touch.
+  Configuration closed = {};
+  /// Joint targets beyond `closed` that make the fingers push: the joints' ways are in proportion
+  /// to their torques for contact forces that balance each other (internal_contact_forces()).
+  Configuration squeezed = {};
+  std::vector<HandContact> contacts = {};  ///< Of `closed`.
+  /// Of `contacts`. Their epsilon is what grasps are ranked by above all.
+  GraspQuality quality = {};
+  /// The largest of the least contact forces that hold PregraspOptions::payload against gravity,
+  /// N; nothing if friction cannot hold it.
+  std::optional<double> holding_force = {};
+  /// Why the grasp is not to be trusted; empty if it resists forces and torques from everywhere.
+  std::string doubt = {};
   int fingers = 0;         ///< That are near the object.
   double enclosure = 0.0;  ///< 0: all on one side of the object; 1: two on opposite sides.
   double clearance = 0.0;  ///< Of the robot to everything else that stands still, m, at most 0.05.
   double subspace_distance =
       0.0;                  ///< From the hand's PMD subspace, normalised joints; 0 without one.
   double arm_travel = 0.0;  ///< From the start, normalised joints.
-  double score = 0.0;       ///< In [0, 1]; what they are ranked by.
+  /// In [0, 1]; what they are ranked by. 0.7 min(1, epsilon / 0.15) + 0.3 times the mean of what is
+  /// above: 35 % fingers, 25 % enclosure, 15 % clearance (full at 30 mm), 15 % nearness to the PMD
+  /// subspace, 10 % shortness of the arm's way; less where the fingers do not oppose each other.
+  double score = 0.0;
 };
 
 /// What a search came to.
@@ -41,6 +74,7 @@ struct Pregrasps {
   /// Of none: what stood against (nearly) all places of the hand that were tried, be it the
   /// object's size, the arm's reach, or what is in the way; and what to do.
   std::string why_none;
+  int palm = -1;  ///< Link that is the palm of the hand that grasps.
 };
 
 /// Receives how far a search is, on the thread that searches: first when the first grasp is found
@@ -59,9 +93,11 @@ using PregraspProgress = std::function<void(const std::vector<Pregrasp>& found, 
 /// core of the object's box, until near contact: joints stop from the palm outwards, so that outer
 /// links go on around the object. Kept are those with two or more
 /// fingers on different sides of the object; similar ones are left out, and fingers that would push
-/// it out of the hand, as jaws on a chord of what is round, are ranked low. Of a robot whose arms
-/// have a hand each, the hand that is nearest to the object at the start grasps. Same arguments,
-/// same bits.
+/// it out of the hand, as jaws on a chord of what is round, are ranked low. The most promising ones
+/// are closed up to contact and ranked by how they hold the object (GraspQuality). Those that do
+/// not resist some force or torque are given if there is nothing better, with the reason. Of a
+/// robot whose arms have a hand each, the hand that is nearest to the object at the start grasps.
+/// Same arguments, same bits.
 /// @param object of the scene, that stands still.
 /// @param stop ends the search within 100 ms. @param progress may be empty.
 /// @returns after `stop` was requested what was found until then, without a reason if that is

@@ -32,6 +32,12 @@ class HANDWAY_GEOMETRIC_EXPORT ClosestPointFinder {
   [[nodiscard]] std::optional<ClosestPoints> between(std::string_view a, std::string_view b,
                                                      const Configuration& q);
 
+  /// Closest points of two bodies that stand where they are put.
+  /// @param a, b indices of the world's bodies. @param X_WA, X_WB their poses.
+  /// @returns nothing if they touch.
+  [[nodiscard]] std::optional<ClosestPoints> between(int a, int b, const Pose& X_WA,
+                                                     const Pose& X_WB);
+
  private:
   struct Trees;
 

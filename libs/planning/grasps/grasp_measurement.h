@@ -1,0 +1,61 @@
+#pragma once
+
+#include "grasps/contact_finder.h"
+#include "grasps/finger_closing.h"
+#include "grasps/hand_closing.h"
+#include "handway/planning/grasps/pregrasp_search.h"
+#include "handway/planning/queries/palm_ik.h"
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// Closes the hand of pre-grasps up to contact, and measures how the object is held. For one
+/// thread.
+class GraspMeasurement {
+ public:
+  /// What all of a search share; outlives this object.
+  struct Hand {
+    const PlanningProblem& problem;
+    const PalmIk& ik;
+    const HandClosing& hand;
+    geometric::CollisionChecker& checker;
+    FingerClosing& closing;
+  };
+
+  /// @param pairs of the checker's world, of the hand's links with the object.
+  /// @param core what fingers close around, m, in the object's frame.
+  GraspMeasurement(const Hand& hand, const geometric::SceneObject& object, std::vector<int> pairs,
+                   const geometric::Aabb& core, const PregraspOptions& options,
+                   const std::stop_token& stop);
+
+  /// Sets all of `grasp` that follows from closing it, but for its score. After a stop was
+  /// requested it may leave the grasp as it is.
+  void measure(Pregrasp& grasp);
+
+ private:
+  [[nodiscard]] int finger_of(int link) const;
+  [[nodiscard]] Configuration closed_to_contact(Configuration q);
+  [[nodiscard]] Configuration closed_once(Configuration q);
+  [[nodiscard]] std::optional<Eigen::Vector3d> centring(const Configuration& q);
+  [[nodiscard]] std::optional<double> holding_force(
+      const std::vector<GraspContact>& contacts) const;
+  [[nodiscard]] Configuration squeezed(const Configuration& closed,
+                                       const std::vector<LinkContact>& found,
+                                       const std::vector<GraspContact>& contacts) const;
+  [[nodiscard]] std::string doubt_of(const Pregrasp& grasp) const;
+
+  Hand of_;
+  PregraspOptions options_;
+  std::stop_token stop_;
+  geometric::Aabb core_;
+  geometric::Pose X_WB_;
+  geometric::Pose X_BO_;
+  ContactFinder contacts_;
+  TorqueScale scale_;
+};
+
+}  // namespace handway::planning

@@ -1,0 +1,70 @@
+/// `handway grasp`: what it prints and writes, and its exit codes.
+#include "command_line.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace handway::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class GraspCommand : public testing::Test {
+ protected:
+  static std::string scene() { return (source_dir() / "scenes" / "can_on_table.yaml").string(); }
+
+  CommandLine line_;
+};
+
+TEST_F(GraspCommand, WritesGraspsAndAReport) {
+  const Outcome run =
+      line_.run("grasp " + scene() + " can --count 2 --out grasps.yaml --report report.json");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, StartsWith("Friction 0.6, 0.1 kg"));
+  EXPECT_THAT(run.out, HasSubstr("epsilon"));
+  const auto report = nlohmann::json::parse(line_.read("report.json"));
+  EXPECT_EQ(report["object"], "can");
+  EXPECT_EQ(report["friction"], 0.6);
+  ASSERT_EQ(report["grasps"].size(), 2U);
+  double last = 1.0;
+  for (const auto& grasp : report["grasps"]) {
+    EXPECT_GT(grasp["epsilon"], 0.0);
+    EXPECT_EQ(grasp["doubt"], "");
+    EXPECT_LE(grasp["score"], last) << "the best first";
+    last = grasp["score"];
+    EXPECT_EQ(grasp["grasp"].size(), report["joints"].size());
+    EXPECT_EQ(grasp["squeeze"].size(), report["joints"].size());
+    EXPECT_GE(grasp["contacts"].size(), 2U);
+    EXPECT_LE(grasp["contacts"][0]["distance_mm"], 1.0);
+  }
+  EXPECT_THAT(line_.read("grasps.yaml"),
+              testing::AllOf(StartsWith("handway_grasps: 1\nobject: \"can\"\npalm: "),
+                             HasSubstr("    squeeze: {\""), HasSubstr("      - {finger: ")));
+}
+
+TEST_F(GraspCommand, SaysWhyThereIsNone) {
+  const Outcome run = line_.run("grasp " + scene() + " table");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.out, StartsWith("No grasp of table found. table is too large"));
+}
+
+TEST_F(GraspCommand, PutsGraspsThatMaySlipInDoubt) {
+  const Outcome run = line_.run("grasp " + scene() + " can --friction 0.02");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.out, HasSubstr("With friction 0.02, the contacts do not hold it"));
+}
+
+TEST_F(GraspCommand, RefusesWhatIsNotThere) {
+  EXPECT_EQ(line_.run("grasp " + scene() + " cup").exit_code, 3);
+  EXPECT_EQ(line_.run("grasp " + scene()).exit_code, 2);
+  EXPECT_EQ(line_.run("grasp " + scene() + " can --friction 0").exit_code, 2);
+  EXPECT_EQ(line_.run("grasp missing.yaml can").exit_code, 3);
+}
+
+}  // namespace
+}  // namespace handway::test
