@@ -99,6 +99,14 @@ class Grasps(unittest.TestCase):
         self.assertTrue(grasps)
         self.assertFalse(scene.collides(grasps[0]["q"]))
         self.assertGreaterEqual(grasps[0]["fingers"], 2)
+        self.assertFalse(scene.collides(grasps[0]["closed"]))
+        self.assertGreater(grasps[0]["epsilon"], 0.0)
+        self.assertEqual(grasps[0]["doubt"], "")
+        self.assertGreater(grasps[0]["holding_force"], 0.0)
+        self.assertGreaterEqual(len({contact["finger"] for contact in grasps[0]["contacts"]}), 2)
+        self.assertAlmostEqual(float(np.linalg.norm(grasps[0]["contacts"][0]["normal"])), 1.0)
+        slippery = scene.grasps("can", most=1, samples=1000, friction=0.02)
+        self.assertTrue(all(grasp["doubt"] for grasp in slippery))
         with self.assertRaisesRegex(handway.InputError, "cam"):
             scene.grasps("cam")
 

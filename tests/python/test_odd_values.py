@@ -56,6 +56,11 @@ class OddValues(unittest.TestCase):
         with self.assertRaisesRegex(handway.InputError, "most"):
             can_on_table().grasps("can", most=-1)
 
+    def test_friction_of_grasps_is_above_zero(self):
+        for friction in (0.0, -1.0, float("nan"), float("inf")):
+            with self.assertRaisesRegex(handway.InputError, "friction"):
+                can_on_table().grasps("can", friction=friction)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -16,7 +16,7 @@ class FingerClosing {
   struct Limits {
     double object_gap = 0.0;  ///< m, to the object.
     double own_gap = 0.0;     ///< m, between the hand's links.
-    int halvings = 0;         ///< Of the step where something is in the way, before a joint stops.
+    int halvings = 0;         ///< Times that a blocked step is halved before a joint stops.
   };
 
   /// @param problem, hand, checker outlive this object.
@@ -35,7 +35,7 @@ class FingerClosing {
                                      const Limits& limits, const std::stop_token& stop);
 
  private:
-  /// What a pair or constraint is about that is looked at when a finger moves.
+  /// Kinds of pairs and constraints that are checked when a finger moves.
   enum class Concern { kObject, kHand, kOther };
   struct MovedCheck {
     int check = 0;
@@ -51,7 +51,7 @@ class FingerClosing {
   const PlanningProblem& problem_;
   const HandClosing& hand_;
   geometric::CollisionChecker& checker_;
-  std::vector<std::vector<MovedCheck>> checks_;  ///< Of each finger.
+  std::vector<std::vector<MovedCheck>> checks_;  ///< One list for each finger.
 };
 
 }  // namespace handway::planning

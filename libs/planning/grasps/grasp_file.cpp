@@ -26,7 +26,8 @@ std::string list_of(const Vector3d& v) {
 std::string joints_of(const geometric::RobotModel& model, const Configuration& q) {
   std::string text;
   for (int v = 0; v < model.variable_count(); ++v) {
-    text += fmt::format("{}{}: {:.9g}", v == 0 ? "" : ", ", yaml_name(model.variable(v).name), q[v]);
+    text +=
+        fmt::format("{}{}: {:.9g}", v == 0 ? "" : ", ", yaml_name(model.variable(v).name), q[v]);
   }
   return fmt::format("{{{}}}", text);
 }

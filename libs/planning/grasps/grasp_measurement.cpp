@@ -96,8 +96,8 @@ Configuration GraspMeasurement::closed_once(Configuration q) {
   return q;
 }
 
-// How the palm has to move for two fingers of one joint to be equally far from the object; in the
-// base frame, m. Nothing if there are no such fingers, or they are.
+// Returns the shift of the palm that centres the object between two fingers of one joint, in the
+// base frame, m; nothing if there are no such fingers or the object is centred.
 std::optional<Vector3d> GraspMeasurement::centring(const Configuration& q) {
   const auto& fingers = of_.hand.fingers();
   of_.checker.place(q);

@@ -17,7 +17,7 @@ namespace handway::planning {
 /// thread.
 class GraspMeasurement {
  public:
-  /// What all of a search share; outlives this object.
+  /// The hand of a search and what moves it; outlives this object.
   struct Hand {
     const PlanningProblem& problem;
     const PalmIk& ik;

@@ -26,7 +26,7 @@ Eigen::Index thumb_of(const Eigen::Matrix3Xd& tips) {
   return thumb;
 }
 
-// Of the others those that reach as far from the palm as the thumb, more or less: not those that
+// Returns the other tips that reach about as far from the palm as the thumb: not fingers that
 // are bent away, nor the inner bars of a parallel gripper.
 std::vector<Eigen::Index> opposite(Eigen::Index thumb, const Eigen::Matrix3Xd& tips) {
   constexpr double kReach = 0.7;

@@ -51,7 +51,7 @@ class HandClosing {
   [[nodiscard]] bool opens() const { return !preshapes_.empty(); }
   /// m; of a hand that opens.
   [[nodiscard]] double widest() const { return preshapes_.back().opening; }
-  /// Those that are opened to a width (m) or a little wider.
+  /// Preshapes that are opened to a width (m) or a little wider.
   [[nodiscard]] std::span<const Preshape> opened_to(double width) const;
   [[nodiscard]] const std::vector<Finger>& fingers() const { return fingers_; }
 
@@ -61,8 +61,8 @@ class HandClosing {
   /// The hand of `q`, normalised.
   [[nodiscard]] Eigen::VectorXd hand_of(const Configuration& q) const;
 
-  /// How a finger's joints bring its tip closer to a box: shape [joints of the finger], of length
-  /// 1, or zero where none does.
+  /// Direction of a finger's joints that brings its tip closer to a box: shape [joints of the
+  /// finger], of length 1, or zero where none does.
   /// @param box m, in a frame O. @param X_PO that frame in the palm's.
   [[nodiscard]] Eigen::VectorXd towards(const Finger& finger, const Eigen::VectorXd& posture,
                                         const geometric::Aabb& box,

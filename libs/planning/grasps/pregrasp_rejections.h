@@ -7,20 +7,20 @@
 
 namespace handway::planning {
 
-/// What became of the hand poses that a search for pre-grasps tried, stage by stage, to say why
+/// Counts the hand poses that a search for pre-grasps rejected, stage by stage, to say why
 /// none of them is one.
 struct PregraspRejections {
   int tried = 0;
   int too_wide = 0;      ///< The object, there, for any opened preshape.
   int too_thin = 0;      ///< For the one that is opened least.
-  int out_of_reach = 0;  ///< Of the arm.
+  int out_of_reach = 0;  ///< The palm, for the arm.
   int in_object = 0;     ///< Palm, fingers or what they close on are in each other.
   int blocked = 0;       ///< By what is in the way.
   int one_sided = 0;     ///< Free, but no two fingers come to different sides.
   std::map<std::string, int> in_the_way;  ///< Objects, constraints and the robot itself.
 
   void block(const std::set<std::string>& by);
-  /// Of the hand poses whose reason is known.
+  /// Number of hand poses whose reason is known.
   [[nodiscard]] int judged() const { return in_object + blocked + one_sided; }
 };
 

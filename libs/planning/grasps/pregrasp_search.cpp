@@ -101,7 +101,7 @@ Vector3d signed_vector(sampling::RandomStream& random) {
   return Vector3d(signed_uniform(random), signed_uniform(random), signed_uniform(random));
 }
 
-// Of several hands the one that is nearest to the object where the robot starts; the others, and
+// Selects the hand that is nearest to the object where the robot starts; the other hands, and
 // their arms, stay.
 PlanningProblem with_nearest_hand(const PlanningProblem& problem,
                                   const geometric::SceneObject& object) {
@@ -180,7 +180,7 @@ double imbalance(const std::vector<Vector3d>& directions) {
   return nearest.norm();
 }
 
-/// Where a sample ended.
+/// Stage at which a sample ended.
 enum class SampleEnd {
   kTooWide,
   kTooThin,
@@ -196,21 +196,21 @@ enum class SampleEnd {
 struct Candidate {
   Pregrasp grasp;
   double promise = 0.0;  ///< The score of the pre-grasp alone.
-  Pose X_BP;             ///< Of the palm.
+  Pose X_BP;             ///< Pose of the palm.
 
   [[nodiscard]] bool is_measured() const { return grasp.closed.size() > 0; }
   [[nodiscard]] bool is_good() const { return is_measured() && grasp.doubt.empty(); }
 };
 
-/// What one place of the hand came to.
+/// Result of trying one place of the hand.
 struct SampleResult {
   SampleEnd end = SampleEnd::kUnknown;
-  double width = HUGE_VAL;           ///< Of the object between the fingers, m.
+  double width = HUGE_VAL;           ///< Width of the object between the fingers, m.
   std::set<std::string> in_the_way;  ///< If blocked.
   std::optional<Candidate> candidate;
 };
 
-/// What the samples of a search came to, added in their order.
+/// Collects the results of the samples of a search, added in their order.
 class SampleResults {
  public:
   void add(SampleResult result) {
@@ -233,7 +233,7 @@ class SampleResults {
   [[nodiscard]] double narrowest() const { return narrowest_; }
   [[nodiscard]] const std::vector<Candidate>& candidates() const { return candidates_; }
   [[nodiscard]] Candidate& candidate(std::size_t index) { return candidates_[index]; }
-  /// Whether it helps to know why one more sample is rejected.
+  /// Returns whether it helps to know why one more sample is rejected.
   [[nodiscard]] bool asks_why() const {
     return candidates_.empty() && rejections_.judged() < kMostJudged;
   }
@@ -470,7 +470,7 @@ class PregraspSearch {
     }
   }
 
-  /// Of the grip (the fingers' row, opposition, and what is square to both) in the object's frame:
+  /// Draws the orientation of the grip (the fingers' row, opposition, their normal) in the object:
   /// the row along one of its edges, more or less.
   [[nodiscard]] static Eigen::Matrix3d orientation(sampling::RandomStream& random) {
     const auto edge = static_cast<int>(random.below(3));
@@ -517,7 +517,7 @@ class PregraspSearch {
     return p_O;
   }
 
-  /// What is between fingers along a direction of the object's frame, m.
+  /// Width of the object between fingers along a direction of its frame, m.
   [[nodiscard]] double width_along(const Vector3d& direction) const {
     if (std::abs(direction[longest_]) > kAlong) {
       return direction.cwiseAbs().dot(box_.size());
@@ -532,7 +532,7 @@ class PregraspSearch {
     return pair;
   }
 
-  /// As it was placed last.
+  /// Checks the gaps of the configuration that was placed last.
   bool keeps_gaps() {
     const auto keep = [this](const std::vector<int>& pairs, double gap) {
       return std::ranges::all_of(pairs, [&](int pair) {
@@ -694,7 +694,7 @@ class PregraspSearch {
   geometric::Aabb box_;
   Eigen::Index longest_ = 0;
   Eigen::Matrix3Xd profile_;  ///< The object, as long as fingers are broad; in its frame.
-  geometric::Aabb core_;      ///< What is left of the box less half its shortest side all around.
+  geometric::Aabb core_;      ///< The box less half its shortest side all around.
   bool is_narrow_ = false;    ///< Fingers get around it anywhere along its longest side.
   bool has_rim_ = false;      ///< It is broad and flat.
   Pose X_BO_;
@@ -703,7 +703,8 @@ class PregraspSearch {
   std::vector<int> of_hand_;  ///< Pairs of its links.
   std::unique_ptr<FingerClosing> closing_;
   std::unique_ptr<GraspMeasurement> measurement_;
-  std::vector<std::vector<Vector3d>> surfaces_;  ///< Of every link of a finger, in its frame.
+  std::vector<std::vector<Vector3d>>
+      surfaces_;  ///< Points on every link of a finger, in its frame.
   std::string object_;
   int last_pair_ = 0;
 };

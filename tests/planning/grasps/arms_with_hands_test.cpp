@@ -54,7 +54,7 @@ RobotDescription with_hand(RobotDescription arm, const RobotModel& model, int pa
   return arm;
 }
 
-/// What the first pre-grasp of the can is planned to with one of the arms.
+/// Plans to the first pre-grasp of the can with one of the arms.
 class ArmsWithHands : public testing::TestWithParam<const char*> {
  protected:
   ArmsWithHands() {

@@ -133,7 +133,7 @@ TEST_F(PregraspSearch, GraspsWithHandsThatHaveNoBasis) {
   }
 }
 
-// Of two jaws that one joint moves.
+// Writes a gripper with two jaws that one joint moves.
 void write_gripper(const std::filesystem::path& file) {
   std::ofstream(file) << R"(<robot name="gripper">
     <link name="hand"><collision><origin xyz="0 0 0.033"/>

@@ -27,13 +27,13 @@ struct ContactModel {
   /// Radius (m) of the disc that a soft finger touches with. With an even pressure the torque about
   /// the normal is at most 2/3 · friction · radius of the normal force. 0 is a hard finger.
   double patch_radius = 0.005;
-  int edges = 8;  ///< Of the pyramid inside the friction cone, at least 3.
+  int edges = 8;  ///< Edges of the pyramid inside the friction cone, at least 3.
 
   /// Largest torque about the normal for a normal force of 1 N, N·m.
   [[nodiscard]] double torsion() const { return 2.0 / 3.0 * friction * patch_radius; }
 };
 
-/// Where torques are taken about, and the length that makes them comparable with forces.
+/// The point that torques are taken about, and the length that makes them comparable with forces.
 struct TorqueScale {
   Eigen::Vector3d centre_O = Eigen::Vector3d::Zero();  ///< The centre of mass.
   double length = 1.0;  ///< m, > 0: the object's largest distance from its centre of mass.

@@ -23,9 +23,9 @@ struct PregraspOptions {
   int most = 8;             ///< Pre-grasps to give.
   std::uint64_t seed = 1;
   int threads = 2;            ///< That search; any number of them gives the same bits.
-  ContactModel contact = {};  ///< What the hand's links transmit to the object.
+  ContactModel contact = {};  ///< Forces that links transmit to the object.
   double payload = 0.1;       ///< Mass of the object, kg, for Pregrasp::holding_force.
-  /// How far the links would go into the object in the squeeze posture, m: what a hand without
+  /// Depth that the links would go into the object in the squeeze posture, m: what a hand without
   /// force control pushes with.
   double squeeze = 0.01;
 };
@@ -48,8 +48,8 @@ struct Pregrasp {
   /// Joint targets beyond `closed` that make the fingers push: the joints' ways are in proportion
   /// to their torques for contact forces that balance each other (internal_contact_forces()).
   Configuration squeezed = {};
-  std::vector<HandContact> contacts = {};  ///< Of `closed`.
-  /// Of `contacts`. Their epsilon is what grasps are ranked by above all.
+  std::vector<HandContact> contacts = {};  ///< Contacts in `closed`.
+  /// Quality of `contacts`. Grasps are ranked by their epsilon above all.
   GraspQuality quality = {};
   /// The largest of the least contact forces that hold PregraspOptions::payload against gravity,
   /// N; nothing if friction cannot hold it.
@@ -58,7 +58,7 @@ struct Pregrasp {
   std::string doubt = {};
   int fingers = 0;         ///< That are near the object.
   double enclosure = 0.0;  ///< 0: all on one side of the object; 1: two on opposite sides.
-  double clearance = 0.0;  ///< Of the robot to everything else that stands still, m, at most 0.05.
+  double clearance = 0.0;  ///< From the robot to all fixed bodies but the object, m, at most 0.05.
   double subspace_distance =
       0.0;                  ///< From the hand's PMD subspace, normalised joints; 0 without one.
   double arm_travel = 0.0;  ///< From the start, normalised joints.
@@ -68,11 +68,11 @@ struct Pregrasp {
   double score = 0.0;
 };
 
-/// What a search came to.
+/// Result of a search.
 struct Pregrasps {
   std::vector<Pregrasp> found;  ///< The best first.
-  /// Of none: what stood against (nearly) all places of the hand that were tried, be it the
-  /// object's size, the arm's reach, or what is in the way; and what to do.
+  /// Reason if nothing is found: what ruled out (nearly) all places of the hand that were tried,
+  /// the object's size, the arm's reach, or what is in the way; and what to do.
   std::string why_none;
   int palm = -1;  ///< Link that is the palm of the hand that grasps.
 };
