@@ -94,7 +94,8 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
-    if (const std::vector<std::string> words = app.remaining(); !words.empty()) {
+    const std::vector<std::string> words = app.remaining();
+    if (app.get_subcommands().empty() && !words.empty()) {
       print_error("handway: unknown command \"{}\". `handway --help` lists all.\n", words.front());
       return kWrongUsage;
     }

@@ -101,6 +101,12 @@ TEST_F(Handway, NamesAnUnknownCommand) {
   EXPECT_THAT(run.err, AllOf(HasSubstr("unknown command \"juggle\""), HasSubstr("--help")));
 }
 
+TEST_F(Handway, NamesTheOptionThatIsMissingThoughThereIsTooMuchElse) {
+  const Outcome run = line_.run("export path.csv post.yaml --to csv --out files");
+  EXPECT_EQ(run.exit_code, kWrongUsage);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("--scene is required"), Not(HasSubstr("unknown command"))));
+}
+
 // The saved problems help to analyse errors of other users.
 TEST_F(Handway, KeepsTheProblemsThatItPlansWhereAsked) {
   ::setenv("HANDWAY_LOG_PROBLEMS", (line_.folder() / "log").c_str(), 1);
