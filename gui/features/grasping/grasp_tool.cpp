@@ -32,28 +32,28 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kWidth = 470;
+constexpr int kWidth = 340;
 constexpr int kMargin = 12;
-constexpr int kColumnWidth = 62;
+constexpr int kColumnWidth = 60;
 constexpr int kFewestRows = 3;
 constexpr int kProgressSteps = 1000;
 
 QStringList row_texts(int rank, const planning::Pregrasp& grasp) {
-  return {QString::number(rank),
-          QString::number(grasp.fingers),
-          QObject::tr("%1 %").arg(100.0 * grasp.enclosure, 0, 'f', 0),
-          QObject::tr("%1 mm").arg(geometric::millimetres(grasp.clearance), 0, 'f', 0),
+  return {QString::number(rank), QString::number(grasp.contacts.size()),
           QString::number(grasp.quality.epsilon, 'f', 3),
-          QString::number(grasp.contacts.size()),
+          QObject::tr("%1 mm").arg(geometric::millimetres(grasp.clearance), 0, 'f', 0),
           QString::number(grasp.score, 'f', 2)};
 }
 
 QString row_tip(const planning::Pregrasp& grasp) {
-  QString tip =
-      QObject::tr(
-          "%1 from the hand's principal motion directions, arm travel %2 (normalised joints)")
-          .arg(grasp.subspace_distance, 0, 'f', 2)
-          .arg(grasp.arm_travel, 0, 'f', 2);
+  QString tip = QObject::tr(
+                    "%1 fingers near the object, thumb and fingers %2 % on opposite sides\n"
+                    "%3 from the hand's principal motion directions, arm travel %4 (normalised "
+                    "joints)")
+                    .arg(grasp.fingers)
+                    .arg(100.0 * grasp.enclosure, 0, 'f', 0)
+                    .arg(grasp.subspace_distance, 0, 'f', 2)
+                    .arg(grasp.arm_travel, 0, 'f', 2);
   if (!grasp.doubt.empty()) {
     tip += QLatin1Char('\n') + QString::fromStdString(grasp.doubt);
   }
@@ -78,21 +78,17 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
   list_->setFrameShape(QFrame::NoFrame);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
-  list_->setHeaderLabels({QString(), tr("Fingers"), tr("Around"), tr("Clear"), tr("Epsilon"),
-                          tr("Contacts"), tr("Score")});
+  list_->setHeaderLabels({QString(), tr("Contacts"), tr("Epsilon"), tr("Clear"), tr("Score")});
   list_->header()->setStretchLastSection(false);
   list_->header()->setMinimumSectionSize(scaled(kColumnWidth));
   list_->header()->setSectionResizeMode(QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
   list_->header()->resizeSection(0, scaled(kColumnWidth));
-  const QStringList words{tr("Rank"),
-                          tr("Fingers that are near the object"),
-                          tr("How far thumb and fingers are on opposite sides of it"),
-                          tr("Distance of robot and hand to everything else, up to 50 mm"),
+  const QStringList words{tr("Rank"), tr("Contacts of the closed hand with the object"),
                           tr("Smallest disturbance in N that 1 N of contact forces cannot resist, "
                              "with friction %1; 0 or less: it may slip")
                               .arg(planning::PregraspOptions{}.contact.friction),
-                          tr("Contacts of the closed hand with the object"),
+                          tr("Distance of robot and hand to everything else, up to 50 mm"),
                           tr("What they are ranked by, from 0 to 1")};
   for (int column = 0; column < words.size(); ++column) {
     list_->headerItem()->setToolTip(column, words[column]);
