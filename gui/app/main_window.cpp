@@ -206,6 +206,15 @@ void MainWindow::show_scene() {
   for (const std::string& warning : scene->warnings) {
     workbench_.log.add(LogPanel::Level::kWarning, QString::fromStdString(warning));
   }
+  // The planner's form takes as long to build as all else: events in between are not kept waiting.
+  QMetaObject::invokeMethod(
+      this, [this, opening = ++openings_] { set_up_planning(opening); }, Qt::QueuedConnection);
+}
+
+void MainWindow::set_up_planning(int opening) {
+  if (opening != openings_ || !workbench_.document.scene()) {
+    return;  // another scene has been opened or this one closed
+  }
   try {
     apply_plan_options();
   } catch (const std::exception& error) {

@@ -54,6 +54,9 @@ class MainWindow : public QMainWindow {
   void add_theme_command();
   void connect_document();
   void show_scene();
+  /// Sets planner and options for the scene that was opened, and emits ready() or failed().
+  /// @param opening number of that opening; an older one has no effect.
+  void set_up_planning(int opening);
   void apply_plan_options();
   void show_validity();
   void update_title();
@@ -61,6 +64,7 @@ class MainWindow : public QMainWindow {
   void log_refused_plugins();
 
   QStackedWidget* middle_;
+  int openings_ = 0;  ///< Number of scenes that were opened.
   Workbench workbench_;
   StartPage* start_page_;
   FileCommands* files_;
