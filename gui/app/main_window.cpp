@@ -195,11 +195,15 @@ void MainWindow::show_scene() {
   const auto& scene = workbench_.document.scene();
   workbench_.view.set_scene(scene);
   emit workbench_.scene_shown();
-  middle_->setCurrentIndex(scene ? 1 : 0);
   files_->show_scene();
   if (!scene) {
+    middle_->setCurrentIndex(0);
     return;
   }
+  // The view's first appearance takes a while: it has an event of its own.
+  QMetaObject::invokeMethod(
+      this, [this] { middle_->setCurrentIndex(workbench_.document.scene() ? 1 : 0); },
+      Qt::QueuedConnection);
   workbench_.banner.hide_message();
   update_title();
   workbench_.log.add(LogPanel::Level::kNote, tr("Opened %1").arg(workbench_.scene_name()));

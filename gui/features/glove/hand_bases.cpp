@@ -16,6 +16,7 @@
 #include <QVariant>
 
 #include <algorithm>
+#include <map>
 
 namespace handway::gui {
 
@@ -28,12 +29,29 @@ bool fits(const RobotModel& model, const sampling::PmdBasis& basis) {
   });
 }
 
+namespace {
+
+using SharedBasis = std::shared_ptr<const sampling::PmdBasis>;
+
+// Returns the basis of the library with this name. Each file is read once: this is called on the
+// window's thread whenever a scene is opened.
+SharedBasis shipped_basis(const std::string& name) {
+  static std::map<std::filesystem::path, SharedBasis> known;
+  const std::filesystem::path file =
+      geometric::find_resource(ResourceKind::kHandBasis, name, geometric::resource_dir());
+  SharedBasis& basis = known[file];
+  if (!basis) {
+    basis = std::make_shared<const sampling::PmdBasis>(sampling::read_pmd_basis(file));
+  }
+  return basis;
+}
+
+}  // namespace
+
 std::vector<HandBasis> shipped_bases(const RobotModel& model) {
   std::vector<HandBasis> bases;
   for (const std::string& name : geometric::resource_names(ResourceKind::kHandBasis)) {
-    auto basis = std::make_shared<const sampling::PmdBasis>(sampling::read_pmd_basis(
-        geometric::find_resource(ResourceKind::kHandBasis, name, geometric::resource_dir())));
-    if (fits(model, *basis)) {
+    if (SharedBasis basis = shipped_basis(name); fits(model, *basis)) {
       bases.push_back({QString::fromStdString(name), name, std::move(basis)});
     }
   }
