@@ -143,6 +143,12 @@ struct Offset {
   double angle = 0.0;  ///< rad
 };
 
+bool is_same(const std::vector<geometric::Configuration>& a,
+             const std::vector<geometric::Configuration>& b) {
+  return std::ranges::equal(
+      a, b, [](const auto& q, const auto& r) { return q.size() == r.size() && q == r; });
+}
+
 // Returns the offset of the joint that is farthest off.
 Offset offset(const geometric::Configuration& a, const geometric::Configuration& b) {
   Offset farthest;
@@ -174,7 +180,13 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, MotionDrive
   connect(panel_, &DevicesPanel::start_here_requested, this,
           [this] { emit start_here_requested(measured_); });
   connect(panel_, &DevicesPanel::margin_requested, this, &DeviceSession::margin_requested);
-  connect(&player_, &PathPlayer::timeline_changed, this, &DeviceSession::time_again);
+  connect(&player_, &PathPlayer::timeline_changed, this, [this] {
+    // The player's own times change nothing here: the user may have armed the motion meanwhile.
+    const bool is_timed = motion_.value != nullptr || timing_.is_busy();
+    if (!is_timed || !is_same(timed_path_, player_.timeline().path().waypoints)) {
+      time_again();
+    }
+  });
   connect(&document_, &Document::edited, this, &DeviceSession::take_edit);
   connect(&document_, &Document::opened, this, [this] {
     driver_.disconnect_all();
@@ -237,6 +249,7 @@ void DeviceSession::time_again() {
     return;
   }
   planning::Path path = player_.timeline().path();
+  timed_path_ = path.waypoints;
   planning::TimingOptions options;
   options.speed = panel_->speed();
   options.period = kPeriod;
