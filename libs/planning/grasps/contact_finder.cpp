@@ -65,6 +65,7 @@ Pose ContactFinder::X_WA(int pair, const std::vector<Pose>& X_BL) const {
 
 void ContactFinder::add_contacts(int pair, const Pose& X_WA, std::vector<LinkContact>& contacts) {
   const auto [a, b] = world_->pairs()[static_cast<std::size_t>(pair)];
+  const int link = world_->body(a).link;
   const Pose& X_WB = world_->body(b).X_FB;
   const std::optional<geometric::ClosestPoints> nearest = closest_.between(a, b, X_WA, X_WB);
   if (!nearest) {
@@ -75,7 +76,7 @@ void ContactFinder::add_contacts(int pair, const Pose& X_WA, std::vector<LinkCon
   const Vector3d normal = offset / distance;
   const Pose X_OW = X_WO_.inverse();
   const auto contact_at = [&](const Vector3d& p_W, const Vector3d& normal_W) {
-    return LinkContact{world_->body(a).link, {X_OW * p_W, X_OW.linear() * normal_W}, distance};
+    return LinkContact{link, {X_OW * p_W, X_OW.linear() * normal_W}, distance};
   };
   const Vector3d u = normal.unitOrthogonal();
   const Vector3d v = normal.cross(u);
