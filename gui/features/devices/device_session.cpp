@@ -4,6 +4,7 @@
 #include "features/workbench.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"
+#include "model/planning/path_history.h"
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"
@@ -143,12 +144,6 @@ struct Offset {
   double angle = 0.0;  ///< rad
 };
 
-bool is_same(const std::vector<geometric::Configuration>& a,
-             const std::vector<geometric::Configuration>& b) {
-  return std::ranges::equal(
-      a, b, [](const auto& q, const auto& r) { return q.size() == r.size() && q == r; });
-}
-
 // Returns the offset of the joint that is farthest off.
 Offset offset(const geometric::Configuration& a, const geometric::Configuration& b) {
   Offset farthest;
@@ -183,7 +178,7 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, MotionDrive
   connect(&player_, &PathPlayer::timeline_changed, this, [this] {
     // The player's own times change nothing here: the user may have armed the motion meanwhile.
     const bool is_timed = motion_.value != nullptr || timing_.is_busy();
-    if (!is_timed || !is_same(timed_path_, player_.timeline().path().waypoints)) {
+    if (!is_timed || !same_path(timed_path_, player_.timeline().path())) {
       time_again();
     }
   });
@@ -249,7 +244,7 @@ void DeviceSession::time_again() {
     return;
   }
   planning::Path path = player_.timeline().path();
-  timed_path_ = path.waypoints;
+  timed_path_ = path;
   planning::TimingOptions options;
   options.speed = panel_->speed();
   options.period = kPeriod;

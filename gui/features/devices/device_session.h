@@ -119,9 +119,8 @@ class DeviceSession : public QObject {
   bool backwards_ = false;                    ///< motion_ goes from goal to start.
   geometric::Configuration measured_;         ///< Has size 0 while nothing is connected.
   geometric::Configuration timed_from_;       ///< `measured_` when motion_ was timed.
-  std::vector<geometric::Configuration>
-      timed_path_;                 ///< Waypoints that are timed, from start to goal.
-  planning::SafetyMargin safety_;  ///< With what these devices were seen to miss.
+  planning::Path timed_path_;                 ///< Path that is timed, from start to goal.
+  planning::SafetyMargin safety_;             ///< With what these devices were seen to miss.
 };
 
 /// Adds the panel, and a STOP button to the window.

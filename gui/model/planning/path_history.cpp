@@ -171,11 +171,13 @@ QString superlative(PathMerit merit) {
   return {};
 }
 
-namespace {
-
 bool same_path(const planning::Path& a, const planning::Path& b) {
-  return std::ranges::equal(a.waypoints, b.waypoints);
+  return std::ranges::equal(a.waypoints, b.waypoints, [](const auto& q, const auto& r) {
+    return q.size() == r.size() && q == r;  // of different robots, perhaps
+  });
 }
+
+namespace {
 
 bool is_of(const PathRecord& known, const PathRecord& record) {
   return record.motion && (known.motion == record.motion ||

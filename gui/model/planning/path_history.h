@@ -67,6 +67,9 @@ struct PathFigures {
 /// @pre the record has a motion with its curves; if those have no clearance, it has a run.
 [[nodiscard]] PathFigures figures_of(const PathRecord& record);
 
+/// Returns whether two paths have the same waypoints, to the bit.
+[[nodiscard]] bool same_path(const planning::Path& a, const planning::Path& b);
+
 /// Returns the length of the path in joints normalised to [0, 1].
 [[nodiscard]] double length_of(const geometric::RobotModel& model, const planning::Path& path);
 
