@@ -242,7 +242,7 @@ void bind_motion(py::module_& module) {
            py::arg("samples") = 8000, py::arg("seed") = 1, py::arg("friction") = 0.6,
            py::arg("payload") = 0.1,
            "Grasps of an object, the best first.\n\n"
-           "object: name of one that stands still. most: how many at most. samples: palm poses\n"
+           "object: name of a fixed one. most: how many at most. samples: palm poses\n"
            "to try. seed: of the draws. friction: between hand and object. payload: mass of the\n"
            "object, kg. Returns dicts: q, closed and squeezed [variables], the configurations\n"
            "before contact, in contact and that pushes; score; epsilon (N) and volume of the\n"

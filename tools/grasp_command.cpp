@@ -16,7 +16,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -86,14 +85,6 @@ Json report_of(const GraspOptions& options, const planning::PlanningProblem& pro
           {"version", kVersion}};
 }
 
-std::size_t fingers_of(const planning::Pregrasp& grasp) {
-  std::set<int> fingers;
-  for (const planning::HandContact& contact : grasp.contacts) {
-    fingers.insert(contact.finger);
-  }
-  return fingers.size();
-}
-
 void print_grasps(const planning::Pregrasps& grasps, const planning::PregraspOptions& search) {
   print_out("Friction {}, {} kg\n", search.contact.friction, search.payload);
   print_out("{:>4} {:>6} {:>8} {:>8} {:>8} {:>8} {:>10}\n", "rank", "score", "epsilon", "contacts",
@@ -101,7 +92,7 @@ void print_grasps(const planning::Pregrasps& grasps, const planning::PregraspOpt
   int rank = 0;
   for (const planning::Pregrasp& grasp : grasps.found) {
     print_out("{:>4} {:>6.2f} {:>8.3f} {:>8} {:>8} {:>8} {:>10.0f}{}\n", ++rank, grasp.score,
-              grasp.quality.epsilon, grasp.contacts.size(), fingers_of(grasp),
+              grasp.quality.epsilon, grasp.contacts.size(), touching_fingers(grasp),
               grasp.holding_force ? fmt::format("{:.1f}", *grasp.holding_force) : "-",
               geometric::millimetres(grasp.clearance),
               grasp.doubt.empty() ? std::string() : fmt::format("  {}", grasp.doubt));

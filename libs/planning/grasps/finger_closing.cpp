@@ -6,15 +6,15 @@ namespace handway::planning {
 namespace {
 
 constexpr int kMostClosingSteps = 40;
-constexpr double kLeastRate = 1e-3;    // of a joint's way that brings the tip closer
+constexpr double kLeastRate = 1e-3;    // gradient of the tip's distance that still closes it
 constexpr double kClosingStep = 0.03;  // normalised
 constexpr int kStepsOfDirection = 4;   // that a finger goes on in one direction of its joints
 
 }  // namespace
 
 FingerClosing::FingerClosing(const PlanningProblem& problem, const HandClosing& hand,
-                             geometric::CollisionChecker& checker, std::vector<int> with_object,
-                             std::vector<int> of_hand)
+                             geometric::CollisionChecker& checker,
+                             const std::vector<int>& with_object, const std::vector<int>& of_hand)
     : problem_(problem), hand_(hand), checker_(checker) {
   for (const HandClosing::Finger& finger : hand.fingers()) {
     checks_.push_back(checks_of(finger, with_object, of_hand));
@@ -31,8 +31,8 @@ Configuration FingerClosing::closed(Configuration q, std::size_t which, const ge
   const double least = kClosingStep / (1 << limits.halvings);
   const auto joints = static_cast<Eigen::Index>(finger.joints.size());
   Eigen::Index first = 0;  // joint that does not stand
-  double way = 0.0;        // normalised
-  for (int step = 0; way < kMostClosingSteps * kClosingStep && !stop.stop_requested();) {
+  double travel = 0.0;     // normalised
+  for (int step = 0; travel < kMostClosingSteps * kClosingStep && !stop.stop_requested();) {
     if (step % kStepsOfDirection == 0 || rates.size() == 0) {
       rates = hand_.towards(finger, posture, core, X_PO);
       const double left = rates.tail(joints - first).norm();
@@ -48,7 +48,7 @@ Configuration FingerClosing::closed(Configuration q, std::size_t which, const ge
     if (moves && keeps_gap(q_next, checks_[which], limits)) {
       posture = next;
       q = q_next;
-      way += size;
+      travel += size;
       ++step;
     } else if (moves && size > least) {
       size *= 0.5;

@@ -23,8 +23,8 @@ class FingerClosing {
   /// @param with_object pairs of the checker's world with the object.
   /// @param of_hand pairs of the hand's links.
   FingerClosing(const PlanningProblem& problem, const HandClosing& hand,
-                geometric::CollisionChecker& checker, std::vector<int> with_object,
-                std::vector<int> of_hand);
+                geometric::CollisionChecker& checker, const std::vector<int>& with_object,
+                const std::vector<int>& of_hand);
 
   /// Closes one finger around a box, which stands for the object's core. Where something is in the
   /// way, its joints stop one after the other, the one at the palm first, so that the outer links

@@ -24,6 +24,14 @@ constexpr double kGravity = 9.81;     // m/s²
 
 }  // namespace
 
+std::size_t touching_fingers(const Pregrasp& grasp) {
+  std::set<int> fingers;
+  for (const HandContact& contact : grasp.contacts) {
+    fingers.insert(contact.finger);
+  }
+  return fingers.size();
+}
+
 GraspMeasurement::GraspMeasurement(const Hand& hand, const geometric::SceneObject& object,
                                    std::vector<int> pairs, const geometric::Aabb& core,
                                    const PregraspOptions& options, const std::stop_token& stop)
@@ -160,30 +168,27 @@ Configuration GraspMeasurement::squeezed(const Configuration& closed,
     const Vector3d force_B = X_BO_.linear() * (forces ? (*forces)[i] : found[i].contact.normal_O);
     torques += jacobians.back().topRows<3>().transpose() * force_B;
   }
-  Eigen::VectorXd way = Eigen::VectorXd::Zero(model.variable_count());
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(model.variable_count());
   for (const int variable : of_.problem.hand) {
-    way[variable] = torques[variable];
+    direction[variable] = torques[variable];
   }
-  double depth = 0.0;  // of the farthest contact, on that way
+  double depth = 0.0;  // of the farthest contact, along it
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Vector3d motion_B = jacobians[i].topRows<3>() * way;
+    const Vector3d motion_B = jacobians[i].topRows<3>() * direction;
     depth = std::max(depth, motion_B.dot(X_BO_.linear() * found[i].contact.normal_O));
   }
   if (depth <= 0.0) {
     return closed;
   }
-  return (closed + options_.squeeze / depth * way).cwiseMax(model.lower()).cwiseMin(model.upper());
+  return (closed + options_.squeeze / depth * direction)
+      .cwiseMax(model.lower())
+      .cwiseMin(model.upper());
 }
 
 // See Pregrasp::doubt.
 std::string GraspMeasurement::doubt_of(const Pregrasp& grasp) const {
-  std::set<int> touching;
-  for (const HandContact& contact : grasp.contacts) {
-    touching.insert(contact.finger);
-  }
-  if (touching.size() < 2) {
-    return touching.empty() ? "No finger gets to the object."
-                            : "Only one finger touches the object.";
+  if (const std::size_t touching = touching_fingers(grasp); touching < 2) {
+    return touching == 0 ? "No finger gets to the object." : "Only one finger touches the object.";
   }
   return grasp.quality.epsilon > 0.0
              ? std::string()

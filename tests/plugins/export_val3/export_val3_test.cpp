@@ -191,9 +191,10 @@ TEST(Val3Grammar, FindsWhatIsWrong) {
 }
 
 // Duration of a joint's motion with a trapezium of speed, or a triangle of a short one, s.
-double trapezium(double way, double velocity, double acceleration) {
-  return way * acceleration < velocity * velocity ? 2.0 * std::sqrt(way / acceleration)
-                                                  : way / velocity + velocity / acceleration;
+double trapezium(double distance, double velocity, double acceleration) {
+  return distance * acceleration < velocity * velocity
+             ? 2.0 * std::sqrt(distance / acceleration)
+             : distance / velocity + velocity / acceleration;
 }
 
 // The controller knows the files alone: its slowest joint of each move, and the pauses.
@@ -210,13 +211,13 @@ TEST(Val3Application, TakesByItsTextAsLongAsTheMotion) {
     for (int j = 0; j < 6; ++j) {
       const std::string name = "j" + std::to_string(j + 1);
       const int v = motion().arm[static_cast<std::size_t>(j)];
-      const double way =
+      const double distance =
           geometric::radians(std::abs(points[i].attribute(name.c_str()).as_double() -
                                       points[i - 1].attribute(name.c_str()).as_double()));
       slowest = std::max(
           slowest,
           trapezium(
-              way, 0.01 * moves[i].attribute("vel").as_double() * motion().limits.velocity[v],
+              distance, 0.01 * moves[i].attribute("vel").as_double() * motion().limits.velocity[v],
               0.01 * moves[i].attribute("accel").as_double() * motion().limits.acceleration[v]));
     }
     EXPECT_NEAR(pause > 0.0 ? pause : slowest,

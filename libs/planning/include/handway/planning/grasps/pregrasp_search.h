@@ -64,9 +64,12 @@ struct Pregrasp {
   double arm_travel = 0.0;  ///< From the start, normalised joints.
   /// In [0, 1]; what they are ranked by. 0.7 min(1, epsilon / 0.15) + 0.3 times the mean of what is
   /// above: 35 % fingers, 25 % enclosure, 15 % clearance (full at 30 mm), 15 % nearness to the PMD
-  /// subspace, 10 % shortness of the arm's way; less where the fingers do not oppose each other.
+  /// subspace, 10 % shortness of the arm's path; less where the fingers do not oppose each other.
   double score = 0.0;
 };
+
+/// Returns the number of fingers that touch the object in Pregrasp::closed; the palm counts as one.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::size_t touching_fingers(const Pregrasp& grasp);
 
 /// Result of a search.
 struct Pregrasps {
