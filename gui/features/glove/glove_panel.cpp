@@ -350,9 +350,17 @@ void add_glove(Workbench& workbench) {
         document.scene() ? document.scene()->hand_basis : std::filesystem::path();
     return {QString::fromStdString(file.stem().string()), file, document.loaded().basis};
   };
-  QObject::connect(&workbench, &Workbench::scene_shown, panel, [panel, &document, scene_basis] {
-    const geometric::RobotInstance* robot = document.robot();
-    panel->set_hand(robot ? robot->model : nullptr, scene_basis(), document.problem());
+  // The scene's hand is proposed a mapping and shown with its bases in an event of its own, which
+  // takes as long as all other panels together.
+  const auto take_hand = [panel, &document, scene_basis] {
+    if (const geometric::RobotInstance* robot = document.robot()) {
+      panel->set_hand(robot->model, scene_basis(), document.problem());
+      panel->set_configuration(document.configuration());
+    }
+  };
+  QObject::connect(&workbench, &Workbench::scene_shown, panel, [panel, take_hand] {
+    panel->set_hand(nullptr, {}, nullptr);
+    QMetaObject::invokeMethod(panel, take_hand, Qt::QueuedConnection);
   });
   QObject::connect(&document, &Document::hand_changed, panel, [panel, &document, scene_basis] {
     panel->set_basis(document.robot()->model, scene_basis(), document.problem());

@@ -47,7 +47,8 @@ TEST_F(StartingTheWindow, OpensAShippedSceneFromItsPicture) {
   click("open can_on_table");
   wait_for_scene();
   EXPECT_EQ(window().document().scene()->name, "Can on a table");
-  EXPECT_FALSE(part<QWidget>("start_page").isVisible());
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return !part<QWidget>("start_page").isVisible(); }, kPatienceMs));
 }
 
 // An example that was tried out was no example any more.
