@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+/// @file
 /// The messages of ROS-Industrial's simple_message protocol that the VAL3 server for Staeubli CS8
 /// and CS9 controllers uses: joint trajectory points to port 11000, joint positions and status from
 /// port 11002.
@@ -20,16 +21,20 @@
 /// ros-industrial/industrial_core and staubli_val3_driver, message definitions.
 namespace handway::device {
 
+/// Number of joint values in every message; unused ones are 0.
 inline constexpr std::size_t kSimpleMessageJoints = 10;
 
+/// Kind of content of a message.
 enum class SimpleMessageType : std::int32_t {
   kJointPosition = 10,         ///< Body: sequence, joints.
   kJointTrajectoryPoint = 11,  ///< Body: sequence, joints, velocity (0 to 1), duration (s).
   kStatus = 13,                ///< Body: RobotStatus.
 };
 
+/// Role of a message: published, or part of a service call.
 enum class SimpleMessageKind : std::int32_t { kTopic = 1, kRequest = 2, kReply = 3 };
 
+/// Outcome that a reply reports.
 enum class SimpleMessageReply : std::int32_t { kNone = 0, kSuccess = 1, kFailure = 2 };
 
 /// Sequence number of a trajectory point that means "stop at once and discard the rest".

@@ -24,6 +24,7 @@ struct TcpAddress {
   std::uint16_t port = 0;
 };
 
+/// Address of a device: a serial port or a TCP port.
 using DeviceAddress = std::variant<SerialAddress, TcpAddress>;
 
 /// Reads "HOST:PORT" or "tcp://HOST:PORT" as a TCP port, everything else as a serial port's path.

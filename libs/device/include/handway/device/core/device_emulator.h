@@ -71,6 +71,7 @@ class HANDWAY_DEVICE_EXPORT LineFaults {
   std::uint64_t count_ = 0;
 };
 
+/// Faults, delay and outage of an emulated device.
 struct DeviceEmulatorSettings {
   LineFaultSettings faults;         ///< Faults of streamed records; answers arrive whole.
   double latency = 0.0;             ///< Delay of everything that the unit sends, s.

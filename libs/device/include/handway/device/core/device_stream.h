@@ -32,6 +32,7 @@ enum class StreamState {
 /// Name for display: "connecting", "streaming", …
 [[nodiscard]] HANDWAY_DEVICE_EXPORT const char* state_name(StreamState state);
 
+/// Settings of a device stream: how it connects, and connects again.
 struct StreamSettings {
   bool wait_for_device = false;                ///< Keep trying even if the first connect() fails.
   bool reconnect = true;                       ///< After a lost connection.

@@ -13,6 +13,7 @@ enum class FaultKind {
   kSlow,        ///< It moves at half the pace: the monitor speed is at 50 %.
 };
 
+/// A fault of an emulated robot and the time at which it occurs.
 struct InjectedFault {
   FaultKind kind = FaultKind::kNone;
   double after = 0.0;  ///< s from the beginning of a motion.

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// Common parts of protocols of ASCII lines.
 namespace handway::device {
 

@@ -62,6 +62,7 @@ class SampledDevice {
  public:
   using Info = InfoType;
   using Sample = SampleType;
+  /// Result of reading a device once.
   struct Reading {
     SampleEvent event = SampleEvent::kNothing;
     Sample sample;  ///< Valid for kSample.

@@ -11,6 +11,7 @@
 
 namespace handway::device {
 
+/// Settings of the connection to a CyberGlove.
 struct CyberGloveSettings {
   double rate = 100.0;  ///< Requested frames per second, Hz, 0.5 to 480.
   int baud = 115200;    ///< Rate of a serial port, bit/s.

@@ -24,6 +24,7 @@ struct CyberGloveFormat {
   }
 };
 
+/// Kind of a record that a CyberGlove sends.
 enum class CyberGloveRecordKind {
   kSample,          ///< One value of every sensor.
   kUnplugged,       ///< "eg": no glove on the interface unit.

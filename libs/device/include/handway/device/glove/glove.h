@@ -33,9 +33,12 @@ class HANDWAY_DEVICE_EXPORT Glove : public SampledDevice<GloveInfo, GloveFrame> 
   int sensors_ = kGloveSensors;
 };
 
+/// Result of reading a glove once.
 using GloveReading = Glove::Reading;
 
+/// Stream of a glove's frames, read on a thread of its own.
 using GloveStream = DeviceStream<Glove>;
+/// Callbacks of a glove's stream.
 using GloveStreamHandlers = GloveStream::Handlers;
 
 }  // namespace handway::device

@@ -19,6 +19,7 @@ namespace handway::device {
 /// Counts of an emulated glove's sensors at a time: s, never falling from call to call.
 using GloveSignal = std::function<std::array<std::uint16_t, kGloveSensors>(double time)>;
 
+/// Properties of an emulated CyberGlove interface unit.
 struct CyberGloveUnitSettings {
   int sensors = kGloveSensors;  ///< 18 or 22.
   bool right_hand = true;

@@ -13,6 +13,7 @@ namespace handway::device {
 /// Number of sensors in every frame: those of cyberglove_sensors().
 inline constexpr int kGloveSensors = 22;
 
+/// Number of fingers of the human hand, the thumb included.
 inline constexpr int kFingers = 5;
 
 /// Lengths of a person's bones by finger, thumb to little finger, m: from the wrist to the

@@ -23,11 +23,13 @@ enum class Finger { kThumb, kIndex, kMiddle, kRing, kLittle };
 /// "thumb", "index", "middle", "ring", "little".
 [[nodiscard]] HANDWAY_DEVICE_EXPORT const std::string& name_of(Finger finger);
 
+/// Index of the wrist's landmark.
 inline constexpr int kWristLandmark = 0;
 /// First landmark of a finger: the thumb's CMC joint, the others' knuckles.
 [[nodiscard]] constexpr int base_landmark(Finger finger) {
   return 1 + 4 * static_cast<int>(finger);
 }
+/// Last landmark of a finger: its tip.
 [[nodiscard]] constexpr int tip_landmark(Finger finger) { return base_landmark(finger) + 3; }
 
 /// Length of an adult's hand from wrist to the tip of the middle finger, m.
@@ -57,8 +59,8 @@ hand_landmarks(const GloveAngles& angles, const HandBones& bones = typical_bones
 /// The sensors for which glove_angles() has numbers (indices into cyberglove_sensors()).
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<int> landmark_sensors();
 
-/// The palm's frame of landmarks in any frame, from wrist and knuckles: as that of
-/// hand_landmarks(). @param left the landmarks are a left hand's: then z points into its palm.
+/// Returns the palm's frame of landmarks in any frame, from wrist and knuckles: as that of
+/// hand_landmarks(). For a left hand's landmarks z points into its palm.
 /// @throws std::invalid_argument if wrist and knuckles lie in a line or are not finite.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT geometric::Pose palm_frame(const HandLandmarks& landmarks);
 

@@ -14,6 +14,7 @@
 
 namespace handway::device {
 
+/// Settings of a glove that hand landmarks stand in for.
 struct LandmarkGloveSettings {
   std::optional<bool> left;  ///< The hand to follow; none: the first one seen.
   /// The sender counts as gone after this long without a good line.
@@ -61,6 +62,7 @@ using HandSignal = std::function<GloveAngles(double time)>;
 /// Repeats a recording forever. @throws geometric::InputError if it holds counts.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandSignal recorded_hand(const Recording& recording);
 
+/// Properties of an emulated sender of hand landmarks.
 struct LandmarkUnitSettings {
   double rate = 30.0;  ///< Lines a second, Hz.
   bool left = false;   ///< A left hand.

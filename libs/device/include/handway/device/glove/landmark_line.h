@@ -19,6 +19,7 @@
 
 namespace handway::device {
 
+/// One line of a stream of hand landmarks.
 struct LandmarkLine {
   std::optional<double> time;              ///< s, on the sender's clock.
   bool left = false;                       ///< A left hand's.

@@ -38,6 +38,7 @@ struct RecordingQuality {
   std::vector<std::string> warnings;   ///< Sensors that are dead, noisy, saturated; gaps.
 };
 
+/// Returns rate, gaps and faults of a recording's sensors.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RecordingQuality assess(const Recording& recording);
 
 /// The quantile of that share of the values, interpolated between neighbours.

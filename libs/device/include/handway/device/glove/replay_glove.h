@@ -9,6 +9,7 @@
 
 namespace handway::device {
 
+/// Settings of the replay of a recording.
 struct ReplaySettings {
   double speed = 1.0;  ///< Relative speed, > 0; infinity: as fast as it is read.
   bool loop = false;   ///< Restart at the end.

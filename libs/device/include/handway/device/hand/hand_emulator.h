@@ -13,6 +13,7 @@
 
 namespace handway::device {
 
+/// Settings of an emulated hand controller.
 struct HandControllerSettings : EmulatedRobotSettings {
   HandControllerSettings() {
     lag = 0.015;

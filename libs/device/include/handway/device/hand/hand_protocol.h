@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+/// @file
 /// Handway's own protocol for a hand, version 1. The SAH's control board is driven by its maker's
 /// library and has no public protocol on a wire: a program beside that library has to implement
 /// this one.
@@ -32,7 +33,9 @@
 /// moves, it stops after 0.25 s without a message, or if the connection breaks.
 namespace handway::device {
 
+/// Default TCP port of a hand's controller.
 inline constexpr std::uint16_t kHandPort = 11100;
+/// Version of the protocol that both sides report.
 inline constexpr int kHandProtocolVersion = 1;
 inline constexpr double kHandStatePeriod = 0.01;     ///< s
 inline constexpr double kHandAlivePeriod = 0.1;      ///< s
@@ -47,6 +50,7 @@ struct HandState {
   bool operator==(const HandState&) const = default;
 };
 
+/// Formats a state as a line of the protocol, with its line feed.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string to_line(const HandState& state);
 /// @param line without its line feed. @throws LineProtocolError
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandState parse_hand_state(std::string_view line,

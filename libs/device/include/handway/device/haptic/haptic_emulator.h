@@ -12,6 +12,7 @@
 
 namespace handway::device {
 
+/// Settings of an emulated haptic device with a compliant hand.
 struct EmulatedHapticSettings {
   HapticAbilities abilities{3.3, {0.08, 0.06, 0.035}};  ///< Abilities of a Phantom Omni.
   double mass = 0.15;                                   ///< Mass of handle and hand, kg.

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+/// @file
 /// Handway's own protocol for haptic devices, version 1. Makers' devices are driven by makers'
 /// libraries: a program beside the library has to implement this one.
 ///
@@ -25,7 +26,9 @@
 /// connection breaks, and never more than FORCE.
 namespace handway::device {
 
+/// Default TCP port of a haptic device's server.
 inline constexpr std::uint16_t kHapticPort = 11200;
+/// Version of the protocol that both sides report.
 inline constexpr int kHapticProtocolVersion = 1;
 inline constexpr double kHapticLongestSilence = 0.05;  ///< s without "force"
 
@@ -45,15 +48,20 @@ struct HapticSample {
   bool operator==(const HapticSample&) const = default;
 };
 
-/// Lines, with their line feeds.
+/// Formats the line "hello …", with its line feed.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string hello_line(const HapticAbilities& abilities);
+/// Formats the line "state …", with its line feed.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string state_line(const HapticSample& sample);
+/// Formats the line "force …", with its line feed.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string force_line(const Eigen::Vector3d& force);
 
-/// @param line without its line feed. @throws LineProtocolError for another line, or invalid
-/// numbers.
+/// Reads the line "hello …".
+/// @param line without its line feed.
+/// @throws LineProtocolError for another line, or invalid numbers.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HapticAbilities parse_haptic_hello(std::string_view line);
+/// Reads the line "state …", as parse_haptic_hello().
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HapticSample parse_haptic_state(std::string_view line);
+/// Reads the line "force …", as parse_haptic_hello().
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Eigen::Vector3d parse_haptic_force(std::string_view line);
 
 }  // namespace handway::device

@@ -28,6 +28,7 @@
 
 namespace handway::device {
 
+/// Settings of retargeting by fingertips, as in a settings file.
 struct RetargetingSettings {
   std::string hand;    ///< Robot: a name in the library, or a file relative to the settings'.
   double scale = 1.0;  ///< Multiplies the ratio of robot's and person's finger length; > 0.

@@ -15,6 +15,7 @@
 
 namespace handway::device {
 
+/// Settings of an emulated robot in ROS.
 using RosControllerSettings = EmulatedRobotSettings;
 
 /// An emulated robot in ROS, with a rosbridge server before it, without wires. It accepts

@@ -24,6 +24,7 @@ struct RosAddress {
 
 /// Topics on which a robot reports its joints' positions and its state.
 inline constexpr const char* kJointStatesTopic = "/joint_states";
+/// Topic on which a robot reports its state (industrial_msgs/RobotStatus).
 inline constexpr const char* kRobotStatusTopic = "/robot_status";
 
 /// The topic on which the joint_trajectory_controller of that name receives motions.

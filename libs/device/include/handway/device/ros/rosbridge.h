@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// The rosbridge protocol, version 2.1 (RobotWebTools/rosbridge_suite, ROSBRIDGE_PROTOCOL.md): JSON
 /// objects with a key `op`, one per WebSocket message. Only the part for moving joints.
 namespace handway::device {
@@ -58,17 +59,21 @@ struct RosbridgeMessage {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string ros_type(std::string_view package,
                                                          std::string_view name, RosVersion version);
 
+/// Formats the message that announces the type of a topic to publish on.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string advertise(const std::string& topic,
                                                           const std::string& type);
 /// @param id is returned in the status that answers a failed subscription.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string subscribe(const std::string& id,
                                                           const std::string& topic,
                                                           const std::string& type);
+/// Formats the message that publishes a trajectory.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string publish(const std::string& topic,
                                                         const RosTrajectory& trajectory,
                                                         RosVersion version);
+/// Formats the message that publishes the joints' positions.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string publish(const std::string& topic,
                                                         const RosJointState& state);
+/// Formats the message that publishes a robot's state.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string publish(const std::string& topic,
                                                         const RobotStatus& status);
 /// @param id of the message that this is about; empty: none.

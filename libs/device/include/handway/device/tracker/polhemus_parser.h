@@ -11,6 +11,7 @@
 
 namespace handway::device {
 
+/// Kind of a record that a Polhemus tracker sends.
 enum class PolhemusRecordKind {
   kPose,      ///< A station's pose.
   kDoubtful,  ///< A pose that the device marks as bad: distorted, or out of the field.
@@ -136,7 +137,9 @@ class HANDWAY_DEVICE_EXPORT PolhemusParser {
 extern template class PolhemusParser<FastrakFormat>;
 extern template class PolhemusParser<LibertyFormat>;
 
+/// Parser of the records of a Fastrak.
 using FastrakParser = PolhemusParser<FastrakFormat>;
+/// Parser of the records of a Liberty.
 using LibertyParser = PolhemusParser<LibertyFormat>;
 
 }  // namespace handway::device

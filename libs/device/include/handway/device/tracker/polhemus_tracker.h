@@ -10,11 +10,13 @@
 
 namespace handway::device {
 
+/// Protocol family of a Polhemus tracker.
 enum class PolhemusModel {
   kFastrak,
   kLiberty,  ///< Includes Patriot and Latus.
 };
 
+/// Settings of the connection to a Polhemus tracker.
 struct PolhemusSettings {
   PolhemusModel model = PolhemusModel::kFastrak;
   int baud = 115200;    ///< Rate of a serial port, bit/s.

@@ -31,6 +31,7 @@ HANDWAY_DEVICE_EXPORT void check_workspace(const WorkspaceLimits& limits);
 [[nodiscard]] HANDWAY_DEVICE_EXPORT Eigen::Vector3d nearest_inside(const WorkspaceLimits& limits,
                                                                    const Eigen::Vector3d& point);
 
+/// Scale, limits and smoothing of a ToolFollower.
 struct ToolFollowerSettings {
   /// Orientation of the tracker's source S in the robot's base B.
   Eigen::Matrix3d R_BS = Eigen::Matrix3d::Identity();
@@ -45,6 +46,7 @@ struct ToolFollowerSettings {
   double longest_gap = 0.5;  ///< Between two samples, s; after a longer one the clutch opens.
 };
 
+/// State of a ToolFollower after a sample.
 enum class FollowState {
   kReleased,    ///< The clutch is open: the robot is at rest.
   kFollowing,   ///< The tool follows the hand.
@@ -53,6 +55,7 @@ enum class FollowState {
   kBranchEnd,   ///< Only a posture far from the present one reaches it: the robot rests.
 };
 
+/// Result of following one sample.
 struct FollowStep {
   FollowState state = FollowState::kReleased;
   geometric::Configuration q;  ///< Command for the robot, shape [model().variable_count()].

@@ -31,9 +31,12 @@ class HANDWAY_DEVICE_EXPORT Tracker : public SampledDevice<TrackerInfo, TrackerS
   void check_sample(const TrackerSample& sample) const override;
 };
 
+/// Result of reading a tracker once.
 using TrackerReading = Tracker::Reading;
 
+/// Stream of a tracker's poses, read on a thread of its own.
 using TrackerStream = DeviceStream<Tracker>;
+/// Callbacks of a tracker's stream.
 using TrackerStreamHandlers = TrackerStream::Handlers;
 
 }  // namespace handway::device

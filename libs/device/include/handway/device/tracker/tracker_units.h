@@ -27,6 +27,7 @@ struct TrackerNoise {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT TrackerSignal
 wrist_motion_signal(std::uint64_t seed, const TrackerNoise& noise = {});
 
+/// Properties of an emulated tracker.
 struct TrackerUnitSettings {
   int sensors = 1;      ///< A Fastrak has up to 4, a Liberty 16.
   double rate = 120.0;  ///< Poses a second; a Fastrak shares them among its sensors, Hz.

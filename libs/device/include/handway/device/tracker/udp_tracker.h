@@ -30,6 +30,7 @@ inline constexpr std::size_t kLongestPoseDatagram = 1024;
 /// @pre the sample's numbers are finite.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string write_pose_datagram(const TrackerSample& sample);
 
+/// Settings of a tracker that sends datagrams.
 struct UdpTrackerSettings {
   /// The source counts as lost after this long without a good datagram.
   std::chrono::milliseconds timeout{1000};

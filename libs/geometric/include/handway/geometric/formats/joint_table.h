@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// Values of a robot's joints over time, as its driver, a simulation, a plotter or a data set
 /// writes them: the common part of recordings of a hand's joints and files of paths.
 namespace handway::geometric {

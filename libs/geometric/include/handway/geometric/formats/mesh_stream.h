@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
+/// @file
 /// Messages between the library and its program handway-mesh-reader, as these structures' bytes:
 /// both are of one build on one machine.
 ///
@@ -20,11 +21,16 @@ enum class MeshFormat : std::uint32_t {
   kInventor,  ///< Open Inventor and VRML, by Coin.
 };
 
+/// File descriptor of the socket that the mesh reader finds open when it starts.
 inline constexpr int kMeshReaderSocket = 3;
+/// First number of every message, by which a mesh reader of another version is recognised.
 inline constexpr std::uint32_t kMeshStreamMark = 0x48574D34;  // changes with the structures
+/// Longest path of a mesh file, bytes.
 inline constexpr std::size_t kLongestMeshPath = 4096;
+/// Longest text of a reply, bytes.
 inline constexpr std::size_t kLongestMeshText = 65536;
 
+/// Request to read a mesh file, followed by the file's path.
 struct MeshRequest {
   std::uint32_t mark = kMeshStreamMark;
   MeshFormat format = MeshFormat::kAssimp;
@@ -34,6 +40,7 @@ struct MeshRequest {
   std::uint64_t most_vertices = 0;  ///< Limit of vertices, and of triangles.
 };
 
+/// Result of reading a mesh.
 enum class MeshReplyKind : std::uint32_t {
   kMesh,         ///< The text holds warnings, one a line.
   kRefused,      ///< The text holds source, found, expected and advice, each ended by a 0.
@@ -41,6 +48,7 @@ enum class MeshReplyKind : std::uint32_t {
   kOutOfMemory,  ///< The memory allowed did not suffice.
 };
 
+/// Header of a reply, followed by its text and the mesh.
 struct MeshReply {
   std::uint32_t mark = kMeshStreamMark;
   MeshReplyKind kind = MeshReplyKind::kMesh;
@@ -52,12 +60,14 @@ struct MeshReply {
   double largest = 0.0;  ///< Coordinate that was handled in single precision.
 };
 
+/// State in which the process that read a mesh ended.
 enum class MeshReadingOutcome : std::uint32_t {
   kDone,
   kTookTooLong,
   kCrashed,
 };
 
+/// Last message about a request.
 struct MeshReadingEnd {
   std::uint32_t mark = kMeshStreamMark;
   MeshReadingOutcome outcome = MeshReadingOutcome::kDone;

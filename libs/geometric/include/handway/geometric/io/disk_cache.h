@@ -16,12 +16,14 @@ namespace handway::geometric {
 /// Hash of a content (XXH3, 128 bits), for all caches of the program.
 using Digest = std::array<std::uint8_t, 16>;
 
+/// Returns the digest of a content.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Digest digest_of(std::string_view content);
 
 /// The digest of a file's bytes in hexadecimal digits; empty if it can't be read.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string digest_of_file(
     const std::filesystem::path& file);
 
+/// Name of an entry of the disk cache.
 using CacheKey = Digest;
 
 /// The key of data that this version of the program derives from `content`.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// Numbers in text files, and lines of cells with numbers.
 namespace handway::geometric {
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// The library of robots, objects and hand bases that ships with the program, and its names in
 /// files.
 namespace handway::geometric {

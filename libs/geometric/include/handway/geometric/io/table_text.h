@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// Lines and cells of tables of other programs.
 namespace handway::geometric {
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// Times of the rows of a table of other programs: numbers in some unit, since 1970 or since the
 /// start; dates and clock times.
 namespace handway::geometric {
@@ -40,6 +41,7 @@ struct TimeName {
 /// The columns whose sum is the time of a row: one, a date and a clock time, or the two halves of
 /// a stamp.
 struct TimeColumns {
+  /// A column that contributes to the time.
   struct Part {
     std::size_t column = 0;
     double unit = 1.0;  ///< Factor of numbers; dates and clock times are in s.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+/// @file
 /// Sines and cosines of many angles at once, in a form that compilers turn into SIMD. Only IEEE
 /// additions and multiplications: bitwise the same on every machine, which the C library does not
 /// guarantee.

@@ -54,6 +54,7 @@ struct Mesh {
   std::shared_ptr<const TriangleMesh> triangles;    ///< Never null in a loaded scene.
 };
 
+/// Geometry of a body.
 using Shape = std::variant<Box, Sphere, Cylinder, Cone, Mesh>;
 
 /// "box", "sphere", "cylinder", "cone" or "mesh": the word in scene files.

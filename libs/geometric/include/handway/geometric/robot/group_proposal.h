@@ -42,6 +42,7 @@ struct GroupProposal {
 /// If there are several hands, `palm` is the first one's.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal propose_groups(const RobotModel& model);
 
+/// Returns whether the robot has a group of that name.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool has_group(const RobotDescription& robot,
                                                       const std::string& name);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+/// @file
 /// The joint space scaled to [0, 1] per joint, in which the paper measures
 /// distances (section 7) and runs the PCA.
 namespace handway::geometric {

@@ -13,6 +13,7 @@
 
 namespace handway::geometric {
 
+/// Options of numeric inverse kinematics.
 struct NumericIkOptions {
   /// The frame T to bring to the target, in the tip link's frame L.
   Pose X_LT = Pose::Identity();

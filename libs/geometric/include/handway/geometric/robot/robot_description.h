@@ -17,6 +17,7 @@
 
 namespace handway::geometric {
 
+/// Motion that a joint allows.
 enum class JointType { kFixed, kRevolute, kPrismatic };
 
 /// Limits of a joint: rad, rad/s, rad/s² (revolute) or m, m/s, m/s² (prismatic). Those of a
@@ -122,6 +123,7 @@ struct NamedPosture {
   std::map<std::string, double> values;
 };
 
+/// Motion that a base joint allows.
 enum class BaseMotion { kPlanar, kFloating };
 
 /// A planar or floating joint, which is a chain of slides and rotations: see add_base_joint().

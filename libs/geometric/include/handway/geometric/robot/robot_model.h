@@ -159,6 +159,7 @@ struct JointValue {
   std::string_view joint;
   double value;  ///< rad or m
 };
+/// Returns the values of all joints that are not fixed.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<JointValue> joint_values(const RobotModel& model,
                                                                             const Configuration& q);
 

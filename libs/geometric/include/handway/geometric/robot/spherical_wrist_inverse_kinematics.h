@@ -9,6 +9,7 @@
 
 namespace handway::geometric {
 
+/// Options of the analytic inverse kinematics of a TX90.
 struct Tx90IkOptions {
   /// Leave out postures beyond the joint limits.
   bool respect_limits = true;

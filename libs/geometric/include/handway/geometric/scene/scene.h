@@ -121,6 +121,7 @@ struct Scene {
 /// First robot or object of that name; nullptr if it does not exist.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const RobotInstance* find_robot(const Scene& scene,
                                                                        std::string_view name);
+/// First object of that name; nullptr if it does not exist.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const SceneObject* find_object(const Scene& scene,
                                                                       std::string_view name);
 

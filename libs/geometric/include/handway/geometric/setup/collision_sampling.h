@@ -37,6 +37,7 @@ struct SampledPair {
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_checked(int samples) const;
 };
 
+/// Self-collisions found in random configurations.
 struct SelfCollisionSamples {
   int samples = 0;
   /// Samples with a collision of checked pairs.

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// Positions of things in a scene, their supports, and free space for more.
 namespace handway::geometric {
 

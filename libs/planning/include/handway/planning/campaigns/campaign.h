@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+/// @file
 /// Experiments: planners with their parameters on problems, once for each of many seeds.
 namespace handway::planning {
 

@@ -12,6 +12,7 @@
 
 namespace handway::planning {
 
+/// An interval of numbers.
 struct Interval {
   double lower = 0.0;
   double upper = 0.0;

@@ -65,6 +65,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   /// result is that of testing one after the other.
   [[nodiscard]] FirstFree first_free(int count, const std::function<Configuration(int)>& candidate);
 
+  /// A straight motion between two configurations.
   struct Edge {
     Configuration from;
     Configuration to;

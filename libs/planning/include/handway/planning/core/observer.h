@@ -54,16 +54,17 @@ inline constexpr AlgorithmLine kArmFree{1, 4};         ///< Is the arm's sample 
 inline constexpr AlgorithmLine kNoArm{1, 9};           ///< All samples for the arm are used up.
 inline constexpr AlgorithmLine kHandFreeOfSelf{2, 6};  ///< Is the sample in self-collision?
 inline constexpr AlgorithmLine kHandFree{2, 7};        ///< Does it collide with an object?
-inline constexpr AlgorithmLine kAddNode{3, 1};
-inline constexpr AlgorithmLine kNeighbours{3, 2};
-inline constexpr AlgorithmLine kSameComponent{3, 4};  ///< Are the two joined already?
-inline constexpr AlgorithmLine kLocalPlan{3, 5};      ///< Is the straight motion between them free?
-inline constexpr AlgorithmLine kAddEdge{3, 6};
+inline constexpr AlgorithmLine kAddNode{3, 1};         ///< The sample becomes a node.
+inline constexpr AlgorithmLine kNeighbours{3, 2};      ///< The nodes nearest to it.
+inline constexpr AlgorithmLine kSameComponent{3, 4};   ///< Are the two joined already?
+inline constexpr AlgorithmLine kLocalPlan{3, 5};   ///< Is the straight motion between them free?
+inline constexpr AlgorithmLine kAddEdge{3, 6};     ///< The motion becomes an edge.
 inline constexpr AlgorithmLine kWiden{4, 7};       ///< Another pass, with wider hypercubes.
 inline constexpr AlgorithmLine kHypercube{4, 12};  ///< The next hypercube.
 inline constexpr AlgorithmLine kJoined{4, 20};     ///< Are start and goal joined?
-inline constexpr AlgorithmLine kSearchRange{4, 23};
-inline constexpr AlgorithmLine kFailure{4, 35};
+inline constexpr AlgorithmLine kSearchRange{4,
+                                            23};  ///< The stretch of the arm's segment to search.
+inline constexpr AlgorithmLine kFailure{4, 35};   ///< No path was found.
 }  // namespace algorithm_lines
 
 /// Step that a planner has just done in a line. Fields that the line does not use are as below.

@@ -15,7 +15,9 @@ struct BasicChoice {
   Index index{};
   std::vector<std::string> options;
 };
+/// A setting that is one of several words.
 using Choice = BasicChoice<int>;
+/// A choice whose index is a variable of the planner.
 using BoundChoice = BasicChoice<int*>;
 
 /// A planner's setting. Command line, scene files, forms and docs are made from this description.
@@ -61,6 +63,7 @@ HANDWAY_PLANNING_EXPORT void set_from_text(Parameter& parameter, std::string_vie
 /// @throws InputError naming the valid keys.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter& find_parameter(
     const std::vector<Parameter>& parameters, std::string_view key);
+/// Returns the parameter called `key`, to be changed. @throws InputError naming the valid keys.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter& find_parameter(std::vector<Parameter>& parameters,
                                                                 std::string_view key);
 

@@ -28,6 +28,7 @@ struct PlanRequest {
   double optimize_s = 0.0;  ///< Time for optimising the path found, s.
 };
 
+/// Outcome of planning.
 enum class PlanStatus {
   kSolved,
   kStartInvalid,  ///< In collision or out of limits.

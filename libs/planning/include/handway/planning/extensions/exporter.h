@@ -16,6 +16,7 @@ struct ExportedFile {
   std::string content;
 };
 
+/// Options of exporting a motion.
 struct ExportOptions {
   /// Export in spite of robot_objection().
   bool any_robot = false;

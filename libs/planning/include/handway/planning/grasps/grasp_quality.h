@@ -46,6 +46,7 @@ struct TorqueScale {
 
 /// Force (N) and torque divided by TorqueScale::length (N), on the object in its frame.
 using Wrench = Eigen::Matrix<double, 6, 1>;
+/// Several wrenches, one a column.
 using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 /// Wrenches of the extreme forces of each contact for a normal force of 1 N: one column for each

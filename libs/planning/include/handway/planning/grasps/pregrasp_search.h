@@ -14,6 +14,7 @@
 
 namespace handway::planning {
 
+/// Options of the search for pre-grasps.
 struct PregraspOptions {
   /// Palm poses to try at most: fewer once as many pre-grasps as are wanted are found and do not
   /// get better any more.

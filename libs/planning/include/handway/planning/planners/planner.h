@@ -84,10 +84,12 @@ class HANDWAY_PLANNING_EXPORT Planner {
   int sampler_ = 0;  ///< A sampling::SamplerKind.
 };
 
-/// Descriptions of common parameters of planners.
+/// Description of the parameter that limits a planner's samples.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter max_samples_parameter(int& value);
+/// Description of the parameter that limits the edges tested to smooth a path.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter smoothing_checks_parameter(int& value);
 
+/// Function that makes a planner with its default settings.
 using PlannerFactory = std::function<std::unique_ptr<Planner>()>;
 
 /// The planners of a program, by name. Built-in ones are always there; plugins add

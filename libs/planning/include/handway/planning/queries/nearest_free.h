@@ -11,6 +11,7 @@
 
 namespace handway::planning {
 
+/// Options of the search for the nearest free configuration.
 struct NearestFreeOptions {
   /// Radius of the search, rad: Euclidean over all variables, a metre counting as a radian.
   double most_distance = geometric::radians(20.0);

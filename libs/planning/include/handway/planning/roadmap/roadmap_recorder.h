@@ -15,6 +15,7 @@ namespace handway::planning {
 
 /// The nodes and edges that a run found, independent of the planner.
 struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
+  /// A node of the roadmap.
   struct Node {
     geometric::Configuration q;
     int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.

@@ -52,6 +52,7 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
   [[nodiscard]] std::optional<Configuration> configuration(Eigen::VectorXd& x,
                                                            const Configuration& reference) const;
 
+  /// A sample of the target region.
   struct Target {
     Eigen::VectorXd coordinates;  ///< In space().
     int pmds = 0;                 ///< Principal directions it was sampled from.

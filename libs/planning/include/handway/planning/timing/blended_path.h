@@ -76,6 +76,7 @@ class HANDWAY_PLANNING_EXPORT BlendedPath {
   std::vector<double> passages_;
 };
 
+/// Options of rounding a path's waypoints.
 struct BlendOptions {
   /// Largest distance of an arc from its waypoint (rad or m, Euclidean over the joints); 0: the
   /// motion stops at every waypoint.

@@ -21,6 +21,7 @@ inline constexpr double kDefaultRampTime = 0.25;
 /// A joint without a jerk limit is assumed to reach its acceleration limit in this time, s.
 inline constexpr double kDefaultJerkTime = 0.1;
 
+/// Time derivative of a joint's position that has a limit.
 enum class Rate { kVelocity, kAcceleration, kJerk };
 
 /// "velocity", "acceleration" or "jerk".

@@ -13,6 +13,7 @@ namespace handway::planning {
 /// evenly, or not at all, and the path is one piece. Where the motion stops, a second knot at the
 /// same time begins the next stretch.
 struct TimeParameterization {
+  /// Position and speed on the path at a time.
   struct Knot {
     double time = 0.0;          ///< s
     double s = 0.0;             ///< Arc length from the beginning of the path.

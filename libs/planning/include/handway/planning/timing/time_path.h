@@ -28,6 +28,7 @@ struct Motion {
   Trajectory trajectory;               ///< At a fixed period.
 };
 
+/// Options of timing a path.
 struct TimingOptions {
   double speed = 1.0;     ///< In (0, 1]: slows the whole motion down.
   double period = 0.004;  ///< s between points; 4 ms is the cycle of a CS8 controller.

@@ -30,6 +30,7 @@ using FingertipsOf = std::function<Eigen::Matrix3Xd(const Eigen::VectorXd& postu
 /// Errors for which a report gives the number of directions needed, m.
 inline constexpr std::array kReportedErrors{0.010, 0.005, 0.002};
 
+/// Settings of a basis study.
 struct BasisStudySettings {
   std::vector<int> free_joints;  ///< Joints with an axis of their own: see principal_components().
   int directions = 4;            ///< Number in the basis, for stability and persons; ≥ 1.
@@ -72,6 +73,7 @@ struct PersonFit {
   std::vector<double> angles;
 };
 
+/// Quality of a PMD basis: errors of reconstruction, stability and fit to other persons.
 struct BasisStudy {
   std::vector<ReconstructionError> reconstruction;  ///< With 0, 1, … directions.
   std::vector<BasisStability> stability;            ///< By rising length.

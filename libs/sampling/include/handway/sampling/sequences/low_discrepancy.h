@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+/// @file
 /// Sequences of points that fill a space evenly.
 namespace handway::sampling {
 

@@ -31,6 +31,7 @@ inline constexpr double kLeastResolution = 1e-6;
 /// Start or goal of motions, with the pairs that are so near in it that edges need a finer
 /// resolution there.
 struct EdgeEnd {
+  /// A pair of bodies that is near in this configuration.
   struct NearPair {
     int pair;
     double distance;  ///< m
