@@ -82,44 +82,54 @@ void bind_basis(py::module_& module) {
   py::class_<FreeJoint>(module, "FreeJoint",
                         "A hand joint that is sampled on its own, beside the directions.")
       .def_readonly("joint", &FreeJoint::joint, "Index into Basis.joints.")
-      .def_readonly("centre", &FreeJoint::centre, "Normalised: 0 to 1 between the joint's limits.")
-      .def_readonly("half_side", &FreeJoint::half_side, "Of its axis of the box, normalised.");
+      .def_readonly(
+          "centre", &FreeJoint::centre,
+          "Centre of the box along its axis, normalised: 0 to 1 between the joint's limits.")
+      .def_readonly("half_side", &FreeJoint::half_side,
+                    "Half side of the box along its axis, normalised.");
 
   py::class_<PmdBasis, std::shared_ptr<PmdBasis>>(
       module, "Basis",
       "Principal motion directions of a hand around its mean posture, and the box that is\n"
       "sampled. Postures are normalised: every joint is 0 to 1 between its limits.")
-      .def_readonly("hand", &PmdBasis::hand, "The robot that the joints belong to.")
-      .def_readonly("source", &PmdBasis::source, "Where the numbers come from.")
-      .def_readonly("joints", &PmdBasis::joints, "Names, in the order of vectors.")
-      .def_readonly("free_joints", &PmdBasis::free_joints, "The first axes of the box.")
-      .def_property_readonly("dimension", &PmdBasis::dimension, "Axes: free joints, directions.")
+      .def_readonly("hand", &PmdBasis::hand, "Name of the robot that the joints belong to.")
+      .def_readonly("source", &PmdBasis::source, "Source of the numbers, as text.")
+      .def_readonly("joints", &PmdBasis::joints,
+                    "Names of the joints, in the order of the vectors' entries.")
+      .def_readonly("free_joints", &PmdBasis::free_joints,
+                    "Joints that are the first axes of the box.")
+      .def_property_readonly("dimension", &PmdBasis::dimension,
+                             "Number of axes of the box: free joints and directions.")
       .def_property_readonly(
           "mean", [](const PmdBasis& basis) { return to_array(basis.mean); },
-          "The mean posture, [joints], normalised.")
-      .def_property_readonly("directions", &directions,
-                             "A unit vector a row, [directions, joints], normalised joints.")
-      .def_property_readonly("names", &direction_names, "Of the directions.")
+          "Mean posture, [joints], normalised.")
+      .def_property_readonly(
+          "directions", &directions,
+          "Unit vectors of the directions, one per row, [directions, joints], in normalised\n"
+          "joints.")
+      .def_property_readonly("names", &direction_names, "Names of the directions.")
       .def_property_readonly(
           "half_sides",
           [](const PmdBasis& basis) {
             return of_directions(basis, &PrincipalDirection::half_side);
           },
-          "Of the box along the directions, [directions], normalised.")
+          "Half sides of the box along the directions, [directions], normalised.")
       .def_property_readonly(
           "variances",
           [](const PmdBasis& basis) { return of_directions(basis, &PrincipalDirection::variance); },
-          "Along the directions, [directions], normalised; 0 where not known.")
+          "Variances along the directions, [directions], normalised; 0 if unknown.")
       .def("posture", &posture, py::arg("u"),
-           "The posture at a place of the box, clamped to the joints' limits.\n\n"
+           "Returns the posture at a point of the box, clamped to the joints' limits.\n\n"
            "u: 0 to 1 along every axis, [dimension] or [n, dimension].\n"
            "Returns normalised joints, [joints] or [n, joints].")
-      .def("coordinates", &coordinates, py::arg("posture"),
-           "Where on the axes the closest posture of the reduced space is; 0 is the mean.\n\n"
-           "posture: normalised, [joints] or [n, joints].\n"
-           "Returns [dimension] or [n, dimension]; outside the box if beyond the half sides.")
+      .def(
+          "coordinates", &coordinates, py::arg("posture"),
+          "Returns the coordinates on the axes of the closest posture of the reduced space.\n\n"
+          "posture: normalised, [joints] or [n, joints].\n"
+          "Returns [dimension] or [n, dimension]; 0 is the mean, and a coordinate beyond the half\n"
+          "side of its axis is outside of the box.")
       .def("distance", &distance, py::arg("posture"),
-           "How far a posture is from the reduced space, in normalised joints.\n\n"
+           "Returns the distance of a posture from the reduced space, in normalised joints.\n\n"
            "posture: normalised, [joints] or [n, joints]. Returns a number or [n].")
       .def("__repr__", [](const PmdBasis& basis) {
         return "<handway.Basis of " + basis.hand + ", " + std::to_string(basis.dimension()) +

@@ -127,21 +127,22 @@ py::dict map_recording(const py::object& file, const std::string& mapping,
 void bind_devices(py::module_& module) {
   py::class_<RobotConnection> connection(
       module, "Connection",
-      "The devices of a scene's robot. `with scene.connect(...) as robot:` stops and lets go of\n"
-      "them at the end.");
+      "Connection to the devices of a scene's robot. `with scene.connect(...) as robot:` stops\n"
+      "and disconnects them at the end.");
   connection
       .def("run", &run, py::arg("motion"), py::kw_only(), py::arg("start_tolerance") = 0.01,
            py::arg("following_tolerance") = 0.2,
            "Runs a motion to its end. Ctrl-C stops it, and so does stop() from another thread.\n\n"
            "It begins only if it is free in the scene from where the robot is measured.\n"
-           "motion: of Scene.time(), cleared. start_tolerance, following_tolerance: how far a\n"
-           "joint may stand from the motion's start, and be off its course, rad. Returns a dict:\n"
-           "done, started, fault (why not done; empty: on request), time (s of the motion),\n"
+           "motion: a cleared one, made by Scene.time(). start_tolerance: largest distance of a\n"
+           "joint from the motion's start, rad. following_tolerance: largest following error of a\n"
+           "joint, rad. Returns a dict: done, started, fault (the reason why it was not done;\n"
+           "empty if it was stopped on request), time (s of the motion),\n"
            "stop_sent_ms, at_rest_ms (-1: not seen), largest_errors (rad, by joint).")
       .def("stop", &RobotConnection::stop, py::call_guard<py::gil_scoped_release>(),
-           "Stops all devices at once; a motion that runs ends. From any thread.")
+           "Stops all devices at once and ends a running motion. Any thread may call it.")
       .def("close", &RobotConnection::close, py::call_guard<py::gil_scoped_release>(),
-           "Stops, and lets go of the devices.")
+           "Stops the devices and disconnects.")
       .def_property_readonly(
           "measured",
           [](RobotConnection& c) {
@@ -152,7 +153,8 @@ void bind_devices(py::module_& module) {
             }
             return to_array(q);
           },
-          "Where the robot is, [variables], rad or m; what no device moves is at the start.")
+          "Measured configuration, [variables], rad or m; joints without a device are at the\n"
+          "start.")
       .def("__enter__", [](py::object self) { return self; })
       .def("__exit__", [](RobotConnection& c, const py::args& /*raised*/) {
         const py::gil_scoped_release release;
@@ -162,29 +164,30 @@ void bind_devices(py::module_& module) {
                                              "An emulated arm or hand on a port of this computer.");
   emulator
       .def_property_readonly("address", &device::RobotEmulator::address,
-                             "What Scene.connect() takes.")
+                             "Address for Scene.connect().")
       .def_property_readonly(
           "position", [](const device::RobotEmulator& e) { return to_array(e.position()); },
-          "Where its joints are, [joints], rad.")
-      .def_property_readonly("moving", &device::RobotEmulator::moving, "Whether a joint moves.")
+          "Positions of its joints, [joints], rad.")
+      .def_property_readonly("moving", &device::RobotEmulator::moving, "True if a joint moves.")
       .def_property_readonly("stops", &device::RobotEmulator::stops,
-                             "How many stop commands came.");
+                             "Number of stop commands received.");
   auto scene = py::reinterpret_borrow<py::class_<SceneModel>>(module.attr("Scene"));
   scene
       .def("connect", &connect, py::arg("to"),
-           "Connects to the devices of the robot; nothing moves.\n\n"
+           "Connects to the devices of the robot, without moving them.\n\n"
            "to: arm://HOST[:PORT], hand://HOST[:PORT], both with a comma between, or\n"
            "ros://HOST[:PORT][/CONTROLLER][#arm|#hand] (ros2:// for ROS 2).")
       .def("emulate", &emulate, py::arg("kind"), py::arg("port") = 0,
-           "An emulated device of the robot, with its joints where the scene starts.\n\n"
-           "kind: arm or hand. port: 0 is any that is free.");
+           "Returns an emulated device of the robot, with its joints at the scene's start.\n\n"
+           "kind: arm or hand. port: a TCP port; 0: any free one.");
   module.def(
       "map_recording", &map_recording, py::arg("file"), py::kw_only(),
       py::arg("mapping") = "table1_sah", py::arg("calibration") = py::none(),
-      "Postures of a robot's hand from a recording of a person's.\n\n"
-      "file: of a glove, of hand landmarks, a posture table. mapping: a file, or one that\n"
-      "ships. calibration: a file of the person, for recordings of counts; None: a typical\n"
-      "right hand. Returns a dict: hand (the robot), joints (names), postures [n, joints]\n"
+      "Maps a recording of a person's hand to postures of a robot's hand.\n\n"
+      "file: a recording of a glove or of hand landmarks, or a posture table. mapping: a\n"
+      "file, or the name of a mapping that ships. calibration: a file of the person, for\n"
+      "recordings of counts; None: a typical right hand. Returns a dict: hand (the robot),\n"
+      "joints (names), postures [n, joints]\n"
       "(rad), normalised [n, joints] (0 to 1 between the limits, as find_pmds() takes them).");
 }
 

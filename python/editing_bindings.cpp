@@ -229,43 +229,46 @@ void bind_editing(py::module_& module) {
   scene
       .def("with_robot", &with_robot, py::arg("model"), py::arg("name") = "", py::kw_only(),
            py::arg("X") = py::none(), py::arg("mount") = "", py::arg("link") = "",
-           "This scene and one more robot.\n\n"
+           "Returns this scene with one more robot.\n\n"
            "model: name in the library, or a robot's file. name: the model's own if empty.\n"
            "mount, link: the robot of the scene and its link that carries it; it stands in the\n"
            "world if both are empty. X: its base in that link or in the world, [4, 4], m.")
       .def("with_objects", &with_objects, py::arg("objects"),
-           "This scene with these objects, in place of those of the same names.\n\n"
+           "Returns this scene with these objects, in place of those of the same names.\n\n"
            "objects: a list of dicts with the keys that objects of scene files have, such as\n"
            "{\"name\": \"can\", \"cylinder\": {\"radius\": 0.03, \"length\": 0.2},\n"
            "\"pose\": {\"xyz\": [0.5, 0, 0.1]}}.")
       .def("without_object", &without_object, py::arg("name"),
-           "This scene without the object called name, and what was said of it.")
-      .def("with_object_at", &with_object_at, py::arg("name"), py::arg("X_PO"),
-           "This scene with the object called name at X_PO, [4, 4], m: in the world, or in the\n"
-           "link that carries it.")
+           "Returns this scene without the object called name and the settings about it.")
+      .def(
+          "with_object_at", &with_object_at, py::arg("name"), py::arg("X_PO"),
+          "Returns this scene with the object called name at X_PO, [4, 4], m: in the world, or in\n"
+          "the link that carries it.")
       .def("with_query", &with_query, py::arg("start") = py::none(), py::arg("goal") = py::none(),
            py::kw_only(), py::arg("goal_pose") = py::none(),
-           "This scene with another start or goal.\n\n"
+           "Returns this scene with another start or goal.\n\n"
            "start, goal: [variables], rad or m; as they are if None. goal_pose: as in\n"
            "Planner.plan(), in place of the goal.")
       .def("with_constraints", &with_constraints, py::arg("constraints"),
-           "This scene with these constraints along paths, in place of those of the same names.\n\n"
+           "Returns this scene with these constraints along paths, in place of those of the same\n"
+           "names.\n\n"
            "constraints: a list of dicts with the keys that constraints of scene files have, such\n"
            "as {\"name\": \"upright\", \"body\": \"can\", \"upright\": {\"angle_deg\": 10}}.")
       .def("without_constraint", &without_constraint, py::arg("name"),
-           "This scene without the constraint called name.")
+           "Returns this scene without the constraint called name.")
       .def("with_group", &with_group,
-           "This scene with other joints to move; all others stay at the start.\n\n"
-           "names: of groups, robots and joints; none: everything of the first robot moves.\n"
+           "Returns this scene with other joints to move; all others stay at the start.\n\n"
+           "names: names of groups, robots and joints; without any, everything of the first robot\n"
+           "moves.\n"
            "Robots that stand beside the first one and are named become one robot with it.")
       .def("save", &save, py::arg("file"), "Writes a scene file (YAML).\n\nfile: replaced whole.")
       .def("export", &export_scene, py::arg("format"), py::arg("folder"),
            "Writes the scene for other programs.\n\n"
-           "format: gltf, moveit-scene, or a plugin's. folder: made if there is none.\n"
+           "format: gltf, moveit-scene, or a plugin's. folder: created if it does not exist.\n"
            "Returns the files.");
   module.def("new_scene", &new_scene, py::arg("model"), py::arg("name") = "",
              py::arg("X_WB") = py::none(),
-             "A scene with one robot and nothing around it.\n\n"
+             "Returns a scene with one robot and nothing around it.\n\n"
              "model: name in the library, or a robot's file. name: the model's own if empty.\n"
              "X_WB: its base in the world, [4, 4], m.");
 }

@@ -17,7 +17,7 @@ void bind_input_errors(py::module_& module) {
   static py::handle type =
       py::exception<geometric::InputError>(module, "InputError", PyExc_ValueError).release();
   type.attr("__doc__") =
-      "An input that can't be read or makes no sense.\n\n"
+      "Error of an input that can't be read or is invalid.\n\n"
       "The message is one sentence; its pieces are the attributes source (file and line, or\n"
       "argument), element (key, XML element or joint), found, expected and advice.";
   py::register_exception_translator([](std::exception_ptr pointer) {

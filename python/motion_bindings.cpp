@@ -178,13 +178,14 @@ std::shared_ptr<sampling::PmdBasis> find_pmds(const Array& postures,
 
 void bind_motion(py::module_& module) {
   py::class_<TimedPath> motion(module, "Motion", "A path with times, checked before it may run.");
-  motion.def_property_readonly("cleared", &TimedPath::cleared, "Whether it may run.")
-      .def_property_readonly("faults", &faults, "What speaks against it; empty if it is cleared.")
+  motion.def_property_readonly("cleared", &TimedPath::cleared, "True if it may run.")
+      .def_property_readonly("faults", &faults,
+                             "Reasons why it may not run, a sentence each; empty if it is cleared.")
       .def_property_readonly(
-          "duration", [](const TimedPath& t) { return t.preflight.duration; }, "s")
+          "duration", [](const TimedPath& t) { return t.preflight.duration; }, "Duration, s.")
       .def_property_readonly(
           "min_clearance_mm", [](const TimedPath& t) { return t.preflight.min_clearance_mm; },
-          "Smallest clearance, mm; 50: at least that.")
+          "Smallest clearance, mm; 50 means 50 or more.")
       .def_property_readonly(
           "warning",
           [](const TimedPath& t) -> std::optional<std::string> {
@@ -193,9 +194,8 @@ void bind_motion(py::module_& module) {
             }
             return to_string(*t.preflight.shortfall) + ". " + t.preflight.advice();
           },
-          "Where it keeps less clearance than a robot needs that is off by its following error, "
-          "and "
-          "what to do; None if it keeps enough everywhere.")
+          "Place of the largest shortfall in clearance, compared with the following errors, and\n"
+          "advice; None if the clearance suffices everywhere.")
       .def_property_readonly(
           "assumed_limits",
           [](const TimedPath& t) {
@@ -205,25 +205,25 @@ void bind_motion(py::module_& module) {
             }
             return joints;
           },
-          "Joints of which a limit is assumed, as no file has it.")
-      .def_property_readonly("times", &times, "[points], s.")
+          "Names of the joints with an assumed limit, because no file gives it.")
+      .def_property_readonly("times", &times, "Times of the points, [points], s.")
       .def_property_readonly(
           "positions",
           [](const TimedPath& t) { return rows(t, [](const auto& p) { return p.position; }); },
-          "[points, variables], rad or m.")
+          "Positions at the points, [points, variables], rad or m.")
       .def_property_readonly(
           "velocities",
           [](const TimedPath& t) { return rows(t, [](const auto& p) { return p.velocity; }); },
-          "[points, variables], rad/s or m/s.")
+          "Velocities at the points, [points, variables], rad/s or m/s.")
       .def_property_readonly(
           "accelerations",
           [](const TimedPath& t) { return rows(t, [](const auto& p) { return p.acceleration; }); },
-          "[points, variables], rad/s² or m/s².")
+          "Accelerations at the points, [points, variables], rad/s² or m/s².")
       .def("export", &export_motion, py::arg("format"), py::arg("folder"), py::kw_only(),
            py::arg("any_robot") = false,
            "Writes the motion for a controller.\n\n"
-           "format: csv, split, val3, ros, moveit, or a plugin's. folder: made if there is none.\n"
-           "any_robot: also for robots that the format does not seem to be for.\n"
+           "format: csv, split, val3, ros, moveit, or a plugin's. folder: created if it does not\n"
+           "exist. any_robot: export even if the format does not seem to suit the robot.\n"
            "Returns the files. Raises InputError if the motion is not cleared.")
       .def("__repr__", [](const TimedPath& t) {
         return "<handway.Motion of " + std::to_string(t.preflight.duration) + " s, " +
@@ -233,30 +233,30 @@ void bind_motion(py::module_& module) {
   scene
       .def("time", &time_path, py::arg("path"), py::kw_only(), py::arg("name") = "path",
            py::arg("speed") = 1.0, py::arg("period") = 0.004, py::arg("jerk") = false,
-           "The fastest motion along a path within the robot's limits, as `handway time` makes "
-           "it.\n\n"
-           "path: [waypoints, variables], rad or m. name: of files that it is exported to.\n"
-           "speed: share of the limits' pace, above 0, at most 1. period: from point to point, s.\n"
-           "jerk: limit jerk, too.")
+           "Returns the fastest motion along a path within the robot's limits.\n\n"
+           "path: [waypoints, variables], rad or m. name: name of exported files.\n"
+           "speed: share of full speed, above 0 and at most 1. period: time between points, s.\n"
+           "jerk: True to limit jerk, too.")
       .def("grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
            py::arg("samples") = 8000, py::arg("seed") = 1, py::arg("friction") = 0.6,
            py::arg("payload") = 0.1,
-           "Grasps of an object, the best first.\n\n"
-           "object: name of a fixed one. most: how many at most. samples: palm poses\n"
-           "to try. seed: of the draws. friction: between hand and object. payload: mass of the\n"
-           "object, kg. Returns dicts: q, closed and squeezed [variables], the configurations\n"
-           "before contact, in contact and that pushes; score; epsilon (N) and volume of the\n"
-           "grasp wrench space; holding_force (N, the largest contact force that holds the\n"
-           "payload, or None); contacts, dicts with finger, link, point and normal (in the\n"
-           "object's frame) and distance (m); doubt, why not to trust it, or empty; fingers,\n"
+           "Returns grasps of an object, the best first.\n\n"
+           "object: name of a fixed object. most: largest number of grasps. samples: number of\n"
+           "palm poses to try. seed: seed of the samples. friction: coefficient between hand and\n"
+           "object. payload: mass of the object, kg. Returns dicts: q, closed and squeezed\n"
+           "[variables], the configurations before contact, in contact and pushing; score;\n"
+           "epsilon (N) and volume of the grasp wrench space; holding_force (N, the largest\n"
+           "contact force that holds the payload, or None); contacts, dicts with finger, link,\n"
+           "point and normal (in the object's frame) and distance (m); doubt, a reason to\n"
+           "distrust it, or empty; fingers,\n"
            "enclosure, clearance (m).");
-  module.def("find_pmds", &find_pmds, py::arg("postures"), py::arg("joints"), py::kw_only(),
-             py::arg("free") = std::vector<std::string>(), py::arg("directions") = 4,
-             py::arg("hand") = "",
-             "Principal motion directions of hand postures, as a Basis.\n\n"
-             "postures: [n, joints], each joint from 0 to 1 between its limits. joints: names.\n"
-             "free: those that stay out of the directions. directions: how many at most.\n"
-             "hand: the name of the hand.");
+  module.def(
+      "find_pmds", &find_pmds, py::arg("postures"), py::arg("joints"), py::kw_only(),
+      py::arg("free") = std::vector<std::string>(), py::arg("directions") = 4, py::arg("hand") = "",
+      "Returns the principal motion directions of hand postures, as a Basis.\n\n"
+      "postures: [n, joints], each joint from 0 to 1 between its limits. joints: their names.\n"
+      "free: joints that are no part of the directions. directions: their largest number.\n"
+      "hand: name of the hand.");
 }
 
 }  // namespace handway::python

@@ -86,28 +86,30 @@ void set_all(PlannerModel& planner, const py::kwargs& values) {
 }
 
 void bind_parameter(py::module_& module) {
-  py::class_<ParameterView>(module, "Parameter", "A planner's setting, as it was when asked for.")
+  py::class_<ParameterView>(module, "Parameter",
+                            "Setting of a planner, with its value at the time of access.")
       .def_property_readonly(
           "key", [](const ParameterView& view) { return view.parameter.key; },
-          "What it is called here, in scenes and on the command line.")
+          "Key: the setting's name here, in scenes and on the command line.")
       .def_property_readonly(
-          "label", [](const ParameterView& view) { return view.parameter.label; }, "On screens.")
+          "label", [](const ParameterView& view) { return view.parameter.label; },
+          "Label in the workbench.")
       .def_property_readonly(
           "unit", [](const ParameterView& view) { return view.parameter.unit; },
-          "Empty: a bare number.")
+          "Unit; empty for a bare number.")
       .def_property_readonly(
           "help", [](const ParameterView& view) { return view.parameter.help; },
-          "One or two sentences.")
-      .def_readonly("value", &ParameterView::value, "bool, int, float or str.")
+          "Description, one or two sentences.")
+      .def_readonly("value", &ParameterView::value, "Value: a bool, int, float or str.")
       .def_property_readonly(
           "lower", [](const ParameterView& view) { return view.parameter.lower; },
-          "Of numbers, inclusive.")
+          "Least value of a number, inclusive.")
       .def_property_readonly(
           "upper", [](const ParameterView& view) { return view.parameter.upper; },
-          "Of numbers, inclusive.")
+          "Largest value of a number, inclusive.")
       .def_property_readonly(
           "options", [](const ParameterView& view) { return options_of(view.parameter); },
-          "The words to choose from; empty for numbers and truths.")
+          "Words to choose from; empty for numbers and bools.")
       .def("__repr__", [](const ParameterView& view) {
         return "<handway.Parameter " + view.parameter.key + "=" + to_text(view.parameter) + ">";
       });
@@ -115,25 +117,27 @@ void bind_parameter(py::module_& module) {
 
 void bind_planner_class(py::module_& module) {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-  py::class_<PlannerModel>(
-      module, "Planner",
-      "A way to find paths, with settings by key: planner[\"rho_a\"] = 0.01.\n\n"
-      "One run at a time; RuntimeError if it runs already.")
-      .def_property_readonly("name", [](const PlannerModel& p) { return p.planner().name(); })
-      .def_property_readonly("description",
-                             [](const PlannerModel& p) { return p.planner().description(); })
+  py::class_<PlannerModel>(module, "Planner",
+                           "Planner of paths, with settings by key: planner[\"rho_a\"] = 0.01.\n\n"
+                           "It runs once at a time; a second call raises RuntimeError.")
+      .def_property_readonly(
+          "name", [](const PlannerModel& p) { return p.planner().name(); }, "Name of the planner.")
+      .def_property_readonly(
+          "description", [](const PlannerModel& p) { return p.planner().description(); },
+          "Description, one sentence.")
       .def_property_readonly(
           "uses_pmds", [](const PlannerModel& p) { return p.planner().capabilities().uses_pmds; },
-          "Samples the hand in a basis?")
+          "True if it samples the hand in a basis.")
       .def_property_readonly(
           "uses_threads",
           [](const PlannerModel& p) { return p.planner().capabilities().uses_threads; },
-          "Do more threads make it faster?")
+          "True if more threads make it faster.")
       .def_property_readonly(
           "deterministic",
           [](const PlannerModel& p) { return p.planner().capabilities().deterministic; },
-          "Does the same seed give the same bits?")
-      .def_property_readonly("parameters", &parameters_of, "Its settings: a dict by key.")
+          "True if equal seeds give equal bits.")
+      .def_property_readonly("parameters", &parameters_of,
+                             "Settings as a dict of Parameter by key.")
       .def("__getitem__", &PlannerModel::get, py::arg("key"))
       .def("__setitem__", &PlannerModel::set, py::arg("key"), py::arg("value"))
       .def("set", &set_all, "Sets parameters by keyword: planner.set(rho_a=0.01, smooth=False).")
@@ -143,13 +147,17 @@ void bind_planner_class(py::module_& module) {
            py::arg("goal_pose") = py::none(),
            "Finds a path that is free of collisions, and certifies its clearance.\n\n"
            "start, goal: [variables], rad or m; the scene's if not given.\n"
-           "goal_pose: a PoseGoal or several, any of which will do; goal is then for the joints\n"
-           "that don't move their links.\n"
-           "seed: of all random choices. threads: the path doesn't depend on it.\n"
-           "time_limit: s. resolution: edges closer than this to anything are refused, m.\n"
-           "margin: what the robot keeps from all else, where the ends allow it, m.\n\n"
-           "Other Python threads go on meanwhile; Ctrl-C stops it. That there is no path is a\n"
-           "Result that is not solved; InputError is for what can't be planned at all.")
+           "goal_pose: a PoseGoal, or several of which one is to be reached; goal is then for the\n"
+           "joints that don't move their links.\n"
+           "seed: seed of all random choices. threads: their number, which does not affect the\n"
+           "path.\n"
+           "time_limit: time limit, s. resolution: edges closer than this to anything are "
+           "rejected,\n"
+           "m.\n"
+           "margin: distance that the robot keeps from everything, where the ends allow it, m.\n\n"
+           "Other Python threads run meanwhile; Ctrl-C stops it. If no path is found, the Result "
+           "is\n"
+           "not solved. Raises InputError if the problem can't be planned at all.")
       .def("__repr__",
            [](const PlannerModel& p) { return "<handway.Planner " + p.planner().name() + ">"; });
 }
@@ -177,13 +185,14 @@ void bind_planner(py::module_& module) {
   bind_planner_class(module);
   module.def(
       "planners", [] { return plugin_manager().planners().names(); },
-      "Names of all planners, those of plugins included; the first is the default.");
+      "Returns the names of all planners, those of plugins included; the first is the default.");
   module.def(
       "planner", [](const std::string& name) { return make_planner(name); }, py::arg("name") = "",
-      "The planner of that name, or the default one, with its defaults.\n\n"
-      "Raises InputError naming the planners there are.");
-  module.def("plugins", &loaded_plugins, "Versions of the plugins that were loaded, by name.");
-  module.def("refused_plugins", &refused_plugins, "Why plugins were not loaded, by file.");
+      "Returns the planner called name, or the default planner, with default settings.\n\n"
+      "Raises InputError with the names of all planners if there is none called name.");
+  module.def("plugins", &loaded_plugins, "Returns the versions of the loaded plugins, by name.");
+  module.def("refused_plugins", &refused_plugins,
+             "Returns the reasons why plugins were not loaded, by file.");
 }
 
 }  // namespace handway::python

@@ -48,69 +48,77 @@ std::string text_of(const PlanOutcome& outcome) {
 }
 
 void bind_certificate(py::module_& module) {
-  py::class_<Certificate>(module, "Certificate",
-                          "What holds for every configuration on a path, in every checked pair.")
+  py::class_<Certificate>(
+      module, "Certificate",
+      "Certificate of a path: it holds for every configuration on it and every checked pair.")
       .def_readonly("resolution_mm", &Certificate::resolution_mm,
-                    "Along edges, pairs that move keep at least this, mm.")
-      .def_readonly("resolution_at_start_mm", &Certificate::resolution_at_start_mm,
-                    "The same next to the start, mm; less if the start itself has less than twice.")
+                    "Distance that moving pairs keep at least along edges, mm.")
+      .def_readonly(
+          "resolution_at_start_mm", &Certificate::resolution_at_start_mm,
+          "Resolution next to the start, mm; finer than elsewhere if the start itself has less\n"
+          "than twice the resolution.")
       .def_readonly("resolution_at_goal_mm", &Certificate::resolution_at_goal_mm,
-                    "The same next to the goal, mm.")
-      .def_readonly("min_clearance_mm", &Certificate::min_clearance_mm,
-                    "A lower bound over the whole path, mm; at most a fifth too low, and not more\n"
-                    "than 50 mm.")
-      .def_readonly("checks", &Certificate::checks, "Configurations looked at.");
+                    "Resolution next to the goal, mm.")
+      .def_readonly(
+          "min_clearance_mm", &Certificate::min_clearance_mm,
+          "Lower bound of the clearance over the whole path, mm; at most a fifth too low, and\n"
+          "not more than 50 mm.")
+      .def_readonly("checks", &Certificate::checks, "Number of configurations checked.");
 }
 
 void bind_result(py::module_& module) {
-  py::class_<PlanOutcome>(module, "Result", "What a planner found, and what it did.")
+  py::class_<PlanOutcome>(
+      module, "Result",
+      "Result of planning: the path or the reason why there is none, and statistics.")
       .def_property_readonly(
           "solved", [](const PlanOutcome& outcome) { return outcome.result.solved(); },
-          "Is there a path?")
+          "True if there is a path.")
       .def_property_readonly(
           "status", [](const PlanOutcome& outcome) { return to_string(outcome.result.status); },
-          "A word: \"solved\", or why not.")
+          "Outcome as one word: \"solved\", or the kind of failure.")
       .def_property_readonly(
           "reason", [](const PlanOutcome& outcome) { return outcome.result.reason; },
-          "One sentence for a person.")
+          "Explanation of the outcome, one sentence.")
       .def_property_readonly(
           "path",
           [](const PlanOutcome& outcome) {
             return to_array(outcome.result.path.waypoints, outcome.variables);
           },
-          "[waypoints, variables], rad or m; [0, variables] without a path. Between two\n"
-          "waypoints all joints move linearly together.")
+          "Waypoints, [waypoints, variables], rad or m; [0, variables] without a path. Between\n"
+          "two waypoints all joints move linearly together.")
       .def_property_readonly(
           "goal_pose", [](const PlanOutcome& outcome) { return outcome.goal_pose; },
-          "Of goals as poses: the index of the one where the path ends; else None.")
+          "Index of the goal pose where the path ends; None without goal poses.")
       .def_property_readonly(
           "certificate", [](const PlanOutcome& outcome) { return outcome.result.certificate; },
-          "Clearance of the path.")
-      .def_property_readonly("statistics", &statistics_of,
-                             "A dict with the keys of `handway plan --report`; rejections by pair\n"
-                             "of names.")
+          "Certificate of the path's clearance.")
+      .def_property_readonly(
+          "statistics", &statistics_of,
+          "Statistics as a dict with the keys of `handway plan --report`; rejections\n"
+          "by pair of names.")
       .def_property_readonly(
           "time_s", [](const PlanOutcome& outcome) { return outcome.result.time_s; },
-          "Planning alone, wall clock, s.")
+          "Wall-clock time of planning alone, s.")
       .def_property_readonly(
           "smoothing_s", [](const PlanOutcome& outcome) { return outcome.result.smoothing_s; },
-          "Wall clock, s.")
+          "Wall-clock time of smoothing, s.")
       .def_readonly("planner", &PlanOutcome::planner, "Name of the planner.")
       .def_readonly("seed", &PlanOutcome::seed, "Seed of all random choices.")
       .def("__repr__", &text_of);
 }
 
 void bind_check(py::module_& module) {
-  py::class_<PathCheckResult>(module, "PathCheck",
-                              "What a walk along a path on the exact meshes found.")
-      .def_property_readonly("valid", &PathCheckResult::valid, "Without any fault?")
-      .def_readonly("faults", &PathCheckResult::faults, "A sentence each.")
-      .def_readonly("configurations", &PathCheckResult::configurations, "Checked ones.")
-      .def_readonly("collisions", &PathCheckResult::collisions, "Of these, in collision.")
+  py::class_<PathCheckResult>(module, "PathCheck", "Result of checking a path on the exact meshes.")
+      .def_property_readonly("valid", &PathCheckResult::valid, "True if the path has no fault.")
+      .def_readonly("faults", &PathCheckResult::faults, "Faults of the path, a sentence each.")
+      .def_readonly("configurations", &PathCheckResult::configurations,
+                    "Number of configurations checked.")
+      .def_readonly("collisions", &PathCheckResult::collisions,
+                    "Number of configurations in collision or violating a constraint.")
       .def_readonly("min_clearance_mm", &PathCheckResult::min_clearance_mm,
-                    "At the checked configurations, mm; 0 if one collides.")
+                    "Smallest clearance at the checked configurations, mm; 0 if one collides.")
       .def_readonly("closest_pair", &PathCheckResult::closest_pair,
-                    "\"A with B\" at the smallest clearance.")
+                    "Pair with the smallest clearance, as \"A with B\".")
       .def("__repr__", [](const PathCheckResult& check) {
         return std::string("<handway.PathCheck: ") + (check.valid() ? "valid" : "not valid") + ">";
       });

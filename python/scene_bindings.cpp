@@ -113,25 +113,29 @@ void write_path(const SceneModel& scene, const Array& path, const py::object& fi
 }
 
 void bind_contents(py::class_<SceneModel>& scene) {
-  scene.def_property_readonly("name", [](const SceneModel& s) { return s.scene().name; })
-      .def_property_readonly("description",
-                             [](const SceneModel& s) { return s.scene().description; })
+  scene
+      .def_property_readonly(
+          "name", [](const SceneModel& s) { return s.scene().name; }, "Name of the scene.")
+      .def_property_readonly(
+          "description", [](const SceneModel& s) { return s.scene().description; },
+          "Description of the scene.")
       .def_property_readonly(
           "warnings", [](const SceneModel& s) { return s.scene().warnings; },
-          "What the reader noticed but could live with.")
+          "Warnings of the reader, a sentence each.")
       .def_property_readonly(
           "robot", [](const SceneModel& s) { return s.robot().name(); },
           "Name of the planned robot's model.")
       .def_property_readonly("variables", &variable_names,
-                             "Joints that move on their own, in the order of configurations.")
-      .def_property_readonly("links", &link_names, "Of the planned robot, parents first.")
-      .def_property_readonly("objects", &object_names, "Names.")
+                             "Names of the independent joints, in the order of configurations.")
+      .def_property_readonly("links", &link_names,
+                             "Names of the planned robot's links, parents first.")
+      .def_property_readonly("objects", &object_names, "Names of the objects.")
       .def_property_readonly(
           "arm", [](const SceneModel& s) { return names_of(s.robot(), s.problem().arm); },
-          "Variables of the arm.")
+          "Names of the arm's variables.")
       .def_property_readonly(
           "hand", [](const SceneModel& s) { return names_of(s.robot(), s.problem().hand); },
-          "Variables of the hand, in the order of the basis' joints.")
+          "Names of the hand's variables, in the order of the basis' joints.")
       .def_property_readonly(
           "constraints",
           [](const SceneModel& s) {
@@ -144,22 +148,22 @@ void bind_contents(py::class_<SceneModel>& scene) {
           "Names of the constraints along paths.")
       .def_property_readonly(
           "group", [](const SceneModel& s) { return s.scene().group; },
-          "Names of what moves, as the scene says; empty: all variables.")
+          "Names of the groups, robots and joints that move; empty: all variables.")
       .def_property_readonly(
           "moving", [](const SceneModel& s) { return names_of(s.robot(), s.problem().moving); },
-          "Variables that move; planning leaves the others at the start.")
+          "Names of the variables that move; the others stay at the start.")
       .def_property_readonly(
           "lower", [](const SceneModel& s) { return to_array(s.robot().lower()); },
-          "Limits, [variables], rad or m; -pi for a continuous joint, which has none.")
+          "Lower limits, [variables], rad or m; -pi for a continuous joint, which has none.")
       .def_property_readonly(
           "upper", [](const SceneModel& s) { return to_array(s.robot().upper()); },
-          "Limits, [variables], rad or m; pi for a continuous joint, which has none.")
+          "Upper limits, [variables], rad or m; pi for a continuous joint, which has none.")
       .def_property_readonly(
           "start", [](const SceneModel& s) { return optional_array(s.scene().start); },
-          "[variables], rad or m; None if the scene has none.")
+          "Start configuration, [variables], rad or m; None if the scene has none.")
       .def_property_readonly(
           "goal", [](const SceneModel& s) { return optional_array(s.scene().goal); },
-          "[variables], rad or m; None if the scene has none.")
+          "Goal configuration, [variables], rad or m; None if the scene has none.")
       .def_property_readonly(
           "goal_poses", [](const SceneModel& s) { return s.scene().goal_poses; },
           "Goals as poses of a link; empty if the scene has none.")
@@ -168,34 +172,37 @@ void bind_contents(py::class_<SceneModel>& scene) {
           [](const SceneModel& s) {
             return std::const_pointer_cast<sampling::PmdBasis>(s.problem().basis);
           },
-          "The hand's; None if there is none.");
+          "Basis of the hand; None if it has none.");
 }
 
 void bind_questions(py::class_<SceneModel>& scene) {
   scene
       .def("within_limits", &within_limits, py::arg("q"),
-           "Is every variable within its limits?\n\nq: [variables] or [n, variables]. Returns a "
-           "bool or [n].")
-      .def("collides", &collides, py::arg("q"),
-           "Does the robot touch itself or anything else, or violate a constraint?\n\n"
-           "q: [variables] or [n, variables], rad or m. Returns a bool or [n].")
+           "Returns whether every variable is within its limits.\n\n"
+           "q: [variables] or [n, variables]. Returns a bool or [n].")
+      .def(
+          "collides", &collides, py::arg("q"),
+          "Returns whether the robot touches itself or anything else, or violates a constraint.\n\n"
+          "q: [variables] or [n, variables], rad or m. Returns a bool or [n].")
       .def("clearance", &clearance, py::arg("q"),
            py::arg("enough") = std::numeric_limits<double>::infinity(),
-           "Distance of the closest pair of bodies that must not touch, m; 0 in collision.\n\n"
+           "Returns the distance of the closest pair of bodies that must not touch, m; 0 in\n"
+           "collision.\n\n"
            "q: [variables] or [n, variables], rad or m. Returns a number or [n].\n"
            "enough: larger distances (m) count as this much, which is faster.")
       .def("collisions", &collisions, py::arg("q"),
-           "All pairs of bodies that touch, as pairs of names. q: [variables], rad or m.")
-      .def("violations", &violations, py::arg("q"),
-           "A text for each constraint of the scene that is violated. q: [variables], rad or m.")
+           "Returns all pairs of bodies that touch, as pairs of names. q: [variables], rad or m.")
+      .def(
+          "violations", &violations, py::arg("q"),
+          "Returns a sentence for each violated constraint of the scene. q: [variables], rad or m.")
       .def("closest_pair", &closest_pair, py::arg("q"),
-           "The closest pair: two names and the distance, m. q: [variables], rad or m.")
+           "Returns the closest pair: two names and the distance, m. q: [variables], rad or m.")
       .def("link_pose", &link_pose, py::arg("link"), py::arg("q"),
-           "Pose X_WL of a link in the world, [4, 4] or [n, 4, 4], m.\n\n"
+           "Returns the pose X_WL of a link in the world, [4, 4] or [n, 4, 4], m.\n\n"
            "q: [variables] or [n, variables], rad or m.")
       .def("configuration", &configuration, py::arg("values"), py::arg("others") = py::none(),
-           "A configuration from values (rad or m) by joint.\n\n"
-           "others: [variables], for joints not named; the scene's robot as it stands if None.\n"
+           "Returns a configuration from values (rad or m) by joint.\n\n"
+           "others: [variables], for joints not named; the scene's configuration if None.\n"
            "Returns [variables].");
 }
 
@@ -203,32 +210,36 @@ void bind_kinematics(py::class_<SceneModel>& scene) {
   scene
       .def("inverse_kinematics", &inverse_kinematics, py::arg("link"), py::arg("X_WL"),
            py::arg("near") = py::none(), py::arg("most") = 1, py::arg("free") = true,
-           "Configurations in which a link is at X_WL, [4, 4], in the world.\n\n"
-           "near: [variables]; found are the nearest to it first, and joints that don't move the\n"
-           "link stay as there; the scene's robot as it stands if None. most: how many at most.\n"
-           "free: leave out those in which the robot collides or violates a constraint.\n"
+           "Returns configurations in which a link is at X_WL, [4, 4], in the world.\n\n"
+           "near: [variables]; the nearest configurations come first, and joints that don't move\n"
+           "the link keep its values; the scene's configuration if None. most: largest number of\n"
+           "configurations. free: leave out those in which the robot collides or violates a\n"
+           "constraint.\n"
            "Returns [n, variables], rad or m; n is 0 if the pose is out of reach.")
       .def("jacobian", &jacobian, py::arg("link"), py::arg("q"),
-           "How the origin of a link moves, [6, variables]: three rows for its velocity (m/s) and\n"
-           "three for the link's angular velocity (rad/s) in the world, per unit speed of each\n"
-           "variable. q: [variables], rad or m.")
-      .def("manipulability", &manipulability, py::arg("link"), py::arg("q"),
-           "Yoshikawa's measure for the origin of a link: 0 where the arm can't move it in some\n"
-           "direction. q: [variables] or [n, variables], rad or m. Returns a number or [n].");
+           "Returns the Jacobian of a link's origin, [6, variables]: three rows for its velocity\n"
+           "(m/s) and three for the link's angular velocity (rad/s) in the world, per unit speed\n"
+           "of each variable. q: [variables], rad or m.")
+      .def(
+          "manipulability", &manipulability, py::arg("link"), py::arg("q"),
+          "Returns Yoshikawa's manipulability of the origin of a link: 0 where the arm can't move\n"
+          "it in some direction. q: [variables] or [n, variables], rad or m. Returns a number or "
+          "[n].");
 }
 
 void bind_paths(py::class_<SceneModel>& scene) {
   scene
       .def("planner", &make_scene_planner, py::arg("name") = "",
-           "The planner that the scene asks for, with the scene's settings; or that called\n"
-           "name, with the scene's settings if they are meant for it.")
-      .def("check", &check, py::arg("path"), py::arg("resolution") = 1e-3, py::kw_only(),
-           py::arg("start") = py::none(), py::arg("goal") = py::none(),
-           py::arg("goal_pose") = py::none(),
-           "Walks along a path and checks limits, both ends and the exact meshes.\n\n"
-           "path: [waypoints, variables], rad or m. resolution: how far any point of the robot\n"
-           "moves at most from one check to the next, m. start, goal: [variables]; the scene's\n"
-           "if None. goal_pose: as in Planner.plan().")
+           "Returns the planner that the scene names, with the scene's settings; or the planner\n"
+           "called name, with the scene's settings if they are for this planner.")
+      .def(
+          "check", &check, py::arg("path"), py::arg("resolution") = 1e-3, py::kw_only(),
+          py::arg("start") = py::none(), py::arg("goal") = py::none(),
+          py::arg("goal_pose") = py::none(),
+          "Checks a path: limits, both ends, and collisions of the exact meshes along it.\n\n"
+          "path: [waypoints, variables], rad or m. resolution: largest motion of any point of the\n"
+          "robot from one check to the next, m. start, goal: [variables]; the scene's\n"
+          "if None. goal_pose: as in Planner.plan().")
       .def(
           "read_path", &read_path, py::arg("file"),
           "Reads a path (CSV, or a JointTrajectory as YAML or JSON). Returns [waypoints,\n"
@@ -242,8 +253,8 @@ void bind_paths(py::class_<SceneModel>& scene) {
 
 void bind_scene(py::module_& module) {
   py::class_<SceneModel> scene(module, "Scene",
-                               "A robot among objects, ready for planning and questions.\n\n"
-                               "Nothing in it changes; threads may share it.");
+                               "Robot among objects, ready for planning and queries.\n\n"
+                               "A scene never changes; threads may share it.");
   bind_contents(scene);
   bind_questions(scene);
   bind_kinematics(scene);

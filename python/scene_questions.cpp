@@ -278,31 +278,32 @@ std::vector<PoseGoal> goal_poses_from(const py::object& goals) {
 
 void bind_pose_goal(py::module_& module) {
   py::class_<PoseGoal>(module, "PoseGoal",
-                       "A goal as a pose: the tool frame T, fixed to a link L, is brought to G.")
-      .def(
-          py::init(&make_goal), py::arg("link"), py::arg("X_WG"), py::kw_only(),
-          py::arg("X_LT") = py::none(), py::arg("position_tolerance") = py::none(),
-          py::arg("rotation_tolerance") = py::none(),
-          "link: of the scene's robot. X_WG: where the tool frame has to be in the world, [4, 4].\n"
-          "X_LT: the tool frame in the link's, [4, 4]; the link's own if None.\n"
-          "position_tolerance: along G's axes, m, one number or three; 0.1 mm if None.\n"
-          "rotation_tolerance: of the rotation vector from G to T about G's axes, rad, one number\n"
-          "or three; pi: that axis is free. 0.1 degrees if None.")
+                       "Goal as a pose: the tool frame T, fixed to a link L, is brought to G.")
+      .def(py::init(&make_goal), py::arg("link"), py::arg("X_WG"), py::kw_only(),
+           py::arg("X_LT") = py::none(), py::arg("position_tolerance") = py::none(),
+           py::arg("rotation_tolerance") = py::none(),
+           "Describes the target pose of a link's tool frame.\n\n"
+           "link: a link of the scene's robot. X_WG: target pose of the tool frame in the world,\n"
+           "[4, 4].\n"
+           "X_LT: pose of the tool frame in the link, [4, 4]; the link's frame if None.\n"
+           "position_tolerance: along G's axes, m, one number or three; 0.1 mm if None.\n"
+           "rotation_tolerance: limit of the rotation vector from G to T about G's axes, rad, one\n"
+           "number or three; pi: that axis is free. 0.1 degrees if None.")
       .def_readonly("link", &PoseGoal::link, "Name of the link.")
       .def_property_readonly(
           "X_WG", [](const PoseGoal& goal) { return pose_array(goal.X_WG); },
-          "Where the tool frame has to be in the world, [4, 4].")
+          "Target pose of the tool frame in the world, [4, 4].")
       .def_property_readonly(
           "X_LT", [](const PoseGoal& goal) { return pose_array(goal.X_LT); },
-          "The tool frame in the link's, [4, 4].")
+          "Pose of the tool frame in the link, [4, 4].")
       .def_property_readonly(
           "position_tolerance",
           [](const PoseGoal& goal) { return to_array(Eigen::VectorXd(goal.position_tolerance)); },
-          "Along the axes of G, [3], m.")
+          "Tolerance of the position along the axes of G, [3], m.")
       .def_property_readonly(
           "rotation_tolerance",
           [](const PoseGoal& goal) { return to_array(Eigen::VectorXd(goal.rotation_tolerance)); },
-          "About the axes of G, [3], rad.");
+          "Tolerance of the rotation about the axes of G, [3], rad.");
 }
 
 }  // namespace handway::python
