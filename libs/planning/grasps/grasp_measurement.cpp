@@ -19,7 +19,7 @@ using geometric::Pose;
 constexpr double kContactGap = 1e-4;  // m that a closed finger keeps to the object
 constexpr double kTouch = 1e-3;       // m: links that near to the object touch it
 constexpr double kFarOff = 0.05;      // m: fingers that far away are not brought to the object
-constexpr int kContactHalvings = 5;   // of a closing step
+constexpr int kContactHalvings = 4;   // of a closing step
 constexpr double kGravity = 9.81;     // m/s²
 
 }  // namespace
@@ -33,21 +33,20 @@ std::size_t touching_fingers(const Pregrasp& grasp) {
 }
 
 GraspMeasurement::GraspMeasurement(const Hand& hand, const geometric::SceneObject& object,
-                                   std::vector<int> pairs, const geometric::Aabb& core,
-                                   const PregraspOptions& options, const std::stop_token& stop)
+                                   std::vector<int> pairs, const PregraspOptions& options,
+                                   const std::stop_token& stop)
     : of_(hand),
       options_(options),
       stop_(stop),
-      core_(core),
       X_WB_(hand.problem.scene->robots.front().X_WB),
       X_BO_(X_WB_.inverse() * object.X_PO),
       contacts_(hand.checker.shared_world(), std::move(pairs), object.X_PO),
       scale_(torque_scale(*geometric::tessellate(object.shape))) {}
 
-void GraspMeasurement::measure(Pregrasp& grasp) {
-  Configuration closed = closed_to_contact(grasp.q);
+bool GraspMeasurement::measure(Pregrasp& grasp, const geometric::Aabb& core, double needed) {
+  Configuration closed = closed_to_contact(grasp.q, core);
   if (stop_.stop_requested()) {
-    return;  // closed in part
+    return false;  // closed in part
   }
   grasp.closed = std::move(closed);
   of_.checker.place(grasp.closed);
@@ -59,10 +58,18 @@ void GraspMeasurement::measure(Pregrasp& grasp) {
                               contact.contact, contact.distance});
     contacts.push_back(contact.contact);
   }
-  grasp.quality = grasp_quality(contact_wrenches(contacts, options_.contact, scale_));
+  const Wrenches wrenches = contact_wrenches(contacts, options_.contact, scale_);
+  if (epsilon_bound(wrenches) < needed) {
+    return false;
+  }
+  grasp.quality = grasp_quality(wrenches);
+  if (grasp.quality.epsilon < needed) {
+    return false;
+  }
   grasp.holding_force = holding_force(contacts);
   grasp.squeezed = squeezed(grasp.closed, found, contacts);
   grasp.doubt = doubt_of(grasp);
+  return true;
 }
 
 // Index of the finger that a link belongs to; -1 is the palm.
@@ -76,9 +83,9 @@ int GraspMeasurement::finger_of(int link) const {
 
 // `q` with the hand closed until everything that moves touches. Where one joint moves several
 // fingers and only one of them touches, the palm gives way so that all do.
-Configuration GraspMeasurement::closed_to_contact(Configuration q) {
+Configuration GraspMeasurement::closed_to_contact(Configuration q, const geometric::Aabb& core) {
   constexpr int kRounds = 3;
-  q = closed_once(std::move(q));
+  q = closed_once(std::move(q), core);
   for (int round = 0; round < kRounds; ++round) {
     const std::optional<Vector3d> shift_B = centring(q);
     if (!shift_B) {
@@ -88,16 +95,16 @@ Configuration GraspMeasurement::closed_to_contact(Configuration q) {
     if (!moved.reached || of_.checker.first_collision(moved.q)) {
       break;
     }
-    q = closed_once(moved.q);
+    q = closed_once(moved.q, core);
   }
   return q;
 }
 
-Configuration GraspMeasurement::closed_once(Configuration q) {
+Configuration GraspMeasurement::closed_once(Configuration q, const geometric::Aabb& core) {
   const Pose X_PO = of_.ik.pose(q).inverse() * X_BO_;
   for (std::size_t finger = 0; finger < of_.hand.fingers().size(); ++finger) {
     q = of_.closing.closed(
-        std::move(q), finger, core_, X_PO,
+        std::move(q), finger, core, X_PO,
         {.object_gap = kContactGap, .own_gap = options_.own_gap, .halvings = kContactHalvings},
         stop_);
   }

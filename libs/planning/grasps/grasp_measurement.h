@@ -6,6 +6,7 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/queries/palm_ik.h"
 
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -27,19 +28,21 @@ class GraspMeasurement {
   };
 
   /// @param pairs of the checker's world, of the hand's links with the object.
-  /// @param core what fingers close around, m, in the object's frame.
   GraspMeasurement(const Hand& hand, const geometric::SceneObject& object, std::vector<int> pairs,
-                   const geometric::Aabb& core, const PregraspOptions& options,
-                   const std::stop_token& stop);
+                   const PregraspOptions& options, const std::stop_token& stop);
 
   /// Sets all of `grasp` that follows from closing it, but for its score. After a stop was
   /// requested it may leave the grasp as it is.
-  void measure(Pregrasp& grasp);
+  /// @param core what the fingers close around, m, in the object's frame.
+  /// @param needed epsilon (N) without which nobody wants the grasp.
+  /// @returns false if it has less: then not all of it is set.
+  bool measure(Pregrasp& grasp, const geometric::Aabb& core,
+               double needed = -std::numeric_limits<double>::infinity());
 
  private:
   [[nodiscard]] int finger_of(int link) const;
-  [[nodiscard]] Configuration closed_to_contact(Configuration q);
-  [[nodiscard]] Configuration closed_once(Configuration q);
+  [[nodiscard]] Configuration closed_to_contact(Configuration q, const geometric::Aabb& core);
+  [[nodiscard]] Configuration closed_once(Configuration q, const geometric::Aabb& core);
   [[nodiscard]] std::optional<Eigen::Vector3d> centring(const Configuration& q);
   [[nodiscard]] std::optional<double> holding_force(
       const std::vector<GraspContact>& contacts) const;
@@ -51,7 +54,6 @@ class GraspMeasurement {
   Hand of_;
   PregraspOptions options_;
   std::stop_token stop_;
-  geometric::Aabb core_;
   geometric::Pose X_WB_;
   geometric::Pose X_BO_;
   ContactFinder contacts_;

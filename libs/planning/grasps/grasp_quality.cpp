@@ -1,5 +1,7 @@
 #include "handway/planning/grasps/grasp_quality.h"
 
+#include "handway/sampling/sequences/random_stream.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -280,6 +282,51 @@ GraspQuality grasp_quality(const Wrenches& wrenches) {
     }
   });
   return quality;
+}
+
+namespace {
+
+// Directions of length 1 all around, the same each time: those of the axes, and drawn ones.
+const Wrenches& probed_directions() {
+  static const Wrenches directions = [] {
+    constexpr int kDrawn = 256;
+    Wrenches all(6, 12 + kDrawn);
+    all.leftCols<6>().setIdentity();
+    all.middleCols<6>(6) = -Wrenches::Identity(6, 6);
+    sampling::RandomStream random(1);
+    for (int i = 0; i < kDrawn; ++i) {
+      Wrench direction = Wrench::Zero();
+      while (direction.norm() < 0.1 || direction.norm() > 1.0) {
+        for (double& component : direction) {
+          component = 2.0 * random.uniform() - 1.0;
+        }
+      }
+      all.col(12 + i) = direction.normalized();
+    }
+    return all;
+  }();
+  return directions;
+}
+
+}  // namespace
+
+double epsilon_bound(const Wrenches& wrenches) {
+  require(wrenches.allFinite(), "wrenches must be finite");
+  constexpr int kSteps = 24;
+  if (wrenches.cols() == 0) {
+    return 0.0;
+  }
+  const Eigen::RowVectorXd reach =
+      (wrenches.transpose() * probed_directions()).colwise().maxCoeff();
+  Eigen::Index least = 0;
+  double bound = reach.minCoeff(&least);
+  Wrench direction = probed_directions().col(least);
+  for (int step = 1; step <= kSteps; ++step) {  // down the subgradient of the reach
+    Eigen::Index farthest = 0;
+    bound = std::min(bound, (wrenches.transpose() * direction).maxCoeff(&farthest));
+    direction = (direction - 0.5 / step * wrenches.col(farthest)).normalized();
+  }
+  return bound;
 }
 
 std::optional<std::vector<Vector3d>> least_contact_forces(std::span<const GraspContact> contacts,

@@ -4,6 +4,7 @@
 #include "grasps/finger_closing.h"
 #include "grasps/grasp_measurement.h"
 #include "grasps/hand_closing.h"
+#include "grasps/object_chords.h"
 #include "grasps/pregrasp_rejections.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
@@ -34,17 +35,16 @@ namespace {
 using Eigen::Vector3d;
 using geometric::Pose;
 
-constexpr double kNear = 0.015;     // m, of a finger at the object
-constexpr double kEnclosure = 0.5;  // at least: thumb and a finger at right angles
-constexpr double kClear = 0.05;     // m: more is not distinguished
-constexpr double kMost = 0.16;      // m, of the object's second longest side, or …
-constexpr double kBroadest = 0.5;   // m, … of the longest side of what is held at its rim: …
-constexpr double kRim = 0.05;       // m, … so near to it
-constexpr double kAside = 0.015;    // m
-constexpr double kDeepest = 0.45;   // of the distance from the fingers' ends to the palm
-constexpr double kBreadth = 0.03;   // m, of fingers
-constexpr double kAlong = 0.45;     // cosine: more than that is along the object's longest side
-constexpr int kDirections = 200;    // in which the object's outermost points are looked for
+constexpr double kNear = 0.015;      // m, of a finger at the object
+constexpr double kEnclosure = 0.5;   // at least: thumb and a finger at right angles
+constexpr double kClear = 0.05;      // m: more is not distinguished
+constexpr double kMost = 0.16;       // m, of the object's second longest side, or …
+constexpr double kBroadest = 0.5;    // m, … of the longest side of what is held at its rim: …
+constexpr double kAside = 0.015;     // m
+constexpr double kDeepest = 0.45;    // of the distance from the fingers' ends to the palm
+constexpr double kAlong = 0.9;       // cosine: an axis above that is not square to the opposition
+constexpr double kCoreShare = 0.65;  // of a chord, and …
+constexpr double kCoreRoom = 0.02;   // … m: radius of the part that the fingers close around
 constexpr double kTilt = geometric::radians(25.0);
 constexpr int kOpeningSteps = 12;
 constexpr double kOpeningStep = 0.06;  // normalised
@@ -62,9 +62,14 @@ constexpr double kOfEpsilon = 0.7;         // share of the score
 constexpr double kFullEpsilon = 0.15;      // N: more is not better
 constexpr int kPool = 2;                   // candidates that are measured, times those wanted, …
 constexpr int kLeastPool = 16;             // … and at least
-constexpr int kMostMeasured = 4;           // times that, with those that turn out bad
+constexpr int kMostMeasured = 3;           // times that, with those that turn out bad
 constexpr std::size_t kMeasuredEach = 8;   // at a time
 constexpr int kBatch = 32;                 // samples between two reports of progress
+constexpr double kNeighbourShift = 0.015;  // m, of the palm beside a good place, along each axis
+constexpr double kNeighbourTurn = geometric::radians(15.0);  // about each axis
+constexpr int kFirstNeighbour = 512;                         // sample, and …
+constexpr int kNeighbourEach = 2;                            // … then each of so many, …
+constexpr int kNeighbours = 32;                              // … and that for each grasp
 
 const geometric::SceneObject& needed_object(const PlanningProblem& problem, std::string_view name) {
   const std::string file = problem.scene->file.string();
@@ -192,9 +197,17 @@ enum class SampleEnd {
   kUnknown,  ///< Rejected, and not asked why.
 };
 
+/// A place of the hand around an object, before its fingers close.
+struct Place {
+  HandClosing::Preshape preshape;
+  Pose X_OP;             ///< Pose of the palm.
+  geometric::Aabb core;  ///< Part of the object that the fingers close around, in its frame.
+};
+
 /// A pre-grasp that was found, and what is known of it.
 struct Candidate {
   Pregrasp grasp;
+  Place place;           ///< The place that it was found at.
   double promise = 0.0;  ///< The score of the pre-grasp alone.
   Pose X_BP;             ///< Pose of the palm.
 
@@ -257,6 +270,7 @@ class PregraspSearch {
             palm_link(problem.model(), problem.arm, problem.hand), problem.arm),
         hand_(problem, ik_.palm()),
         box_(geometric::bounding_box(*geometric::tessellate(object.shape))),
+        chords_(*geometric::tessellate(object.shape)),
         X_BO_(problem.scene->robots.front().X_WB.inverse() * object.X_PO),
         with_object_(checker_->world().pairs_with(object.name)),
         object_(object.name) {
@@ -267,14 +281,9 @@ class PregraspSearch {
       surfaces_.push_back(is_of_hand ? surface_points(problem.model().link(link), kSurfaceSpacing)
                                      : std::vector<Vector3d>());
     }
-    box_.size().maxCoeff(&longest_);
-    make_profile(geometric::tessellate(object.shape)->vertices);
     Vector3d sides = box_.size();
     std::ranges::sort(sides);
-    is_narrow_ = sides[1] < kMost;
-    has_rim_ = !is_narrow_ && sides[0] < kMost && sides[2] < kBroadest;
-    const Vector3d inner = 0.5 * (box_.size().array() - sides[0]);
-    core_ = {box_.centre() - inner, box_.centre() + inner};
+    is_too_large_ = sides[1] >= kMost && (sides[0] >= kMost || sides[2] >= kBroadest);
     const geometric::CollisionWorld& world = checker_->world();
     for (int pair = 0; pair < static_cast<int>(world.pairs().size()); ++pair) {
       const bool is_self = world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
@@ -290,12 +299,12 @@ class PregraspSearch {
     closing_ = std::make_unique<FingerClosing>(problem, hand_, *checker_, with_object_, of_hand_);
     measurement_ = std::make_unique<GraspMeasurement>(
         GraspMeasurement::Hand{problem, ik_, hand_, *checker_, *closing_}, object,
-        std::move(with_hand), core_, options, stop);
+        std::move(with_hand), options, stop);
   }
 
   /// Why there is nothing to try; empty if there is.
   [[nodiscard]] std::string objection() const {
-    if (!is_narrow_ && !has_rim_) {
+    if (is_too_large_) {
       return fmt::format(
           "{} is too large to be grasped: two of its sides are longer than {:.0f} mm. Choose "
           "something smaller.",
@@ -315,50 +324,48 @@ class PregraspSearch {
   /// Tries one place of the hand.
   /// @param judges whether a rejected one is asked for what is in the way.
   [[nodiscard]] SampleResult sample(sampling::RandomStream random, bool judges) {
-    last_pair_ = 0;  // of this sample alone: which pair is looked at first counts as work
     SampleResult result;
-    const Eigen::Matrix3d R_OG = orientation(random);
-    result.width = width_along(R_OG.col(1));
+    const Chord chord = chords_.draw(random);
+    if (chord.length <= 0.0) {
+      result.end = SampleEnd::kTooWide;
+      return result;
+    }
+    result.width = chord.length;
     const std::span<const HandClosing::Preshape> fitting = hand_.opened_to(result.width);
     if (fitting.empty()) {  // it does not fit, or the hand would close on from too far
       result.end = result.width > hand_.widest() ? SampleEnd::kTooWide : SampleEnd::kTooThin;
       return result;
     }
     const HandClosing::Preshape& preshape = fitting[random.below(fitting.size())];
-    const Pose X_OP = palm_at(preshape, R_OG, random);
-    const Configuration opened = hand_.with_hand(problem_.start, preshape.open);
-    const std::vector<Configuration> solutions = ik_.all(opened, X_BO_ * X_OP);
-    if (solutions.empty()) {
-      result.end = SampleEnd::kOutOfReach;
-      return result;
-    }
-    const Configuration wider = opened_wider(solutions.front());
-    for (Configuration q : solutions) {  // the hand is at the same place in all of them
-      q = hand_in(std::move(q), wider);
-      const std::optional<int> pair = colliding(q);
-      if (!pair && keeps_gaps()) {
-        q = closed(std::move(q), {.object_gap = options_.gap, .own_gap = options_.own_gap});
-        result.candidate = candidate_of(q);
-        result.end = result.candidate ? SampleEnd::kFound : SampleEnd::kOneSided;
-        return result;
-      }
-      if (!pair || is_of_hand(*pair)) {
-        break;
-      }
-    }
-    if (judges) {
-      judge(hand_in(solutions.front(), wider), result);
+    try_place({preshape, palm_at(preshape, chord, random),
+               chords_.core(chord.centre, kCoreShare * chord.length + kCoreRoom)},
+              judges, result);
+    return result;
+  }
+
+  /// Tries a place beside that of a measured candidate; finds a better grasp or none.
+  [[nodiscard]] SampleResult neighbour(const Candidate& candidate, sampling::RandomStream random) {
+    SampleResult result;
+    try_place(beside(candidate.place, random), false, result);
+    if (result.candidate &&
+        !measure(*result.candidate, needed_epsilon(candidate, *result.candidate))) {
+      result.candidate.reset();
     }
     return result;
   }
 
   /// Closes the hand of a candidate up to contact, measures how the object is held, and sets its
   /// score.
-  void measure(Candidate& candidate) {
+  /// @param needed epsilon (N) without which it is not wanted.
+  /// @returns false if it has less: then not all of it is set.
+  bool measure(Candidate& candidate, double needed = -HUGE_VAL) {
     Pregrasp& grasp = candidate.grasp;
-    measurement_->measure(grasp);
+    if (needed > kFullEpsilon || !measurement_->measure(grasp, candidate.place.core, needed)) {
+      return false;
+    }
     grasp.score = kOfEpsilon * std::clamp(grasp.quality.epsilon / kFullEpsilon, 0.0, 1.0) +
                   (1.0 - kOfEpsilon) * candidate.promise;
+    return true;
   }
 
   [[nodiscard]] std::string why_none(const SampleResults& results) const {
@@ -366,19 +373,16 @@ class PregraspSearch {
                         (X_BO_ * box_.centre()).norm());
   }
 
-  /// The measured ones that differ, the best first; those in doubt if there are no others.
-  [[nodiscard]] std::vector<Pregrasp> best(const std::vector<Candidate>& candidates) const {
+  /// Indices of the measured ones that differ, the best first; those in doubt if there are no
+  /// others.
+  [[nodiscard]] std::vector<std::size_t> best(const std::vector<Candidate>& candidates) const {
     const bool has_good = std::ranges::any_of(candidates, &Candidate::is_good);
-    std::vector<Pregrasp> chosen;
-    for (const std::size_t i : distinct(
-             candidates, [](const Candidate& candidate) { return candidate.grasp.score; },
-             [&](const Candidate& candidate) {
-               return has_good ? candidate.is_good() : candidate.is_measured();
-             },
-             options_.most)) {
-      chosen.push_back(candidates[i].grasp);
-    }
-    return chosen;
+    return distinct(
+        candidates, [](const Candidate& candidate) { return candidate.grasp.score; },
+        [&](const Candidate& candidate) {
+          return has_good ? candidate.is_good() : candidate.is_measured();
+        },
+        options_.most);
   }
 
   /// Indices of those among the most promising ones that are to be measured.
@@ -393,6 +397,56 @@ class PregraspSearch {
   }
 
  private:
+  /// Brings the hand to a place, closes it there and sets the result's end.
+  void try_place(const Place& place, bool judges, SampleResult& result) {
+    last_pair_ = 0;  // of this place alone: which pair is looked at first counts as work
+    const Configuration opened = hand_.with_hand(problem_.start, place.preshape.open);
+    const std::vector<Configuration> solutions = ik_.all(opened, X_BO_ * place.X_OP);
+    if (solutions.empty()) {
+      result.end = SampleEnd::kOutOfReach;
+      return;
+    }
+    const Configuration wider = opened_wider(solutions.front(), place.core);
+    for (Configuration q : solutions) {  // the hand is at the same place in all of them
+      q = hand_in(std::move(q), wider);
+      const std::optional<int> pair = colliding(q);
+      if (!pair && keeps_gaps()) {
+        q = closed(std::move(q), place.core,
+                   {.object_gap = options_.gap, .own_gap = options_.own_gap});
+        result.candidate = candidate_of(q, place);
+        result.end = result.candidate ? SampleEnd::kFound : SampleEnd::kOneSided;
+        return;
+      }
+      if (!pair || is_of_hand(*pair)) {
+        break;
+      }
+    }
+    if (judges) {
+      judge(hand_in(solutions.front(), wider), result);
+    }
+  }
+
+  /// Epsilon (N) that `other` needs for a higher score than that of `candidate`.
+  [[nodiscard]] static double needed_epsilon(const Candidate& candidate, const Candidate& other) {
+    return candidate.is_good() ? kFullEpsilon / kOfEpsilon *
+                                     (candidate.grasp.score - (1.0 - kOfEpsilon) * other.promise)
+                               : candidate.grasp.quality.epsilon;
+  }
+
+  /// A place that is moved and turned about its grip by a little.
+  [[nodiscard]] static Place beside(const Place& place, sampling::RandomStream& random) {
+    const double size = random.uniform();
+    const Vector3d shift = size * kNeighbourShift * signed_vector(random);
+    const Vector3d turn = size * kNeighbourTurn * signed_vector(random);
+    const Eigen::Matrix3d R =
+        Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()).toRotationMatrix();
+    const Vector3d p_OGrip = place.X_OP * place.preshape.grip;
+    Place moved = place;
+    moved.X_OP.linear() = R * place.X_OP.linear();
+    moved.X_OP.translation() = p_OGrip + shift - moved.X_OP.linear() * place.preshape.grip;
+    return moved;
+  }
+
   /// Indices of the `most` admitted candidates with the highest value that have the palm at
   /// different places, the highest first.
   template <typename Value, typename Admits>
@@ -454,76 +508,37 @@ class PregraspSearch {
     }
   }
 
-  void make_profile(std::vector<Vector3d> points) {
-    const double centre = box_.centre()[longest_];
-    for (Vector3d& p_O : points) {
-      p_O[longest_] = std::clamp(p_O[longest_], centre - 0.5 * kBreadth, centre + 0.5 * kBreadth);
-    }
-    profile_.resize(3, kDirections);
-    for (int i = 0; i < kDirections; ++i) {  // on a spiral around the sphere
-      const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
-      const double turn = 2.0 * std::numbers::pi * std::numbers::phi * i;
-      const double r = std::sqrt(1.0 - z * z);
-      const Vector3d direction(r * std::cos(turn), r * std::sin(turn), z);
-      profile_.col(i) = *std::ranges::max_element(
-          points, {}, [&](const Vector3d& p_O) { return direction.dot(p_O); });
-    }
-  }
-
   /// Draws the orientation of the grip (the fingers' row, opposition, their normal) in the object:
-  /// the row along one of its edges, more or less.
-  [[nodiscard]] static Eigen::Matrix3d orientation(sampling::RandomStream& random) {
-    const auto edge = static_cast<int>(random.below(3));
-    const Vector3d row = (random.below(2) == 0 ? 1.0 : -1.0) * Vector3d::Unit(edge);
-    const Vector3d across = Eigen::AngleAxisd(std::numbers::pi * signed_uniform(random), row) *
-                            Vector3d::Unit((edge + 1) % 3);
+  /// the opposition along a chord; the row square to it, along the object's axes as often as not.
+  [[nodiscard]] static Eigen::Matrix3d orientation(const Chord& chord,
+                                                   sampling::RandomStream& random) {
+    const Vector3d across = (random.below(2) == 0 ? 1.0 : -1.0) * chord.direction;
+    const Vector3d axis = Vector3d::Unit(static_cast<int>(random.below(3)));
+    const bool is_along = random.below(2) == 0 && std::abs(axis.dot(across)) < kAlong;
+    const Vector3d square =
+        (is_along ? Vector3d(axis - axis.dot(across) * across) : across.unitOrthogonal())
+            .normalized();
+    const double turn = is_along ? static_cast<double>(random.below(2)) : 2.0 * random.uniform();
+    const Vector3d row = Eigen::AngleAxisd(std::numbers::pi * turn, across) * square;
     Eigen::Matrix3d R_OG;
     R_OG << row, across, row.cross(across);
     const double share = random.uniform();  // some nearly straight: a narrow gripper needs them
     const Vector3d tilt = share * kTilt * signed_vector(random);
-    return tilt.norm() > 0.0
-               ? R_OG * Eigen::AngleAxisd(tilt.norm(), tilt.normalized()).toRotationMatrix()
-               : R_OG;
+    return R_OG * Eigen::AngleAxisd(tilt.norm(), tilt.stableNormalized()).toRotationMatrix();
   }
 
   /// With the object between the thumb and the fingers, anywhere from their tips to the palm.
-  [[nodiscard]] Pose palm_at(const HandClosing::Preshape& preshape, const Eigen::Matrix3d& R_OG,
-                             sampling::RandomStream& random) const {
+  [[nodiscard]] static Pose palm_at(const HandClosing::Preshape& preshape, const Chord& chord,
+                                    sampling::RandomStream& random) {
     Eigen::Matrix3d R_PG;
     R_PG << preshape.row, preshape.opposition, preshape.row.cross(preshape.opposition);
     Pose X_OP = Pose::Identity();
-    X_OP.linear() = R_OG * R_PG.transpose();
-    const Vector3d p_O = held_point(random);
+    X_OP.linear() = orientation(chord, random) * R_PG.transpose();
     const double share = random.uniform();
     const Vector3d aside = share * kAside * signed_vector(random);
     const double depth = 1.0 - kDeepest * random.uniform();
-    X_OP.translation() = p_O - X_OP.linear() * (depth * preshape.grip + aside);
+    X_OP.translation() = chord.centre - X_OP.linear() * (depth * preshape.grip + aside);
     return X_OP;
-  }
-
-  /// Its longest side has room to choose; what is broad is held near an end of one of both.
-  [[nodiscard]] Vector3d held_point(sampling::RandomStream& random) const {
-    const Vector3d size = box_.size();
-    Vector3d p_O = box_.centre();
-    p_O[longest_] += 0.35 * signed_uniform(random) * size[longest_];
-    if (has_rim_) {
-      Eigen::Index shortest = 0;
-      size.minCoeff(&shortest);
-      const Eigen::Index other = 3 - longest_ - shortest;
-      const Eigen::Index side = random.below(2) == 0 ? longest_ : other;
-      const double inwards = 0.5 * size[side] - kRim * random.uniform();
-      p_O[side] = box_.centre()[side] + (random.below(2) == 0 ? inwards : -inwards);
-    }
-    return p_O;
-  }
-
-  /// Width of the object between fingers along a direction of its frame, m.
-  [[nodiscard]] double width_along(const Vector3d& direction) const {
-    if (std::abs(direction[longest_]) > kAlong) {
-      return direction.cwiseAbs().dot(box_.size());
-    }
-    const Eigen::RowVectorXd along = direction.transpose() * profile_;
-    return along.maxCoeff() - along.minCoeff();
   }
 
   std::optional<int> colliding(const Configuration& q) {
@@ -562,10 +577,11 @@ class PregraspSearch {
   }
 
   /// `q` with all fingers closed, one after the other.
-  Configuration closed(Configuration q, const FingerClosing::Limits& limits) {
+  Configuration closed(Configuration q, const geometric::Aabb& core,
+                       const FingerClosing::Limits& limits) {
     const Pose X_PO = object_in_palm(q);
     for (std::size_t finger = 0; finger < hand_.fingers().size(); ++finger) {
-      q = closing_->closed(std::move(q), finger, core_, X_PO, limits, stop_);
+      q = closing_->closed(std::move(q), finger, core, X_PO, limits, stop_);
     }
     return q;
   }
@@ -582,13 +598,13 @@ class PregraspSearch {
   }
 
   /// Opens the fingers that are in the object.
-  Configuration opened_wider(Configuration q) {
+  Configuration opened_wider(Configuration q, const geometric::Aabb& core) {
     for (const HandClosing::Finger& finger : hand_.fingers()) {
       if (!touches(q, finger.links)) {
         continue;
       }
       Eigen::VectorXd posture = hand_.hand_of(q);
-      const Eigen::VectorXd rates = hand_.towards(finger, posture, core_, object_in_palm(q));
+      const Eigen::VectorXd rates = hand_.towards(finger, posture, core, object_in_palm(q));
       for (int step = 0; step < kOpeningSteps && touches(q, finger.links); ++step) {
         posture(finger.joints) -= kOpeningStep * rates;
         posture = posture.cwiseMax(0.0).cwiseMin(1.0);
@@ -603,7 +619,7 @@ class PregraspSearch {
   }
 
   /// The grasp of a closed hand, if two fingers are at different sides of the object.
-  std::optional<Candidate> candidate_of(const Configuration& q) {
+  std::optional<Candidate> candidate_of(const Configuration& q, const Place& place) {
     Pregrasp grasp{q};
     checker_->place(q);
     const Pose X_OB = X_BO_.inverse();
@@ -611,7 +627,7 @@ class PregraspSearch {
     for (const HandClosing::Finger& finger : hand_.fingers()) {
       if (const auto nearest = nearest_link(finger)) {
         const Pose X_OL = X_OB * checker_->link_poses()[static_cast<std::size_t>(*nearest)];
-        sides.push_back(side_of(X_OL, surfaces_[static_cast<std::size_t>(*nearest)]));
+        sides.push_back(side_of(X_OL, surfaces_[static_cast<std::size_t>(*nearest)], place.core));
       }
     }
     grasp.fingers = static_cast<int>(sides.size());
@@ -634,16 +650,17 @@ class PregraspSearch {
     arm_only(problem_.arm) = q(problem_.arm);
     grasp.arm_travel = normalised_distance(problem_.model(), problem_.start, arm_only);
     const double promise = this->promise(grasp, imbalance(sides));
-    return Candidate{std::move(grasp), promise, ik_.pose(q)};
+    return Candidate{std::move(grasp), place, promise, ik_.pose(q)};
   }
 
   /// From the core of the object to the point of a link's surface that is nearest to it.
-  [[nodiscard]] Vector3d side_of(const Pose& X_OL, const std::vector<Vector3d>& surface) const {
+  [[nodiscard]] static Vector3d side_of(const Pose& X_OL, const std::vector<Vector3d>& surface,
+                                        const geometric::Aabb& core) {
     Vector3d side = Vector3d::Zero();
     double least = HUGE_VAL;
     for (const Vector3d& p_L : surface) {
       const Vector3d p_O = X_OL * p_L;
-      const Vector3d offset = p_O - nearest_in(core_, p_O);
+      const Vector3d offset = p_O - nearest_in(core, p_O);
       if (offset.squaredNorm() < least) {
         least = offset.squaredNorm();
         side = offset;
@@ -692,11 +709,8 @@ class PregraspSearch {
   PalmIk ik_;
   HandClosing hand_;
   geometric::Aabb box_;
-  Eigen::Index longest_ = 0;
-  Eigen::Matrix3Xd profile_;  ///< The object, as long as fingers are broad; in its frame.
-  geometric::Aabb core_;      ///< The box less half its shortest side all around.
-  bool is_narrow_ = false;    ///< Fingers get around it anywhere along its longest side.
-  bool has_rim_ = false;      ///< It is broad and flat.
+  ObjectChords chords_;
+  bool is_too_large_ = false;
   Pose X_BO_;
   std::vector<int> with_object_;
   std::vector<int> with_others_;
@@ -745,6 +759,7 @@ class SampleRunner {
                const PregraspOptions& options, const std::stop_token& stop)
       : stop_(stop),
         measurements_left_(static_cast<std::size_t>(kMostMeasured * pool_size(options))),
+        options_most_(options.most),
         random_(options.seed),
         threads_(std::max(options.threads, 1)) {
     for (int thread = 0; thread < threads_.size(); ++thread) {
@@ -761,10 +776,12 @@ class SampleRunner {
     std::vector<SampleResult> batch(static_cast<std::size_t>(last - first));
     std::atomic<int> next = first;
     threads_.run(0, threads_.size(), [&, asks_why = results_.asks_why()](int thread) {
+      PregraspSearch& search = *searches_[static_cast<std::size_t>(thread)];
       for (int i = next++; i < last && !stop_.stop_requested(); i = next++) {
+        const sampling::RandomStream random = random_.fork(static_cast<std::uint64_t>(i));
+        const Candidate* parent = improvable(i);
         batch[static_cast<std::size_t>(i - first)] =
-            searches_[static_cast<std::size_t>(thread)]->sample(
-                random_.fork(static_cast<std::uint64_t>(i)), asks_why);
+            parent ? search.neighbour(*parent, random) : search.sample(random, asks_why);
       }
     });
     if (stop_.stop_requested()) {
@@ -774,10 +791,31 @@ class SampleRunner {
       results_.add(std::move(result));
     }
     measure();
+    best_ = search().best(results_.candidates());
     return true;
   }
 
+  /// The grasps that differ, the best first; see PregraspSearch::best().
+  [[nodiscard]] std::vector<Pregrasp> best() const {
+    std::vector<Pregrasp> grasps;
+    for (const std::size_t i : best_) {
+      grasps.push_back(results_.candidates()[i].grasp);
+    }
+    return grasps;
+  }
+
  private:
+  /// The grasp that a sample is to be taken beside; null for one anywhere.
+  [[nodiscard]] const Candidate* improvable(int sample) const {
+    const int since = sample - kFirstNeighbour;
+    if (best_.empty() || since < 0 || since % kNeighbourEach != 0 ||
+        since / kNeighbourEach >= kNeighbours * options_most_) {
+      return nullptr;
+    }
+    const auto turn = static_cast<std::size_t>(since / kNeighbourEach);
+    return &results_.candidates()[best_[turn % best_.size()]];
+  }
+
   /// Measures the most promising candidates, a few at a time.
   void measure() {
     std::vector<std::size_t> next = search().to_be_measured(results_.candidates());
@@ -794,10 +832,12 @@ class SampleRunner {
 
   std::stop_token stop_;
   std::size_t measurements_left_;
+  int options_most_;
   sampling::RandomStream random_;
   ThreadPool threads_;
   std::vector<std::unique_ptr<PregraspSearch>> searches_;
   SampleResults results_;
+  std::vector<std::size_t> best_;  ///< Indices of candidates.
 };
 
 }  // namespace
@@ -820,7 +860,7 @@ Pregrasps find_pregrasps(const PlanningProblem& problem, std::string_view object
       break;
     }
     done = last;
-    grasps.found = runner.search().best(runner.results().candidates());
+    grasps.found = runner.best();
     patience.note(grasps.found, done);
     if (progress) {
       progress(grasps.found, patience.ended() ? 1.0 : static_cast<double>(done) / options.samples);

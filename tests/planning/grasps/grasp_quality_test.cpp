@@ -118,6 +118,17 @@ TEST(GraspQuality, GrowsWithFrictionAndWithFingers) {
   EXPECT_LT(epsilon(2, 0.6), epsilon(4, 0.6));
 }
 
+TEST(GraspQuality, IsBoundedFromAboveByProbingDirections) {
+  for (const int count : {2, 3, 4, 7}) {
+    const ContactModel model{.friction = kFriction, .patch_radius = 0.01};
+    const Wrenches wrenches =
+        contact_wrenches(on_circle(count), model, {Vector3d::Zero(), 2.0 * kRadius});
+    const double epsilon = grasp_quality(wrenches).epsilon;
+    EXPECT_GE(epsilon_bound(wrenches), epsilon - 1e-12) << count;
+    EXPECT_LE(epsilon_bound(wrenches), 1.5 * epsilon + 0.01) << count;
+  }
+}
+
 TEST(GraspQuality, RefusesWhatIsNoContact) {
   EXPECT_THROW(quality_of(on_circle(2), {.friction = 0.0}), std::invalid_argument);
   EXPECT_THROW(quality_of(on_circle(2), {.patch_radius = -1.0}), std::invalid_argument);

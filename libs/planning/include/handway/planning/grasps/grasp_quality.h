@@ -80,6 +80,11 @@ struct GraspQuality {
 /// @throws std::invalid_argument for a wrench that is not finite.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT GraspQuality grasp_quality(const Wrenches& wrenches);
 
+/// An upper bound of GraspQuality::epsilon, by how far the wrench space reaches in a few hundred
+/// directions: hundreds of times faster than the hull, and mostly within a fifth of it.
+/// @throws as grasp_quality().
+[[nodiscard]] HANDWAY_PLANNING_EXPORT double epsilon_bound(const Wrenches& wrenches);
+
 /// The contact forces with the least sum of squares that balance `load`.
 /// @param load on the object, about scale.centre_O; gravity acts as (m·g, 0).
 /// @returns a force (N) on the object for each contact, in its frame; nothing if no forces within
