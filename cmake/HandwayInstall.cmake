@@ -11,13 +11,27 @@ function(_handway_find_libraries_at target place)
   set_target_properties(${target} PROPERTIES INSTALL_RPATH "${place}" BUILD_WITH_INSTALL_RPATH ON)
 endfunction()
 
+# Each library is a component of the package, with a file of its own for its target. PUBLIC… are
+# what it links publicly, other libraries of ours among them.
 function(_handway_install_library name)
   set_target_properties(handway_${name} PROPERTIES EXPORT_NAME ${name})
   _handway_find_libraries_at(handway_${name} "$ORIGIN")
   install(
     TARGETS handway_${name}
-    EXPORT HandwayTargets
+    EXPORT handway_${name}
     LIBRARY DESTINATION lib COMPONENT libraries)
+  install(
+    EXPORT handway_${name}
+    FILE ${name}.cmake
+    NAMESPACE handway::
+    DESTINATION ${_HANDWAY_PACKAGE_FOLDER}
+    COMPONENT libraries)
+  set(used ${ARGN})
+  list(FILTER used INCLUDE REGEX "^handway::")
+  list(TRANSFORM used REPLACE "^handway::" "")
+  list(JOIN used " " used)
+  set_property(GLOBAL APPEND PROPERTY HANDWAY_COMPONENTS ${name})
+  set_property(GLOBAL APPEND PROPERTY HANDWAY_COMPONENTS_USED "set(_Handway_used_by_${name} ${used})")
   install(
     DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include/ ${CMAKE_CURRENT_BINARY_DIR}/include/
     DESTINATION include
@@ -46,11 +60,10 @@ function(handway_install_data)
         PATTERN cad.cmake EXCLUDE)
     endif()
   endforeach()
-  install(
-    EXPORT HandwayTargets
-    NAMESPACE handway::
-    DESTINATION ${_HANDWAY_PACKAGE_FOLDER}
-    COMPONENT libraries)
+  get_property(components GLOBAL PROPERTY HANDWAY_COMPONENTS)
+  get_property(components_used GLOBAL PROPERTY HANDWAY_COMPONENTS_USED)
+  list(JOIN components " " components)
+  list(JOIN components_used "\n" components_used)
   configure_package_config_file(
     ${CMAKE_SOURCE_DIR}/cmake/HandwayConfig.cmake.in ${CMAKE_BINARY_DIR}/HandwayConfig.cmake
     INSTALL_DESTINATION ${_HANDWAY_PACKAGE_FOLDER} NO_SET_AND_CHECK_MACRO

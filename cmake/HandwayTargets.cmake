@@ -36,7 +36,11 @@ function(handway_library name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   _handway_warnings(${target})
-  _handway_install_library(${name})
+  # Before 1.0, minor versions may change the interface.
+  set_target_properties(
+    ${target} PROPERTIES VERSION ${PROJECT_VERSION}
+                         SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  _handway_install_library(${name} ${ARG_PUBLIC})
 endfunction()
 
 # What a user runs: the programs and their plugins, without the tests.

@@ -44,17 +44,32 @@ void run(const std::string& command) {
 
 std::string quoted(const fs::path& path) { return '"' + path.string() + '"'; }
 
-/// Installs the libraries of this build and builds the plugin against them.
+/// Installs the libraries of this build into `folder`/prefix.
+void install_libraries(const fs::path& folder) {
+  run(quoted(HANDWAY_CMAKE) + " --install " + quoted(HANDWAY_BUILD_FOLDER) +
+      " --component libraries --prefix " + quoted(folder / "prefix"));
+}
+
+/// Configures the project `name` of this folder in `folder`/build.
+void configure(const std::string& name, const fs::path& folder, const std::string& options) {
+  run(quoted(HANDWAY_CMAKE) + " -G Ninja -S " +
+      quoted(test::source_dir() / "tests" / "consumer" / name) + " -B " + quoted(folder / "build") +
+      " -DCMAKE_PREFIX_PATH=" + quoted(folder / "prefix") + options);
+}
+
+/// Builds the plugin against the installed libraries of this build.
 void build_outside(const fs::path& folder) {
-  const std::string cmake = quoted(HANDWAY_CMAKE);
-  const fs::path source = test::source_dir() / "tests" / "consumer" / "straight_planner";
-  run(cmake + " --install " + quoted(HANDWAY_BUILD_FOLDER) + " --component libraries --prefix " +
-      quoted(folder / "prefix"));
-  run(cmake + " -G Ninja -S " + quoted(source) + " -B " + quoted(folder / "build") +
-      " -DCMAKE_PREFIX_PATH=" + quoted(folder / "prefix") +
-      " -DCMAKE_CXX_COMPILER=" + quoted(HANDWAY_COMPILER) +
-      " -DCMAKE_CXX_FLAGS=" HANDWAY_SANITIZER " -DCMAKE_BUILD_TYPE=Debug");
-  run(cmake + " --build " + quoted(folder / "build"));
+  install_libraries(folder);
+  configure("straight_planner", folder,
+            " -DCMAKE_CXX_COMPILER=" + quoted(HANDWAY_COMPILER) +
+                " -DCMAKE_CXX_FLAGS=" HANDWAY_SANITIZER " -DCMAKE_BUILD_TYPE=Debug");
+  run(quoted(HANDWAY_CMAKE) + " --build " + quoted(folder / "build"));
+}
+
+TEST(InstalledPackage, HasEachLibraryAsAComponent) {
+  const test::ScratchFolder scratch;
+  ASSERT_NO_FATAL_FAILURE(install_libraries(scratch.path()));
+  ASSERT_NO_FATAL_FAILURE(configure("components", scratch.path(), ""));
 }
 
 TEST(OutsidePlugin, IsBuiltOnTheInstalledLibrariesAndPlans) {
