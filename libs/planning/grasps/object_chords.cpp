@@ -12,6 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kPoints = 2000;
+constexpr int kTries = 16;
 constexpr double kOpposed = -0.7;       // cosine between the normals at the ends of a chord
 constexpr double kLeastLength = 0.001;  // m
 
@@ -50,22 +51,38 @@ ObjectChords::ObjectChords(const geometric::TriangleMesh& mesh)
 }
 
 Chord ObjectChords::draw(sampling::RandomStream& random) const {
-  const auto from = static_cast<Eigen::Index>(random.below(kPoints));
+  for (int tries = 0; tries < kTries; ++tries) {
+    const Chord chord = chord_from(static_cast<Eigen::Index>(random.below(kPoints)), random);
+    if (chord.length > 0.0) {
+      return chord;
+    }
+  }
+  return {};
+}
+
+Chord ObjectChords::chord_from(Eigen::Index from, sampling::RandomStream& random) const {
   const Vector3d p = points_.col(from);
   const Vector3d inwards = -normals_.col(from);
   const Eigen::RowVectorXd along = inwards.transpose() * (points_.colwise() - p);
   const Eigen::RowVectorXd opposed = -inwards.transpose() * normals_;
-  std::vector<double> ends;  // how far away surfaces are that look the other way
+  const auto aside = [&](Eigen::Index i) {
+    return (points_.col(i) - p - along[i] * inwards).squaredNorm();
+  };
+  std::vector<Eigen::Index> ends;  // points that look the other way
   for (Eigen::Index i = 0; i < kPoints; ++i) {
-    if (along[i] > kLeastLength && opposed[i] < kOpposed &&
-        (points_.col(i) - p - along[i] * inwards).squaredNorm() < spacing_ * spacing_) {
-      ends.push_back(along[i]);
+    if (along[i] > kLeastLength && opposed[i] < kOpposed && aside(i) < spacing_ * spacing_) {
+      ends.push_back(i);
     }
   }
   if (ends.empty()) {
     return {};
   }
-  const double length = ends[random.below(ends.size())];
+  const double chosen = along[ends[random.below(ends.size())]];
+  std::erase_if(ends, [&](Eigen::Index i) { return std::abs(along[i] - chosen) > spacing_; });
+  const Eigen::Index end = *std::ranges::min_element(ends, {}, aside);
+  // To where the line leaves the face that the nearest point is on.
+  const double length =
+      normals_.col(end).dot(points_.col(end) - p) / normals_.col(end).dot(inwards);
   return {p + 0.5 * length * inwards, inwards, length};
 }
 

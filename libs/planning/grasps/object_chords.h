@@ -32,6 +32,8 @@ class ObjectChords {
   [[nodiscard]] geometric::Aabb core(const Eigen::Vector3d& point, double radius) const;
 
  private:
+  [[nodiscard]] Chord chord_from(Eigen::Index point, sampling::RandomStream& random) const;
+
   Eigen::Matrix3Xd points_;   ///< Evenly on the surface, m.
   Eigen::Matrix3Xd normals_;  ///< Out of the object there.
   double spacing_ = 0.0;      ///< m, between them.

@@ -227,18 +227,25 @@ TEST_F(PregraspSearch, PutsThumbAndFingersAroundWhatItGrasps) {
   struct Case {
     const char* scene;
     const char* object;
-    int fingers;       // at least
-    double enclosure;  // more than
   };
-  for (const auto& [scene, object, fingers, enclosure] :
-       {Case{"can_on_table", "can", 4, 0.8}, Case{"can_in_box", "can", 4, 0.7},
-        Case{"cans_in_shelf", "can", 3, 0.8}, Case{"cans_on_desk", "can_left_above", 4, 0.8}}) {
+  for (const auto& [scene, object] :
+       {Case{"can_on_table", "can"}, Case{"can_in_box", "can"}, Case{"cans_in_shelf", "can"},
+        Case{"cans_on_desk", "can_left_above"}}) {
     const std::vector<Pregrasp> grasps = find_pregrasps(shipped(scene), object).found;
     ASSERT_FALSE(grasps.empty()) << scene;
-    EXPECT_GE(grasps.front().fingers, fingers) << scene;
-    EXPECT_GT(grasps.front().enclosure, enclosure) << scene;
+    EXPECT_GE(grasps.front().fingers, 3) << scene;
+    EXPECT_GT(grasps.front().enclosure, 0.8) << scene;
+    EXPECT_GT(grasps.front().quality.epsilon, 0.07) << scene;
     EXPECT_EQ(grasps.front().doubt, "") << scene;
   }
+}
+
+// The box around a T is twice as wide as what the fingers close around.
+TEST_F(PregraspSearch, HoldsALeverByItsStemOrItsBar) {
+  const std::vector<Pregrasp> grasps = find_pregrasps(shipped("t_shape"), "t_shape").found;
+  ASSERT_FALSE(grasps.empty());
+  EXPECT_EQ(grasps.front().doubt, "");
+  EXPECT_GT(grasps.front().quality.epsilon, 0.02);
 }
 
 TEST_F(PregraspSearch, TakesABroadPlateByItsRim) {
@@ -361,11 +368,6 @@ TEST_F(PregraspSearch, SaysWhyThereIsNoGrasp) {
       why_none(plain, [](const geometric::Scene& /*scene*/,
                          geometric::SceneObject& can) { can.X_PO.translation().x() += 3.0; }),
       ::testing::StartsWith("can is out of the arm's reach"));
-  EXPECT_THAT(why_none(plain,
-                       [](const geometric::Scene& /*scene*/, geometric::SceneObject& can) {
-                         can.shape = geometric::Box{{0.15, 0.15, 0.4}};
-                       }),
-              ::testing::StartsWith("The hand does not fit around can"));
   const auto cover = [](geometric::Scene& scene, const geometric::SceneObject& can) {
     for (int side = 0; side < 4; ++side) {
       geometric::SceneObject wall;
