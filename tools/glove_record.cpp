@@ -115,7 +115,7 @@ class Recorder {
   std::exception_ptr error_;
 };
 
-void tell_state(StreamState state) {
+void print_state(StreamState state) {
   if (state == StreamState::kLost) {
     print_error("connection lost; trying to connect again\n");
   } else if (state == StreamState::kUnplugged) {
@@ -130,7 +130,7 @@ int record(const RecordOptions& options) {
   device::GloveStreamHandlers handlers;
   handlers.on_connected = [&](const GloveInfo& info) { recorder.connected(info); };
   handlers.on_sample = [&](const GloveFrame& frame) { recorder.take(frame); };
-  handlers.on_state = tell_state;
+  handlers.on_state = print_state;
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
   device::GloveStream stream(make_glove(options.device), {}, handlers);

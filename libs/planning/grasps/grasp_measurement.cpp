@@ -16,11 +16,12 @@ namespace {
 using Eigen::Vector3d;
 using geometric::Pose;
 
-constexpr double kContactGap = 1e-4;  // m that a closed finger keeps to the object
-constexpr double kTouch = 1e-3;       // m: links that near to the object touch it
-constexpr double kFarOff = 0.05;      // m: fingers that far away are not brought to the object
-constexpr int kContactHalvings = 4;   // of a closing step
-constexpr double kGravity = 9.81;     // m/s²
+constexpr double kContactGap = 1e-4;     // m that a closed finger keeps to the object
+constexpr double kTouchDistance = 1e-3;  // m: links that near to the object touch it
+// m: fingers that are farther away are not brought to the object
+constexpr double kMaxClosingDistance = 0.05;
+constexpr int kContactHalvings = 4;  // of a closing step
+constexpr double kGravity = 9.81;    // m/s²
 
 }  // namespace
 
@@ -50,7 +51,7 @@ bool GraspMeasurement::measure(Pregrasp& grasp, const geometric::Aabb& core, dou
   }
   grasp.closed = std::move(closed);
   of_.checker.place(grasp.closed);
-  const std::vector<LinkContact> found = contacts_.contacts(of_.checker, kTouch);
+  const std::vector<LinkContact> found = contacts_.contacts(of_.checker, kTouchDistance);
   std::vector<GraspContact> contacts;
   grasp.contacts.clear();
   for (const LinkContact& contact : found) {
@@ -124,8 +125,8 @@ std::optional<Vector3d> GraspMeasurement::centring(const Configuration& q) {
       if (!is_coupled) {
         continue;
       }
-      const auto a = contacts_.closest(of_.checker, fingers[i].links, kFarOff);
-      const auto b = contacts_.closest(of_.checker, fingers[j].links, kFarOff);
+      const auto a = contacts_.closest(of_.checker, fingers[i].links, kMaxClosingDistance);
+      const auto b = contacts_.closest(of_.checker, fingers[j].links, kMaxClosingDistance);
       if (!a || !b) {
         continue;
       }
@@ -133,7 +134,7 @@ std::optional<Vector3d> GraspMeasurement::centring(const Configuration& q) {
       const Vector3d from_b = b->p_WB - b->p_WA;
       const Vector3d& farther = from_a.norm() > from_b.norm() ? from_a : from_b;
       const double difference = std::abs(from_a.norm() - from_b.norm());
-      if (difference > 0.5 * kTouch && from_a.dot(from_b) < 0.0) {
+      if (difference > 0.5 * kTouchDistance && from_a.dot(from_b) < 0.0) {
         return X_WB_.linear().transpose() * (0.5 * difference * farther.normalized());
       }
     }

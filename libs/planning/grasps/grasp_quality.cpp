@@ -204,16 +204,16 @@ class Hull {
 };
 
 bool spans_all_dimensions(const Wrenches& wrenches) {
-  constexpr double kFlat = 1e-6;  // of the widest direction
-  constexpr Eigen::Index kFewest = 7;
-  if (wrenches.cols() < kFewest) {
+  constexpr double kMinSpreadShare = 1e-6;  // of the widest direction
+  constexpr Eigen::Index kMinWrenches = 7;
+  if (wrenches.cols() < kMinWrenches) {
     return false;
   }
   const Eigen::Matrix<double, 6, Eigen::Dynamic> centred =
       wrenches.colwise() - wrenches.rowwise().mean();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spread(centred *
                                                                           centred.transpose());
-  return spread.eigenvalues()[0] > kFlat * kFlat * spread.eigenvalues()[5];
+  return spread.eigenvalues()[0] > kMinSpreadShare * kMinSpreadShare * spread.eigenvalues()[5];
 }
 
 }  // namespace
@@ -232,9 +232,9 @@ TorqueScale torque_scale(const geometric::TriangleMesh& mesh) {
     sum += part;
     moment += part * (a + b + c) / (is_solid ? 4.0 : 3.0);
   }
-  constexpr double kNothing = 1e-15;  // m³ or m²: flat, all its triangles cancelling
+  constexpr double kZeroVolume = 1e-15;  // m³ or m²: flat, all its triangles cancelling
   TorqueScale scale{middle, 0.0};
-  if (std::abs(sum) > kNothing) {
+  if (std::abs(sum) > kZeroVolume) {
     scale.centre_O += moment / sum;
   }
   for (const Vector3d& vertex : mesh.vertices) {

@@ -29,10 +29,10 @@ Eigen::Index thumb_of(const Eigen::Matrix3Xd& tips) {
 // Returns the other tips that reach about as far from the palm as the thumb: not fingers that
 // are bent away, nor the inner bars of a parallel gripper.
 std::vector<Eigen::Index> opposite(Eigen::Index thumb, const Eigen::Matrix3Xd& tips) {
-  constexpr double kReach = 0.7;
+  constexpr double kThumbReachShare = 0.7;
   std::vector<Eigen::Index> others;
   for (Eigen::Index i = 0; i < tips.cols(); ++i) {
-    if (i != thumb && tips.col(i).norm() > kReach * tips.col(thumb).norm()) {
+    if (i != thumb && tips.col(i).norm() > kThumbReachShare * tips.col(thumb).norm()) {
       others.push_back(i);
     }
   }
@@ -56,9 +56,10 @@ HandClosing::HandClosing(const PlanningProblem& problem, int palm)
 }
 
 std::span<const HandClosing::Preshape> HandClosing::opened_to(double width) const {
-  constexpr double kRoom = 0.06;  // m
+  constexpr double kMaxSpareOpening = 0.06;  // m
   const auto first = std::ranges::lower_bound(preshapes_, width, {}, &Preshape::opening);
-  const auto last = std::ranges::upper_bound(preshapes_, width + kRoom, {}, &Preshape::opening);
+  const auto last =
+      std::ranges::upper_bound(preshapes_, width + kMaxSpareOpening, {}, &Preshape::opening);
   return {first, last};
 }
 
@@ -204,9 +205,9 @@ Eigen::VectorXd HandClosing::drawn_posture(sampling::RandomStream& random) const
 }
 
 void HandClosing::make_preshapes() {
-  constexpr int kDrawn = 400;
+  constexpr int kPreshapeSamples = 400;
   sampling::RandomStream random(1);
-  for (int i = 0; i < kDrawn; ++i) {
+  for (int i = 0; i < kPreshapeSamples; ++i) {
     if (auto shape = preshape(drawn_posture(random))) {
       preshapes_.push_back(std::move(*shape));
     }

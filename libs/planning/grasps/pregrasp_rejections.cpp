@@ -9,9 +9,9 @@
 namespace handway::planning {
 namespace {
 
-constexpr int kFew = 50;  // one in so many, or less
+constexpr int kFewRatio = 50;  // one in so many, or less
 
-bool is_few(int some, int of) { return kFew * some < of; }
+bool is_few(int some, int of) { return kFewRatio * some < of; }
 
 }  // namespace
 

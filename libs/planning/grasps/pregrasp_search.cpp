@@ -35,14 +35,15 @@ namespace {
 using Eigen::Vector3d;
 using geometric::Pose;
 
-constexpr double kNear = 0.015;      // m, of a finger at the object
-constexpr double kEnclosure = 0.5;   // at least: thumb and a finger at right angles
-constexpr double kClear = 0.05;      // m: more is not distinguished
-constexpr double kMost = 0.16;       // m, of the object's second longest side, or …
-constexpr double kBroadest = 0.5;    // m, … of the longest side of what is held at its rim: …
-constexpr double kAside = 0.015;     // m
-constexpr double kDeepest = 0.45;    // of the distance from the fingers' ends to the palm
-constexpr double kAlong = 0.9;       // cosine: an axis above that is not square to the opposition
+constexpr double kContactDistance = 0.015;  // m, of a finger at the object
+constexpr double kEnclosure = 0.5;          // at least: thumb and a finger at right angles
+constexpr double kClearanceCap = 0.05;      // m: more is not distinguished
+constexpr double kMaxGraspWidth = 0.16;     // m, of the object's second longest side, or …
+constexpr double kMaxRimWidth = 0.5;  // m, … of the longest side of what is held at its rim: …
+constexpr double kLateralShift = 0.015;  // m
+constexpr double kMaxDepthShare = 0.45;  // of the distance from the fingers' ends to the palm
+constexpr double kMaxAxisAlignment =
+    0.9;                             // cosine: an axis above that is not square to the opposition
 constexpr double kCoreShare = 0.65;  // of a chord, and …
 constexpr double kCoreRoom = 0.02;   // … m: radius of the part that the fingers close around
 constexpr double kTilt = geometric::radians(25.0);
@@ -51,16 +52,16 @@ constexpr double kOpeningStep = 0.06;  // normalised
 constexpr double kSameTurn = geometric::radians(30.0);
 constexpr double kSamePlace = 0.03;  // m
 constexpr int kMostJudged = 400;     // rejected places of the hand, to say what was in the way
-constexpr double kHolds = 0.3;       // imbalance of the fingers: friction holds up to here, …
-constexpr double kSlips = 0.6;       // … and not from here on
-constexpr double kOfHold = 0.6;      // share of the score that is lost then
-constexpr double kSurfaceSpacing = 0.004;  // m
-constexpr int kLeastSamples = 1024;        // before a search ends early …
-constexpr int kPatience = 1024;            // … since so many samples made the best ones no better
-constexpr double kBetter = 0.01;           // of a score
-constexpr double kOfEpsilon = 0.7;         // share of the score
+constexpr double kHoldingImbalance = 0.3;  // imbalance of the fingers: friction holds up to here, …
+constexpr double kSlippingImbalance = 0.6;  // … and not from here on
+constexpr double kHoldWeight = 0.6;         // share of the score that is lost then
+constexpr double kSurfaceSpacing = 0.004;   // m
+constexpr int kLeastSamples = 1024;         // before a search ends early …
+constexpr int kSamplesWithoutGain = 1024;  // … since so many samples made the best ones no better
+constexpr double kScoreGain = 0.01;        // of a score
+constexpr double kEpsilonWeight = 0.7;     // share of the score
 constexpr double kFullEpsilon = 0.15;      // N: more is not better
-constexpr int kPool = 2;                   // candidates that are measured, times those wanted, …
+constexpr int kPoolFactor = 2;             // candidates that are measured, times those wanted, …
 constexpr int kLeastPool = 16;             // … and at least
 constexpr int kMostMeasured = 3;           // times that, with those that turn out bad
 constexpr std::size_t kMeasuredEach = 8;   // at a time
@@ -97,7 +98,9 @@ const geometric::SceneObject& needed_object(const PlanningProblem& problem, std:
 }
 
 // Candidates that are measured at a time, in places that differ.
-int pool_size(const PregraspOptions& options) { return std::max(kLeastPool, kPool * options.most); }
+int pool_size(const PregraspOptions& options) {
+  return std::max(kLeastPool, kPoolFactor * options.most);
+}
 
 // In [-1, 1].
 double signed_uniform(sampling::RandomStream& random) { return 2.0 * random.uniform() - 1.0; }
@@ -283,7 +286,8 @@ class PregraspSearch {
     }
     Vector3d sides = box_.size();
     std::ranges::sort(sides);
-    is_too_large_ = sides[1] >= kMost && (sides[0] >= kMost || sides[2] >= kBroadest);
+    is_too_large_ =
+        sides[1] >= kMaxGraspWidth && (sides[0] >= kMaxGraspWidth || sides[2] >= kMaxRimWidth);
     const geometric::CollisionWorld& world = checker_->world();
     for (int pair = 0; pair < static_cast<int>(world.pairs().size()); ++pair) {
       const bool is_self = world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
@@ -308,7 +312,7 @@ class PregraspSearch {
       return fmt::format(
           "{} is too large to be grasped: two of its sides are longer than {:.0f} mm. Choose "
           "something smaller.",
-          object_, geometric::millimetres(kMost));
+          object_, geometric::millimetres(kMaxGraspWidth));
     }
     if (!hand_.opens()) {
       return fmt::format(
@@ -363,8 +367,8 @@ class PregraspSearch {
     if (needed > kFullEpsilon || !measurement_->measure(grasp, candidate.place.core, needed)) {
       return false;
     }
-    grasp.score = kOfEpsilon * std::clamp(grasp.quality.epsilon / kFullEpsilon, 0.0, 1.0) +
-                  (1.0 - kOfEpsilon) * candidate.promise;
+    grasp.score = kEpsilonWeight * std::clamp(grasp.quality.epsilon / kFullEpsilon, 0.0, 1.0) +
+                  (1.0 - kEpsilonWeight) * candidate.promise;
     return true;
   }
 
@@ -428,9 +432,10 @@ class PregraspSearch {
 
   /// Epsilon (N) that `other` needs for a higher score than that of `candidate`.
   [[nodiscard]] static double needed_epsilon(const Candidate& candidate, const Candidate& other) {
-    return candidate.is_good() ? kFullEpsilon / kOfEpsilon *
-                                     (candidate.grasp.score - (1.0 - kOfEpsilon) * other.promise)
-                               : candidate.grasp.quality.epsilon;
+    return candidate.is_good()
+               ? kFullEpsilon / kEpsilonWeight *
+                     (candidate.grasp.score - (1.0 - kEpsilonWeight) * other.promise)
+               : candidate.grasp.quality.epsilon;
   }
 
   /// A place that is moved and turned about its grip by a little.
@@ -514,7 +519,7 @@ class PregraspSearch {
                                                    sampling::RandomStream& random) {
     const Vector3d across = (random.below(2) == 0 ? 1.0 : -1.0) * chord.direction;
     const Vector3d axis = Vector3d::Unit(static_cast<int>(random.below(3)));
-    const bool is_along = random.below(2) == 0 && std::abs(axis.dot(across)) < kAlong;
+    const bool is_along = random.below(2) == 0 && std::abs(axis.dot(across)) < kMaxAxisAlignment;
     const Vector3d square =
         (is_along ? Vector3d(axis - axis.dot(across) * across) : across.unitOrthogonal())
             .normalized();
@@ -535,8 +540,8 @@ class PregraspSearch {
     Pose X_OP = Pose::Identity();
     X_OP.linear() = orientation(chord, random) * R_PG.transpose();
     const double share = random.uniform();
-    const Vector3d aside = share * kAside * signed_vector(random);
-    const double depth = 1.0 - kDeepest * random.uniform();
+    const Vector3d aside = share * kLateralShift * signed_vector(random);
+    const double depth = 1.0 - kMaxDepthShare * random.uniform();
     X_OP.translation() = chord.centre - X_OP.linear() * (depth * preshape.grip + aside);
     return X_OP;
   }
@@ -639,7 +644,7 @@ class PregraspSearch {
     if (grasp.fingers < 2 || grasp.enclosure < kEnclosure) {
       return std::nullopt;
     }
-    grasp.clearance = kClear;
+    grasp.clearance = kClearanceCap;
     for (const int pair : with_others_) {
       grasp.clearance = std::min(grasp.clearance, checker_->pair_distance(pair, grasp.clearance));
     }
@@ -672,8 +677,9 @@ class PregraspSearch {
   /// @param unopposed imbalance() of the fingers' sides: such a grasp slips off, as jaws do that
   /// close on a chord of what is round.
   [[nodiscard]] double promise(const Pregrasp& grasp, double unopposed) const {
-    const double hold = std::clamp((kSlips - unopposed) / (kSlips - kHolds), 0.0, 1.0);
-    return (kOfHold * hold + 1.0 - kOfHold) * plain_promise(grasp);
+    const double hold = std::clamp(
+        (kSlippingImbalance - unopposed) / (kSlippingImbalance - kHoldingImbalance), 0.0, 1.0);
+    return (kHoldWeight * hold + 1.0 - kHoldWeight) * plain_promise(grasp);
   }
 
   [[nodiscard]] double plain_promise(const Pregrasp& grasp) const {
@@ -687,7 +693,7 @@ class PregraspSearch {
   /// The finger's link that is nearest to the object, if it is near.
   std::optional<int> nearest_link(const HandClosing::Finger& finger) {
     std::optional<int> nearest;
-    double least = kNear;
+    double least = kContactDistance;
     const geometric::CollisionWorld& world = checker_->world();
     for (const int pair : with_object_) {
       const int link = world.body(world.pairs()[static_cast<std::size_t>(pair)].a).link;
@@ -733,12 +739,14 @@ class Patience {
     for (const Pregrasp& grasp : found) {
       sum += grasp.score;
     }
-    if (sum > sum_ + kBetter * most_ || (!found.empty() && found.front().score > best_ + kBetter)) {
+    if (sum > sum_ + kScoreGain * most_ ||
+        (!found.empty() && found.front().score > best_ + kScoreGain)) {
       sum_ = sum;
       best_ = found.front().score;
       since_ = samples;
     }
-    const int patience = static_cast<int>(found.size()) >= most_ ? kPatience : 2 * kPatience;
+    const int patience =
+        static_cast<int>(found.size()) >= most_ ? kSamplesWithoutGain : 2 * kSamplesWithoutGain;
     ended_ = !found.empty() && samples >= kLeastSamples && samples - since_ >= patience;
   }
   [[nodiscard]] bool ended() const { return ended_; }

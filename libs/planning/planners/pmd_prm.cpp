@@ -84,12 +84,12 @@ class RoadmapSearch {
       rho = std::min(k * rho, largest_rho_);
       statistics().final_rho_a = rho;
       ++statistics().passes;
-      tell({.line = lines::kWiden, .rho_a = rho});
+      notify({.line = lines::kWiden, .rho_a = rho});
       const std::optional<PlanStatus> end = sweep(rho);
       if (end) {
         result.status = *end;
         if (!result.solved()) {
-          tell({.line = lines::kFailure});
+          notify({.line = lines::kFailure});
         }
         return;
       }
@@ -107,7 +107,7 @@ class RoadmapSearch {
  private:
   PlanStatistics& statistics() { return context_.statistics(); }
 
-  void tell(const AlgorithmStep& step) {
+  void notify(const AlgorithmStep& step) {
     if (watcher_) {
       watcher_->on_step(step);
     }
@@ -150,7 +150,7 @@ class RoadmapSearch {
       }
       range = search_range();
       context_.observer().on_search_range(range.first, range.second);
-      tell({.line = lines::kSearchRange, .position = range.first, .range_end = range.second});
+      notify({.line = lines::kSearchRange, .position = range.first, .range_end = range.second});
     }
     // Hypercubes of a wide corridor are far apart. If the range has none any more, its
     // middle is explored: else passes would add to the first hypercube alone, for
@@ -164,7 +164,7 @@ class RoadmapSearch {
   // The j-loop of Algorithm 4.
   std::optional<PlanStatus> explore_hypercube(double step, double rho) {
     const std::uint64_t before = hand_draw_count_;
-    tell({.line = lines::kHypercube, .position = step, .rho_a = rho});
+    notify({.line = lines::kHypercube, .position = step, .rho_a = rho});
     for (int j = 0; j < settings_.n_a; ++j) {
       if (const auto interruption = context_.interruption()) {
         return interruption;
@@ -186,7 +186,7 @@ class RoadmapSearch {
         const PhaseClock connection_time(statistics().connection_s);
         connect(sample->first, step, sample->second);
         const bool joined = roadmap_.same_component(kStart, kGoal);
-        tell({.line = lines::kJoined, .yes = joined, .from = kStart, .to = kGoal});
+        notify({.line = lines::kJoined, .yes = joined, .from = kStart, .to = kGoal});
         return joined ? std::optional(PlanStatus::kSolved) : std::nullopt;
       }
     }
@@ -199,12 +199,12 @@ class RoadmapSearch {
     for (int i = 0; i < settings_.arm_trials; ++i) {
       const std::optional<Configuration> q = arm_at(arm_points_->point(arm_draw_count_++));
       const bool is_free = q && !context_.validator().arm_collides(*q);
-      tell({.line = lines::kArmFree, .yes = is_free, .q = q ? &*q : nullptr, .position = step});
+      notify({.line = lines::kArmFree, .yes = is_free, .q = q ? &*q : nullptr, .position = step});
       if (is_free) {
         return q;
       }
     }
-    tell({.line = lines::kNoArm, .yes = false, .position = step});
+    notify({.line = lines::kNoArm, .yes = false, .position = step});
     return std::nullopt;
   }
 
@@ -236,7 +236,7 @@ class RoadmapSearch {
       context_.count_rejection(pair, step);
     }
     if (watcher_) {
-      tell_trials(trials, trial, step);
+      notify_trials(trials, trial, step);
     }
     const std::uint64_t failed = trials.rejecting_pairs.size();
     const std::uint64_t all = failed + (trials.index ? 1 : 0);
@@ -250,19 +250,19 @@ class RoadmapSearch {
   }
 
   // Reports the results of the trials, the free one last.
-  void tell_trials(const MotionValidator::FirstFree& trials,
-                   const std::function<Configuration(int)>& trial, double step) {
+  void notify_trials(const MotionValidator::FirstFree& trials,
+                     const std::function<Configuration(int)>& trial, double step) {
     const int rejected = static_cast<int>(trials.rejecting_pairs.size());
     for (int h = 0; h < rejected + (trials.index ? 1 : 0); ++h) {
       const bool is_free = h == rejected;
       const int pair = is_free ? -1 : trials.rejecting_pairs[static_cast<std::size_t>(h)];
       const Configuration q = trial(h);
-      tell({.line = is_free || touches_object(pair) ? lines::kHandFree : lines::kHandFreeOfSelf,
-            .yes = is_free,
-            .q = &q,
-            .pair = pair,
-            .count = hand_dimension(h),
-            .position = step});
+      notify({.line = is_free || touches_object(pair) ? lines::kHandFree : lines::kHandFreeOfSelf,
+              .yes = is_free,
+              .q = &q,
+              .pair = pair,
+              .count = hand_dimension(h),
+              .position = step});
     }
   }
 
@@ -292,7 +292,7 @@ class RoadmapSearch {
     steps_.push_back(step);
     statistics().nodes = static_cast<std::uint64_t>(roadmap_.node_count());
     context_.observer().on_node({node, q, pmd_count, step, statistics().final_rho_a});
-    tell({.line = lines::kAddNode, .q = &q, .from = node, .position = step});
+    notify({.line = lines::kAddNode, .q = &q, .from = node, .position = step});
     return node;
   }
 
@@ -305,7 +305,8 @@ class RoadmapSearch {
       ++per_count[static_cast<std::size_t>(pmd_count)];
     }
     const std::vector<int> neighbours = neighbours_of(node, step);
-    tell({.line = lines::kNeighbours, .from = node, .count = static_cast<int>(neighbours.size())});
+    notify(
+        {.line = lines::kNeighbours, .from = node, .count = static_cast<int>(neighbours.size())});
     std::vector<MotionValidator::Edge> candidates;
     candidates.reserve(neighbours.size());
     for (const int neighbour : neighbours) {
@@ -315,16 +316,16 @@ class RoadmapSearch {
     const auto edge_free = context_.validator().edges(std::move(candidates));
     for (std::size_t i = 0; i < neighbours.size(); ++i) {
       if (roadmap_.same_component(neighbours[i], node)) {
-        tell({.line = lines::kSameComponent, .from = neighbours[i], .to = node});
+        notify({.line = lines::kSameComponent, .from = neighbours[i], .to = node});
         continue;
       }
       const bool is_free = edge_free(i);
-      tell({.line = lines::kLocalPlan, .yes = is_free, .from = neighbours[i], .to = node});
+      notify({.line = lines::kLocalPlan, .yes = is_free, .from = neighbours[i], .to = node});
       if (is_free) {
         roadmap_.edge(neighbours[i], node);
         statistics().edges = static_cast<std::uint64_t>(roadmap_.edge_count());
         context_.observer().on_edge(neighbours[i], node);
-        tell({.line = lines::kAddEdge, .from = neighbours[i], .to = node});
+        notify({.line = lines::kAddEdge, .from = neighbours[i], .to = node});
       }
     }
   }

@@ -20,8 +20,9 @@ constexpr float kUnknown = -1.0F;
 
 }  // namespace
 
-std::unique_ptr<DistanceTable> DistanceTable::make(const RobotModel& model, int link_a, int link_b,
-                                                   int pair, const MotionBound& motion) {
+std::unique_ptr<PairDistanceCache> PairDistanceCache::make(const RobotModel& model, int link_a,
+                                                           int link_b, int pair,
+                                                           const MotionBound& motion) {
   std::vector<int> moving;
   for (int v = 0; v < model.variable_count(); ++v) {
     if (model.moves_between(v, link_a, link_b)) {
@@ -39,10 +40,12 @@ std::unique_ptr<DistanceTable> DistanceTable::make(const RobotModel& model, int 
                     model.is_continuous(v) ? range : 0.0,
                     motion.bound(pair, Eigen::VectorXd::Unit(model.variable_count(), v))});
   }
-  return std::unique_ptr<DistanceTable>(new DistanceTable(std::move(axes), cells, model.neutral()));
+  return std::unique_ptr<PairDistanceCache>(
+      new PairDistanceCache(std::move(axes), cells, model.neutral()));
 }
 
-DistanceTable::DistanceTable(std::vector<Axis> axes, std::size_t cells_per_axis, Configuration rest)
+PairDistanceCache::PairDistanceCache(std::vector<Axis> axes, std::size_t cells_per_axis,
+                                     Configuration rest)
     : axes_(std::move(axes)),
       rest_(std::move(rest)),
       cells_per_axis_(cells_per_axis),
@@ -52,7 +55,7 @@ DistanceTable::DistanceTable(std::vector<Axis> axes, std::size_t cells_per_axis,
   }
 }
 
-double DistanceTable::bound(const Configuration& q, const Distance& exact) const {
+double PairDistanceCache::bound(const Configuration& q, const Distance& exact) const {
   std::size_t index = 0;
   double motion = 0.0;
   std::array<double, 2> centre{};
@@ -85,7 +88,7 @@ double DistanceTable::bound(const Configuration& q, const Distance& exact) const
   return static_cast<double>(distance) - motion;
 }
 
-std::vector<float> DistanceTable::cells() const {
+std::vector<float> PairDistanceCache::cells() const {
   std::vector<float> cells;
   cells.reserve(cells_.size());
   for (const std::atomic<float>& cell : cells_) {
@@ -94,7 +97,7 @@ std::vector<float> DistanceTable::cells() const {
   return cells;
 }
 
-void DistanceTable::set_cells(std::span<const float> cells) {
+void PairDistanceCache::set_cells(std::span<const float> cells) {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     cells_[i].store(cells[i], std::memory_order_relaxed);
   }
@@ -148,9 +151,9 @@ SelfDistanceCache::SelfDistanceCache(const CollisionWorld& world,
   std::string all;
   for (const BodyPair& pair : world.pairs()) {
     tables_.push_back(world.is_self_pair(pair)
-                          ? DistanceTable::make(world.model(), world.body(pair.a).link,
-                                                world.body(pair.b).link,
-                                                static_cast<int>(tables_.size()), motion)
+                          ? PairDistanceCache::make(world.model(), world.body(pair.a).link,
+                                                    world.body(pair.b).link,
+                                                    static_cast<int>(tables_.size()), motion)
                           : nullptr);
     if (tables_.back()) {
       all += description(world, pair, *surfaces[static_cast<std::size_t>(pair.a)],

@@ -19,16 +19,16 @@ namespace handway::geometric {
 /// finger links, wrist and palm), cached on a grid over those joints. Cells are filled on first
 /// access, by any thread, with the other joints at rest: a cell's content is bitwise the same
 /// whichever thread fills it.
-class DistanceTable {
+class PairDistanceCache {
  public:
   /// The exact distance (m) of the pair in a configuration.
   using Distance = std::function<double(const Configuration&)>;
 
   /// A table for `pair` (of two links of the robot), or nothing unless one or two variables move
   /// it.
-  [[nodiscard]] static std::unique_ptr<DistanceTable> make(const RobotModel& model, int link_a,
-                                                           int link_b, int pair,
-                                                           const MotionBound& motion);
+  [[nodiscard]] static std::unique_ptr<PairDistanceCache> make(const RobotModel& model, int link_a,
+                                                               int link_b, int pair,
+                                                               const MotionBound& motion);
 
   /// A lower bound (m) of the distance in `q`: that of the cell's centre minus the largest motion
   /// from there; 0 or less if unknown.
@@ -50,7 +50,7 @@ class DistanceTable {
     double reach;  ///< m per rad, or m per m
   };
 
-  DistanceTable(std::vector<Axis> axes, std::size_t cells_per_axis, Configuration rest);
+  PairDistanceCache(std::vector<Axis> axes, std::size_t cells_per_axis, Configuration rest);
 
   std::vector<Axis> axes_;
   Configuration rest_;
@@ -77,7 +77,7 @@ class SelfDistanceCache {
   SelfDistanceCache& operator=(const SelfDistanceCache&) = delete;
 
   /// Table of a pair of the world; null if it has none.
-  [[nodiscard]] const DistanceTable* table(int pair) const {
+  [[nodiscard]] const PairDistanceCache* table(int pair) const {
     return tables_[static_cast<std::size_t>(pair)].get();
   }
 
@@ -86,7 +86,7 @@ class SelfDistanceCache {
 
   CacheKey key_;
   bool keeps_;
-  std::vector<std::unique_ptr<DistanceTable>> tables_;
+  std::vector<std::unique_ptr<PairDistanceCache>> tables_;
 };
 
 }  // namespace handway::geometric

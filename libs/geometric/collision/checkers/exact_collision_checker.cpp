@@ -195,7 +195,7 @@ NarrowPhaseQuery ExactCollisionChecker::query(int pair, std::span<const Pose> X_
 }
 
 double ExactCollisionChecker::cached_distance(int pair) {
-  const DistanceTable* table = volumes_->distances->table(pair);
+  const PairDistanceCache* table = volumes_->distances->table(pair);
   if (!table) {
     return 0.0;
   }

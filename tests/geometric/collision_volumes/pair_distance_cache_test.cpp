@@ -16,11 +16,11 @@ struct ThumbTable {
   CollisionWorld world{handway::test::scene_of(handway::test::planar_hand_arm())};
   MotionBound motion{world};
   const RobotModel& model = world.model();
-  std::unique_ptr<DistanceTable> table =
-      DistanceTable::make(model, *model.find_link("palm"), *model.find_link("thumb"), 0, motion);
+  std::unique_ptr<PairDistanceCache> table = PairDistanceCache::make(
+      model, *model.find_link("palm"), *model.find_link("thumb"), 0, motion);
 };
 
-TEST(DistanceTable, AsksForTheSameConfigurationWhoeverAsksFirst) {
+TEST(PairDistanceCache, AsksForTheSameConfigurationWhoeverAsksFirst) {
   std::vector<Configuration> asked;
   for (const double shoulder : {-1.3, 0.7}) {
     const ThumbTable thumb;
@@ -38,7 +38,7 @@ TEST(DistanceTable, AsksForTheSameConfigurationWhoeverAsksFirst) {
   EXPECT_EQ(asked[0], asked[1]) << "to the last bit";
 }
 
-TEST(DistanceTable, IsFilledWithPosesThatDoNotDependOnWhereTheRobotStands) {
+TEST(PairDistanceCache, IsFilledWithPosesThatDoNotDependOnWhereTheRobotStands) {
   Scene scene = handway::test::scene_of(handway::test::planar_hand_arm());
   const CollisionWorld here(scene);
   scene.robots.front().X_WB = pose_from_rpy({100.3, -7.1, 0.9}, 0.3, 0.7, -2.1);
