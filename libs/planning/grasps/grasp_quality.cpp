@@ -288,7 +288,7 @@ namespace {
 
 // Directions of length 1 all around, the same each time: those of the axes, and drawn ones.
 const Wrenches& probed_directions() {
-  static const Wrenches directions = [] {
+  static const Wrenches kAll = [] {
     constexpr int kDrawn = 256;
     Wrenches all(6, 12 + kDrawn);
     all.leftCols<6>().setIdentity();
@@ -305,7 +305,7 @@ const Wrenches& probed_directions() {
     }
     return all;
   }();
-  return directions;
+  return kAll;
 }
 
 }  // namespace
