@@ -1,6 +1,7 @@
 #include "grasps/finger_closing.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -58,6 +59,15 @@ Configuration FingerClosing::closed(Configuration q, std::size_t which, const ge
       size = kClosingStep;
       rates.resize(0);  // the outer joints go on at full pace
     }
+  }
+  return q;
+}
+
+Configuration FingerClosing::all_closed(Configuration q, const geometric::Aabb& core,
+                                        const geometric::Pose& X_PO, const Limits& limits,
+                                        const std::stop_token& stop) {
+  for (std::size_t finger = 0; finger < hand_.fingers().size(); ++finger) {
+    q = closed(std::move(q), finger, core, X_PO, limits, stop);
   }
   return q;
 }

@@ -26,15 +26,18 @@ class FingerClosing {
                 geometric::CollisionChecker& checker, const std::vector<int>& with_object,
                 const std::vector<int>& of_hand);
 
-  /// Closes one finger around a box, which stands for the object's core. Where something is in the
-  /// way, its joints stop one after the other, the one at the palm first, so that the outer links
-  /// go on. Joints that mimic or are coupled follow.
+  /// Closes all fingers around a box, which stands for the object's core, one after the other.
+  /// Where something is in the way, a finger's joints stop one after the other, the one at the palm
+  /// first, so that the outer links go on. Joints that mimic or are coupled follow.
   /// @param q keeps the gaps. @param core m, in a frame O. @param X_PO that frame in the palm's.
+  [[nodiscard]] Configuration all_closed(Configuration q, const geometric::Aabb& core,
+                                         const geometric::Pose& X_PO, const Limits& limits,
+                                         const std::stop_token& stop);
+
+ private:
   [[nodiscard]] Configuration closed(Configuration q, std::size_t finger,
                                      const geometric::Aabb& core, const geometric::Pose& X_PO,
                                      const Limits& limits, const std::stop_token& stop);
-
- private:
   /// Kinds of pairs and constraints that are checked when a finger moves.
   enum class Concern { kObject, kHand, kOther };
   struct MovedCheck {

@@ -103,13 +103,10 @@ Configuration GraspMeasurement::closed_to_contact(Configuration q, const geometr
 
 Configuration GraspMeasurement::closed_once(Configuration q, const geometric::Aabb& core) {
   const Pose X_PO = of_.ik.pose(q).inverse() * X_BO_;
-  for (std::size_t finger = 0; finger < of_.hand.fingers().size(); ++finger) {
-    q = of_.closing.closed(
-        std::move(q), finger, core, X_PO,
-        {.object_gap = kContactGap, .own_gap = options_.own_gap, .halvings = kContactHalvings},
-        stop_);
-  }
-  return q;
+  return of_.closing.all_closed(
+      std::move(q), core, X_PO,
+      {.object_gap = kContactGap, .own_gap = options_.own_gap, .halvings = kContactHalvings},
+      stop_);
 }
 
 // Returns the shift of the palm that centres the object between two fingers of one joint, in the

@@ -68,7 +68,7 @@ Chord ObjectChords::chord_from(Eigen::Index from, sampling::RandomStream& random
   const auto aside = [&](Eigen::Index i) {
     return (points_.col(i) - p - along[i] * inwards).squaredNorm();
   };
-  std::vector<Eigen::Index> ends;  // points that look the other way
+  std::vector<Eigen::Index> ends;  // points whose normals are opposed
   for (Eigen::Index i = 0; i < kPoints; ++i) {
     if (along[i] > kLeastLength && opposed[i] < kOpposed && aside(i) < spacing_ * spacing_) {
       ends.push_back(i);

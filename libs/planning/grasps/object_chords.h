@@ -19,11 +19,12 @@ struct Chord {
 /// each other, however the object is bent. For any thread.
 class ObjectChords {
  public:
-  /// @param mesh with at least one triangle; of an open one the vertices' order tells its outside.
+  /// @param mesh with at least one triangle; of an open one the triangles' order of vertices gives
+  /// the outside.
   explicit ObjectChords(const geometric::TriangleMesh& mesh);
 
   /// Draws a chord that begins anywhere on the surface, evenly, and goes straight into the object;
-  /// if there are several surfaces behind each other, to any of those that look the other way.
+  /// if there are several surfaces behind each other, to any of those with an opposed normal.
   /// @returns a length of 0 if there is no such surface.
   [[nodiscard]] Chord draw(sampling::RandomStream& random) const;
 

@@ -415,8 +415,9 @@ class PregraspSearch {
       q = hand_in(std::move(q), wider);
       const std::optional<int> pair = colliding(q);
       if (!pair && keeps_gaps()) {
-        q = closed(std::move(q), place.core,
-                   {.object_gap = options_.gap, .own_gap = options_.own_gap});
+        const Pose X_PO = object_in_palm(q);
+        q = closing_->all_closed(std::move(q), place.core, X_PO,
+                                 {.object_gap = options_.gap, .own_gap = options_.own_gap}, stop_);
         result.candidate = candidate_of(q, place);
         result.end = result.candidate ? SampleEnd::kFound : SampleEnd::kOneSided;
         return;
@@ -579,16 +580,6 @@ class PregraspSearch {
     };
     const auto& bodies = world.pairs()[static_cast<std::size_t>(pair)];
     return is_hand(bodies.a) && is_hand(bodies.b);
-  }
-
-  /// `q` with all fingers closed, one after the other.
-  Configuration closed(Configuration q, const geometric::Aabb& core,
-                       const FingerClosing::Limits& limits) {
-    const Pose X_PO = object_in_palm(q);
-    for (std::size_t finger = 0; finger < hand_.fingers().size(); ++finger) {
-      q = closing_->closed(std::move(q), finger, core, X_PO, limits, stop_);
-    }
-    return q;
   }
 
   /// Is one of these links at the object?
@@ -767,7 +758,7 @@ class SampleRunner {
                const PregraspOptions& options, const std::stop_token& stop)
       : stop_(stop),
         measurements_left_(static_cast<std::size_t>(kMostMeasured * pool_size(options))),
-        options_most_(options.most),
+        wanted_(options.most),
         random_(options.seed),
         threads_(std::max(options.threads, 1)) {
     for (int thread = 0; thread < threads_.size(); ++thread) {
@@ -817,7 +808,7 @@ class SampleRunner {
   [[nodiscard]] const Candidate* improvable(int sample) const {
     const int since = sample - kFirstNeighbour;
     if (best_.empty() || since < 0 || since % kNeighbourEach != 0 ||
-        since / kNeighbourEach >= kNeighbours * options_most_) {
+        since / kNeighbourEach >= kNeighbours * wanted_) {
       return nullptr;
     }
     const auto turn = static_cast<std::size_t>(since / kNeighbourEach);
@@ -840,7 +831,7 @@ class SampleRunner {
 
   std::stop_token stop_;
   std::size_t measurements_left_;
-  int options_most_;
+  int wanted_;
   sampling::RandomStream random_;
   ThreadPool threads_;
   std::vector<std::unique_ptr<PregraspSearch>> searches_;

@@ -80,8 +80,8 @@ struct GraspQuality {
 /// @throws std::invalid_argument for a wrench that is not finite.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT GraspQuality grasp_quality(const Wrenches& wrenches);
 
-/// An upper bound of GraspQuality::epsilon, by how far the wrench space reaches in a few hundred
-/// directions: hundreds of times faster than the hull, and mostly within a fifth of it.
+/// Returns an upper bound of GraspQuality::epsilon, by how far the wrench space reaches in a few
+/// hundred directions and downhill from the least of them: without the cost of the hull.
 /// @throws as grasp_quality().
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double epsilon_bound(const Wrenches& wrenches);
 

@@ -88,7 +88,7 @@ struct Pregrasps {
 using PregraspProgress = std::function<void(const std::vector<Pregrasp>& found, double fraction)>;
 
 /// Looks for pre-grasps. Each sample draws a chord of the object, from anywhere on its surface to a
-/// side that looks the other way; a preshape from the basis' box (of a hand without one: between
+/// side with an opposed normal; a preshape from the basis' box (of a hand without one: between
 /// its neutral posture and any other) whose opening between the thumb and the fingers, or the two
 /// jaws of a gripper, suits the chord's length; and a palm pose with the chord between them,
 /// anywhere from the fingertips to the palm, and turned about the chord. Fingers that would be in
@@ -98,11 +98,11 @@ using PregraspProgress = std::function<void(const std::vector<Pregrasp>& found, 
 /// around the object. Kept are those with two or more fingers on different sides of the object;
 /// similar ones are left out, and fingers that would push it out of the hand, as jaws on a chord of
 /// what is round, are ranked low. The most promising ones are closed up to contact and ranked by
-/// how they hold the object (GraspQuality). After that every second sample moves and turns the palm
-/// of one of the best by up to 15 mm and 15 degrees, and replaces it where that is better. Those
-/// that do not resist some force or torque are given if there is nothing better, with the reason.
-/// Of a robot whose arms have a hand each, the hand that is nearest to the object at the start
-/// grasps. Same arguments, same bits.
+/// how they hold the object (GraspQuality). After that every second sample, up to 32 for each
+/// wanted grasp, moves and turns the palm of one of the best by up to 15 mm and 15 degrees, and
+/// replaces it where that is better. Those that do not resist some force or torque are given if
+/// there is nothing better, with the reason. Of a robot whose arms have a hand each, the hand that
+/// is nearest to the object at the start grasps. Same arguments, same bits.
 /// @param object of the scene, that stands still.
 /// @param stop ends the search within 100 ms. @param progress may be empty.
 /// @returns after `stop` was requested what was found until then, without a reason if that is
