@@ -148,6 +148,9 @@ void PluginManager::add(const Plugin& plugin, const fs::path& file) {
   std::ranges::move(exporters, std::back_inserter(exporters_));
   std::ranges::move(scene_exporters, std::back_inserter(scene_exporters_));
   std::ranges::for_each(robot_readers, geometric::register_robot_reader);
+  if (plugin.make_hold_test != nullptr) {
+    make_hold_test_ = plugin.make_hold_test;
+  }
   planners_ = std::move(planners);
   loaded_.push_back({file, plugin.name, plugin.version});
 }

@@ -13,9 +13,12 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace handway::planning {
+
+class HoldTest;
 
 /// Contents of a scene file: the scene and, if the format has one, the hand's basis.
 struct LoadedScene {
@@ -34,8 +37,13 @@ class HANDWAY_PLANNING_EXPORT Importer {
   [[nodiscard]] virtual LoadedScene read(const std::filesystem::path& file) const = 0;
 };
 
+/// Makes the simulation of grasps of an object of the problem's scene by the hand with this palm (a
+/// link of its robot). @throws InputError if something of them can't be simulated.
+using MakeHoldTest = std::unique_ptr<HoldTest> (*)(const PlanningProblem& problem,
+                                                   std::string_view object, int palm);
+
 /// Raised whenever a plugin built against an older header would misbehave.
-inline constexpr int kPluginApiVersion = 8;
+inline constexpr int kPluginApiVersion = 9;
 
 /// Hash of the sizes of shared types: it differs for most other versions of the headers.
 inline constexpr std::uint64_t kPluginLayout = [] {
@@ -62,6 +70,7 @@ struct Plugin {
   /// Exporters of whole scenes; may be null.
   std::vector<std::unique_ptr<SceneExporter>> (*make_scene_exporters)() = nullptr;
   std::vector<geometric::RobotReader> (*make_robot_readers)() = nullptr;  ///< May be null.
+  MakeHoldTest make_hold_test = nullptr;                                  ///< May be null.
   std::uint64_t layout = kPluginLayout;
 };
 
@@ -114,6 +123,8 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
   [[nodiscard]] const SceneExporter* find_scene_exporter(const std::string& name) const;
   /// @throws InputError with the valid names, if none is called `name`.
   [[nodiscard]] const Exporter& exporter(const std::string& name) const;
+  /// The simulation of grasps; null if no plugin has one.
+  [[nodiscard]] MakeHoldTest hold_test_maker() const { return make_hold_test_; }
   [[nodiscard]] const std::vector<LoadedPlugin>& loaded() const { return loaded_; }
   [[nodiscard]] const std::vector<RefusedPlugin>& refused() const { return refused_; }
 
@@ -124,6 +135,7 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
   std::vector<std::unique_ptr<Importer>> importers_;
   std::vector<std::unique_ptr<Exporter>> exporters_;
   std::vector<std::unique_ptr<SceneExporter>> scene_exporters_;
+  MakeHoldTest make_hold_test_ = nullptr;
   std::vector<LoadedPlugin> loaded_;
   std::vector<RefusedPlugin> refused_;
 };

@@ -1,0 +1,104 @@
+#include "handway/planning/grasps/hold_test.h"
+
+#include "core/thread_pool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace handway::planning {
+namespace {
+
+// Holds in everything that is tested.
+bool holds(const HoldTest& test, const Pregrasp& grasp, const HoldConditions& conditions,
+           const std::stop_token& stop) {
+  const HoldResult result = test.test(grasp, conditions, stop);
+  return result.held() && result.lift && result.lift->held;
+}
+
+/// The last value that holds between one that does and one that does not.
+class Bisection {
+ public:
+  Bisection(double holds, double fails) : holds_(holds), fails_(fails) {}
+
+  template <typename Holds, typename Near>
+  double run(const Holds& holds, const Near& near, const std::stop_token& stop) {
+    while (!near(holds_, fails_) && !stop.stop_requested()) {
+      const double middle = 0.5 * (holds_ + fails_);
+      const bool held = holds(middle);
+      if (stop.stop_requested()) {
+        break;  // the test was not finished
+      }
+      (held ? holds_ : fails_) = middle;
+    }
+    return holds_;
+  }
+
+ private:
+  double holds_;
+  double fails_;
+};
+
+}  // namespace
+
+int HoldResult::directions_held() const {
+  return static_cast<int>(std::ranges::count(directions, true, &HoldSlip::held));
+}
+
+HoldMargins hold_margins(const HoldTest& test, const Pregrasp& grasp,
+                         const HoldConditions& conditions, const std::stop_token& stop) {
+  HoldMargins margins;
+  if (!holds(test, grasp, conditions, stop)) {
+    return margins;
+  }
+  const auto with_friction = [&](double friction) {
+    HoldConditions changed = conditions;
+    changed.contact.friction = friction;
+    return holds(test, grasp, changed, stop);
+  };
+  const auto with_mass = [&](double mass) {
+    HoldConditions changed = conditions;
+    changed.mass = mass;
+    return holds(test, grasp, changed, stop);
+  };
+  constexpr double kFrictionStep = 0.01;
+  margins.least_friction =
+      Bisection(conditions.contact.friction, 0.0)
+          .run(
+              with_friction,
+              [](double holding, double failing) { return holding - failing <= kFrictionStep; },
+              stop);
+  constexpr double kMostMass = 10.0;  // kg
+  constexpr double kMassShare = 0.05;
+  double holding = conditions.mass;
+  double failing = 2.0 * holding;
+  while (failing < kMostMass && !stop.stop_requested() && with_mass(failing)) {
+    holding = failing;
+    failing *= 2.0;
+  }
+  margins.largest_mass =
+      Bisection(holding, std::max(holding, std::min(failing, kMostMass)))
+          .run(
+              with_mass,
+              [](double held, double dropped) { return dropped - held <= kMassShare * held; },
+              stop);
+  return margins;
+}
+
+std::vector<HoldResult> test_grasps(const HoldTest& test, const std::vector<Pregrasp>& grasps,
+                                    std::size_t most, const HoldConditions& conditions, int threads,
+                                    const std::stop_token& stop) {
+  const std::size_t count = std::min(most, grasps.size());
+  std::vector<HoldResult> results(count);
+  ThreadPool pool(std::max(threads, 1));
+  pool.run(0, static_cast<int>(count), [&](int k) {
+    const auto i = static_cast<std::size_t>(k);
+    results[i] = test.test(grasps[i], conditions, stop);
+  });
+  const auto unfinished =
+      std::ranges::find_if(results, [](const HoldResult& result) { return !result.lift; });
+  results.erase(unfinished, results.end());
+  return results;
+}
+
+}  // namespace handway::planning

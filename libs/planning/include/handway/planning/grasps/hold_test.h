@@ -1,0 +1,88 @@
+#pragma once
+
+#include "handway/planning/export.h"
+#include "handway/planning/grasps/grasp_quality.h"
+#include "handway/planning/grasps/pregrasp_search.h"
+
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// Conditions of a hold test: loads, and what no robot file says.
+struct HoldConditions {
+  double mass = 0.1;            ///< Of the object, kg.
+  ContactModel contact = {};    ///< Friction between hand and object; `edges` is not used.
+  double force = 1.0;           ///< N: the disturbance, along ±x, ±y and ±z of the world.
+  double largest_shift = 0.05;  ///< m; beyond it the object has slipped.
+  double largest_turn = 15.0 * std::numbers::pi / 180;  ///< rad; likewise.
+  double torque = 2.0;              ///< N·m: the most that a revolute joint applies.
+  double stiffness = 5.0;           ///< N·m/rad of a revolute joint's position control.
+  double slide_force = 20.0;        ///< N: the most that a prismatic joint applies.
+  double slide_stiffness = 1000.0;  ///< N/m of a prismatic joint's position control.
+};
+
+/// How far the object has moved in the hand at the end of a load.
+struct HoldSlip {
+  bool held = false;   ///< Within HoldConditions::largest_shift and largest_turn all the time.
+  double shift = 0.0;  ///< m
+  double turn = 0.0;   ///< rad
+};
+
+/// Result of a hold test. Every load begins anew with the squeezed grasp.
+struct HoldResult {
+  /// Between the grasp and the end of the squeeze, without gravity.
+  HoldSlip squeeze = {};
+  /// Under HoldConditions::force along +x, -x, +y, -y, +z, -z of the world, 1.5 s each, without
+  /// gravity. Six, or fewer if the test was stopped.
+  std::vector<HoldSlip> directions = {};
+  /// Under gravity, raised by 10 cm in 1 s and held for 5 s. Nothing if the test was stopped.
+  std::optional<HoldSlip> lift = {};
+
+  /// Returns the number of directions in which the object is held.
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT int directions_held() const;
+  /// Returns whether the object is held in all six directions.
+  [[nodiscard]] bool held() const { return directions_held() == 6; }
+};
+
+/// How much worse the conditions may get while a grasp holds in all six directions and the lift.
+struct HoldMargins {
+  std::optional<double> least_friction = {};  ///< Nothing: not held with the friction asked for.
+  std::optional<double> largest_mass = {};    ///< kg; nothing: not held with the mass asked for.
+};
+
+/// Simulates whether the grasps of one object hold it. The hand's palm is fixed; the joints that it
+/// carries are driven from Pregrasp::closed to Pregrasp::squeezed by position control of limited
+/// force; the object is free, and nothing but the hand touches it. Any number of threads may test
+/// at once. Same arguments, same result.
+///
+/// Source of the procedure of six forces: J. Chen et al., "Bodex: Scalable and efficient robotic
+/// dexterous grasp synthesis using bilevel optimization", 2024, with its benchmark DexGraspBench.
+class HANDWAY_PLANNING_EXPORT HoldTest {
+ public:
+  virtual ~HoldTest() = default;
+  /// @param stop ends the test within 100 ms, with what is known until then.
+  [[nodiscard]] virtual HoldResult test(const Pregrasp& grasp, const HoldConditions& conditions,
+                                        const std::stop_token& stop) const = 0;
+  /// Returns what the simulation assumes besides HoldConditions, a sentence each.
+  [[nodiscard]] virtual std::vector<std::string> assumptions() const = 0;
+};
+
+/// Finds the least friction (to 0.01) and the largest mass (to 5 %, at most 10 kg) by bisection,
+/// some 15 tests. @param stop as HoldTest::test(); then with what is known.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT HoldMargins hold_margins(const HoldTest& test,
+                                                               const Pregrasp& grasp,
+                                                               const HoldConditions& conditions,
+                                                               const std::stop_token& stop = {});
+
+/// The tests of the first `most` grasps, in their order, on `threads` threads.
+/// @returns one for each; fewer if `stop` was requested.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<HoldResult> test_grasps(
+    const HoldTest& test, const std::vector<Pregrasp>& grasps, std::size_t most,
+    const HoldConditions& conditions, int threads, const std::stop_token& stop = {});
+
+}  // namespace handway::planning

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "handway/geometric/mesh/triangle_mesh.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace handway::simulate_mujoco {
+
+/// A convex part of a body: the corners of its hull (m) and the hull's volume (m³).
+struct ConvexPart {
+  std::vector<Eigen::Vector3d> corners;
+  double volume = 0.0;
+};
+
+/// Limits of a decomposition into convex parts.
+struct ConvexPartsLimits {
+  /// Volume that the parts may have beyond that of the solid, as a share of it.
+  double excess = 0.02;
+  int most = 32;  ///< Parts, at least 1. Connected pieces of the mesh are never joined for it.
+};
+
+/// Returns convex parts that together cover the mesh. Cuts by planes divide it, the part first
+/// whose hull has the most volume beyond its own; of the planes across the mesh's three axes the
+/// one is taken that leaves the least. A cut solid is closed by the cut's face, so that volumes
+/// stay true. Of an open surface, which has no volume, the parts cover the triangles.
+[[nodiscard]] std::vector<ConvexPart> convex_parts(const geometric::TriangleMesh& mesh,
+                                                   const ConvexPartsLimits& limits = {});
+
+/// Returns the volume (m³) inside a closed mesh, whichever way its triangles are wound.
+[[nodiscard]] double enclosed_volume(const geometric::TriangleMesh& mesh);
+
+}  // namespace handway::simulate_mujoco

@@ -1,0 +1,285 @@
+#include "mujoco_hold_test.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/extensions/plugin.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace handway::simulate_mujoco {
+namespace {
+
+using Eigen::Vector3d;
+using geometric::Pose;
+using planning::HoldConditions;
+using planning::HoldResult;
+using planning::HoldSlip;
+
+constexpr double kGravity = 9.81;         // m/s²
+constexpr double kSqueezeTime = 0.5;      // s
+constexpr double kDisturbanceTime = 1.5;  // s, of each force
+constexpr double kSettled = 0.5;          // s under a steady load, before it is cut short
+constexpr double kLiftTime = 1.0;         // s
+constexpr double kLiftHeight = 0.1;       // m
+constexpr double kLiftHoldTime = 5.0;     // s
+
+/// Acts on the object during a load.
+struct Load {
+  Vector3d force = Vector3d::Zero();         ///< N, at the centre of mass, in the palm's frame.
+  Vector3d acceleration = Vector3d::Zero();  ///< m/s², of everything, in the palm's frame.
+};
+/// The load at a time (s) from its begin.
+using LoadAtTime = std::function<Load(double time)>;
+
+// Acceleration (m/s²) of a motion over a height, from rest to rest with the least jerk.
+double lift_acceleration(double time) {
+  const double s = time / kLiftTime;
+  return s >= 1.0 ? 0.0
+                  : kLiftHeight / (kLiftTime * kLiftTime) *
+                        (60.0 * s - 180.0 * s * s + 120.0 * s * s * s);
+}
+
+void set_conditions(const HandModel& hand, const HoldConditions& conditions, mjModel& model) {
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    mjtNum* friction = model.geom_friction + 3 * geom;
+    friction[0] = conditions.contact.friction;
+    friction[1] = conditions.contact.torsion();  // m: torque over normal force
+  }
+  const mjtNum ratio = conditions.mass / model.body_mass[hand.object_body];
+  model.body_mass[hand.object_body] *= ratio;
+  for (int axis = 0; axis < 3; ++axis) {
+    model.body_inertia[3 * hand.object_body + axis] *= ratio;
+  }
+  const auto drive = [&](int actuator, double stiffness, double limit) {
+    model.actuator_gainprm[mjNGAIN * actuator] = stiffness;
+    model.actuator_biasprm[mjNBIAS * actuator + 1] = -stiffness;
+    model.actuator_forcelimited[actuator] = 1;
+    model.actuator_forcerange[2 * actuator] = -limit;
+    model.actuator_forcerange[2 * actuator + 1] = limit;
+  };
+  for (const int actuator : hand.rotations) {
+    drive(actuator, conditions.stiffness, conditions.torque);
+  }
+  for (const int actuator : hand.slides) {
+    drive(actuator, conditions.slide_stiffness, conditions.slide_force);
+  }
+}
+
+/// One grasp in simulation.
+class Simulation {
+ public:
+  Simulation(const HandModel& hand, const geometric::RobotModel& robot,
+             const planning::Pregrasp& grasp, const Pose& X_PO, const HoldConditions& conditions,
+             std::stop_token stop)
+      : hand_(hand),
+        robot_(robot),
+        grasp_(grasp),
+        conditions_(conditions),
+        stop_(std::move(stop)),
+        model_(mj_copyModel(nullptr, hand.model.get())),
+        data_(make_data(*model_)),
+        squeezed_(make_data(*model_)) {
+    set_conditions(hand_, conditions_, *model_);
+    mj_setConst(model_.get(), data_.get());
+    mj_resetData(model_.get(), data_.get());
+    set_posture(X_PO);
+    grasp_pose_ = squeezed_pose_ = object_pose();
+  }
+
+  [[nodiscard]] HoldSlip squeeze() {
+    const HoldSlip slip = run(kSqueezeTime, kSqueezeTime, [&](double time) {
+      set_targets(std::min(1.0, 2.0 * time / kSqueezeTime));
+      return Load{};
+    });
+    squeezed_pose_ = object_pose();
+    mj_copyData(squeezed_.get(), model_.get(), data_.get());
+    return slip;
+  }
+
+  // The load begins with the end of the squeeze.
+  // @param settled as run().
+  [[nodiscard]] HoldSlip load(double duration, double settled, const LoadAtTime& load_at) {
+    mj_copyData(data_.get(), model_.get(), squeezed_.get());
+    return run(duration, settled, load_at);
+  }
+
+ private:
+  void set_posture(const Pose& X_PO) {
+    for (const HandJoint& joint : hand_.joints) {
+      data_->qpos[joint.position] = geometric::joint_value(robot_, joint.link, grasp_.closed);
+    }
+    mjtNum* object = data_->qpos + hand_.object_position;
+    const Eigen::Quaterniond q(X_PO.linear());
+    std::copy_n(X_PO.translation().data(), 3, object);
+    object[3] = q.w();
+    object[4] = q.x();
+    object[5] = q.y();
+    object[6] = q.z();
+    set_targets(0.0);
+    mj_forward(model_.get(), data_.get());
+  }
+
+  // Targets on the way from the grasp (0) to the squeeze (1).
+  void set_targets(double share) {
+    const planning::Configuration q = grasp_.closed + share * (grasp_.squeezed - grasp_.closed);
+    for (const HandJoint& joint : hand_.joints) {
+      if (joint.actuator >= 0) {
+        data_->ctrl[joint.actuator] = geometric::joint_value(robot_, joint.link, q);
+      }
+    }
+  }
+
+  [[nodiscard]] Pose object_pose() const {
+    const mjtNum* object = data_->qpos + hand_.object_position;
+    Pose X = Pose::Identity();
+    X.translation() = Vector3d(object[0], object[1], object[2]);
+    X.linear() = Eigen::Quaterniond(object[3], object[4], object[5], object[6])
+                     .normalized()
+                     .toRotationMatrix();
+    return X;
+  }
+
+  // Of the object's frame; its centre of mass is what moves on straight.
+  [[nodiscard]] HoldSlip moved_from(const Pose& before) const {
+    const Pose now = object_pose();
+    const Vector3d centre(model_->body_ipos + 3 * hand_.object_body);
+    const double turn = Eigen::AngleAxisd(before.linear().transpose() * now.linear()).angle();
+    const double shift = (now * centre - before * centre).norm();
+    const bool stable = data_->warning[mjWARN_BADQPOS].number == 0 &&
+                        data_->warning[mjWARN_BADQVEL].number == 0 &&
+                        data_->warning[mjWARN_BADQACC].number == 0;
+    return {stable && shift <= conditions_.largest_shift && turn <= conditions_.largest_turn, shift,
+            turn};
+  }
+
+  // Where the object is after some more time (s) at its present speed.
+  [[nodiscard]] HoldSlip ahead(const HoldSlip& moved, double time) const {
+    const mjtNum* v = data_->qvel + model_->body_dofadr[hand_.object_body];
+    return {moved.held, moved.shift + time * Vector3d(v[0], v[1], v[2]).norm(),
+            moved.turn + time * Vector3d(v[3], v[4], v[5]).norm()};
+  }
+
+  // Returns whether the object would stay within the limits at twice that slip.
+  [[nodiscard]] bool is_safe(const HoldSlip& slip) const {
+    return 2.0 * slip.shift < conditions_.largest_shift &&
+           2.0 * slip.turn < conditions_.largest_turn;
+  }
+
+  // @param settled s, from when on the load stays the same: what is left of the time is then taken
+  // to pass at the object's present speed, as soon as twice that much slip would not matter.
+  [[nodiscard]] HoldSlip run(double duration, double settled, const LoadAtTime& load_at) {
+    const double step_time = model_->opt.timestep;
+    const int steps = static_cast<int>(std::lround(duration / step_time));
+    constexpr int kLook = 25;  // steps
+    HoldSlip from_grasp{true, 0.0, 0.0};
+    int step = 0;
+    while (step < steps && from_grasp.held && !stop_.stop_requested()) {
+      apply(load_at(step * step_time));
+      mj_step(model_.get(), data_.get());
+      ++step;
+      if (step % kLook == 0 || step == steps) {
+        from_grasp = moved_from(grasp_pose_);
+        if (step * step_time > settled && is_safe(ahead(from_grasp, (steps - step) * step_time))) {
+          break;
+        }
+      }
+    }
+    const HoldSlip slip = moved_from(squeezed_pose_);
+    return from_grasp.held ? ahead(slip, (steps - step) * step_time)
+                           : HoldSlip{false, slip.shift, slip.turn};
+  }
+
+  void apply(const Load& load) {
+    mjtNum* force = data_->xfrc_applied + 6 * hand_.object_body;
+    std::copy_n(load.force.data(), 3, force);
+    std::copy_n(load.acceleration.data(), 3, model_->opt.gravity);
+  }
+
+  const HandModel& hand_;
+  const geometric::RobotModel& robot_;
+  const planning::Pregrasp& grasp_;
+  const HoldConditions& conditions_;
+  std::stop_token stop_;
+  ModelPointer model_;
+  DataPointer data_;
+  DataPointer squeezed_;
+  Pose grasp_pose_;
+  Pose squeezed_pose_;
+};
+
+HandModel model_of(const planning::PlanningProblem& problem, std::string_view object, int palm) {
+  const geometric::SceneObject* found = geometric::find_object(*problem.scene, object);
+  if (found == nullptr) {
+    throw geometric::InputError({"scene " + problem.scene->name, "",
+                                 "\"" + std::string(object) + "\"", "an object of the scene", ""});
+  }
+  return hand_model(problem.model(), palm, *found);
+}
+
+}  // namespace
+
+MujocoHoldTest::MujocoHoldTest(const planning::PlanningProblem& problem, std::string_view object,
+                               int palm)
+    : robot_(problem.scene->robots.front().model),
+      palm_(palm),
+      X_WB_(problem.scene->robots.front().X_WB),
+      hand_(model_of(problem, object, palm)) {
+  X_BO_ = X_WB_.inverse() * geometric::find_object(*problem.scene, object)->X_PO;
+}
+
+HoldResult MujocoHoldTest::test(const planning::Pregrasp& grasp, const HoldConditions& conditions,
+                                const std::stop_token& stop) const {
+  std::vector<Pose> X_BL(static_cast<std::size_t>(robot_->link_count()));
+  robot_->forward_kinematics(grasp.closed, X_BL);
+  const Pose& X_BP = X_BL[static_cast<std::size_t>(palm_)];
+  const Eigen::Matrix3d R_PW = (X_WB_ * X_BP).linear().transpose();
+  Simulation simulation(hand_, *robot_, grasp, X_BP.inverse() * X_BO_, conditions, stop);
+  HoldResult result;
+  result.squeeze = simulation.squeeze();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      const Vector3d force_P = sign * conditions.force * R_PW.col(axis);
+      const HoldSlip slip = simulation.load(kDisturbanceTime, kSettled, [&](double) {
+        return Load{force_P, Vector3d::Zero()};
+      });
+      if (stop.stop_requested()) {
+        return result;
+      }
+      result.directions.push_back(slip);
+    }
+  }
+  // In the frame of the palm, which is raised, everything is pulled down the more.
+  const HoldSlip lift =
+      simulation.load(kLiftTime + kLiftHoldTime, kLiftTime + kSettled, [&](double time) {
+        return Load{Vector3d::Zero(), -(kGravity + lift_acceleration(time)) * R_PW.col(2)};
+      });
+  if (!stop.stop_requested()) {
+    result.lift = lift;
+  }
+  return result;
+}
+
+std::vector<std::string> MujocoHoldTest::assumptions() const {
+  std::vector<std::string> sentences = hand_.warnings;
+  sentences.insert(
+      sentences.end(),
+      {"Fingers pass through each other, and nothing but the hand touches the object.",
+       "Each link weighs 50 g; gravity does not bend the fingers.",
+       "Joint torques and stiffness are those of the test's conditions, the same for all joints."});
+  return sentences;
+}
+
+}  // namespace handway::simulate_mujoco
+
+HANDWAY_PLUGIN({.name = "simulate_mujoco",
+                .version = HANDWAY_VERSION,
+                .make_hold_test = [](const handway::planning::PlanningProblem& problem,
+                                     std::string_view object,
+                                     int palm) -> std::unique_ptr<handway::planning::HoldTest> {
+                  return std::make_unique<handway::simulate_mujoco::MujocoHoldTest>(problem, object,
+                                                                                    palm);
+                }});
