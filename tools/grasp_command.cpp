@@ -1,7 +1,9 @@
 #include "commands.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/grasps/grasp_file.h"
+#include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "numbers.h"
 #include "printing.h"
@@ -13,9 +15,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -29,12 +34,72 @@ struct GraspOptions {
   std::filesystem::path scene;
   std::string object;
   planning::PregraspOptions search;
+  planning::HoldConditions hold;  ///< Friction and mass are those of the search.
+  int test = 0;                   ///< Grasps to simulate at most.
+  bool margins = false;
   std::vector<std::string> group;
   std::filesystem::path out;
   std::filesystem::path report;
 };
 
+/// A simulated grasp.
+struct TestedGrasp {
+  planning::HoldResult result;
+  planning::HoldMargins margins;  ///< Empty unless they are asked for.
+};
+
+/// The first grasps of a search, simulated.
+struct TestedGrasps {
+  std::vector<TestedGrasp> tested;
+  std::vector<std::string> assumptions;
+};
+
+TestedGrasps test_grasps(const GraspOptions& options, const planning::PluginManager& plugins,
+                         const planning::PlanningProblem& problem,
+                         const planning::Pregrasps& grasps, const std::stop_token& stop) {
+  const auto test = plugins.hold_test_maker()(problem, options.object, grasps.palm);
+  TestedGrasps tested{{}, test->assumptions()};
+  const auto results =
+      planning::test_grasps(*test, grasps.found, static_cast<std::size_t>(options.test),
+                            options.hold, options.search.threads, stop);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    tested.tested.push_back(
+        {results[i], options.margins
+                         ? planning::hold_margins(*test, grasps.found[i], options.hold, stop)
+                         : planning::HoldMargins{}});
+  }
+  return tested;
+}
+
 Json list_of(const Eigen::VectorXd& v) { return std::vector<double>(v.begin(), v.end()); }
+
+Json json_of(const planning::HoldSlip& slip) {
+  return {{"held", slip.held},
+          {"slip_mm", geometric::millimetres(slip.shift)},
+          {"slip_deg", geometric::degrees(slip.turn)}};
+}
+
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+Json json_of(const TestedGrasp& tested, bool margins) {
+  Json directions = Json::array();
+  for (const planning::HoldSlip& slip : tested.result.directions) {
+    directions.push_back(json_of(slip));
+  }
+  Json hold = {{"held", tested.result.held()},
+               {"squeeze", json_of(tested.result.squeeze)},
+               {"directions", directions},
+               {"lift", json_of(*tested.result.lift)}};
+  if (margins) {
+    hold["least_friction"] = number_or_null(tested.margins.least_friction);
+    hold["largest_mass"] = number_or_null(tested.margins.largest_mass);
+    const auto& error = tested.margins.position_error;
+    hold["position_error_mm"] = error ? Json(geometric::millimetres(*error)) : Json(nullptr);
+  }
+  return hold;
+}
 
 Json json_of(const planning::Pregrasp& grasp) {
   Json contacts = Json::array();
@@ -49,7 +114,7 @@ Json json_of(const planning::Pregrasp& grasp) {
           {"epsilon", grasp.quality.epsilon},
           {"volume", grasp.quality.volume},
           {"weakest", list_of(grasp.quality.weakest)},
-          {"holding_force", grasp.holding_force ? Json(*grasp.holding_force) : Json(nullptr)},
+          {"holding_force", number_or_null(grasp.holding_force)},
           {"doubt", grasp.doubt},
           {"fingers", grasp.fingers},
           {"enclosure", grasp.enclosure},
@@ -63,14 +128,17 @@ Json json_of(const planning::Pregrasp& grasp) {
 }
 
 Json report_of(const GraspOptions& options, const planning::PlanningProblem& problem,
-               const planning::Pregrasps& grasps, double time_s) {
+               const planning::Pregrasps& grasps, const TestedGrasps& tests, double time_s) {
   Json joints = Json::array();
   for (int v = 0; v < problem.model().variable_count(); ++v) {
     joints.push_back(problem.model().variable(v).name);
   }
   Json found = Json::array();
-  for (const planning::Pregrasp& grasp : grasps.found) {
-    found.push_back(json_of(grasp));
+  for (std::size_t i = 0; i < grasps.found.size(); ++i) {
+    found.push_back(json_of(grasps.found[i]));
+    if (i < tests.tested.size()) {
+      found.back()["hold"] = json_of(tests.tested[i], options.margins);
+    }
   }
   return {{"object", options.object},
           {"reason", grasps.why_none},
@@ -82,19 +150,53 @@ Json report_of(const GraspOptions& options, const planning::PlanningProblem& pro
           {"time_s", time_s},
           {"joints", joints},
           {"grasps", found},
+          {"hold_assumptions", tests.assumptions},
           {"version", kVersion}};
 }
 
-void print_grasps(const planning::Pregrasps& grasps, const planning::PregraspOptions& search) {
-  print_out("Friction {}, {} kg\n", search.contact.friction, search.payload);
-  print_out("{:>4} {:>6} {:>8} {:>8} {:>8} {:>8} {:>10}\n", "rank", "score", "epsilon", "contacts",
-            "touching", "force, N", "clear, mm");
-  int rank = 0;
-  for (const planning::Pregrasp& grasp : grasps.found) {
-    print_out("{:>4} {:>6.2f} {:>8.3f} {:>8} {:>8} {:>8} {:>10.0f}{}\n", ++rank, grasp.score,
+// The columns of a simulated grasp; of another one, empty.
+std::string hold_columns(const TestedGrasps& tests, std::size_t grasp, bool margins) {
+  if (grasp >= tests.tested.size()) {
+    return {};
+  }
+  const auto& [result, margin] = tests.tested[grasp];
+  std::string text = fmt::format(
+      " {:>6} {:>8}", fmt::format("{}/6", result.directions_held()),
+      result.lift->held ? fmt::format("{:.1f}", geometric::millimetres(result.lift->shift))
+                        : "dropped");
+  if (margins) {
+    const auto column = [](const std::optional<double>& number, const char* form, double unit) {
+      return number ? fmt::format(fmt::runtime(form), *number * unit) : std::string("-");
+    };
+    text += fmt::format(" {:>8} {:>8} {:>8}", column(margin.least_friction, "{:.2f}", 1.0),
+                        column(margin.largest_mass, "{:.2f}", 1.0),
+                        column(margin.position_error, "{:.0f}", 1e3));
+  }
+  return text;
+}
+
+std::string hold_titles(const GraspOptions& options) {
+  std::string titles;
+  if (options.test > 0) {
+    titles += fmt::format(" {:>6} {:>8}", "held", "lift, mm");
+  }
+  if (options.test > 0 && options.margins) {
+    titles += fmt::format(" {:>8} {:>8} {:>8}", "friction", "mass, kg", "off, mm");
+  }
+  return titles;
+}
+
+void print_grasps(const planning::Pregrasps& grasps, const TestedGrasps& tests,
+                  const GraspOptions& options) {
+  print_out("Friction {}, {} kg\n", options.search.contact.friction, options.search.payload);
+  print_out("{:>4} {:>6} {:>8} {:>8} {:>8} {:>8} {:>10}{}\n", "rank", "score", "epsilon",
+            "contacts", "touching", "force, N", "clear, mm", hold_titles(options));
+  for (std::size_t i = 0; i < grasps.found.size(); ++i) {
+    const planning::Pregrasp& grasp = grasps.found[i];
+    print_out("{:>4} {:>6.2f} {:>8.3f} {:>8} {:>8} {:>8} {:>10.0f}{}{}\n", i + 1, grasp.score,
               grasp.quality.epsilon, grasp.contacts.size(), touching_fingers(grasp),
               grasp.holding_force ? fmt::format("{:.1f}", *grasp.holding_force) : "-",
-              geometric::millimetres(grasp.clearance),
+              geometric::millimetres(grasp.clearance), hold_columns(tests, i, options.margins),
               grasp.doubt.empty() ? std::string() : fmt::format("  {}", grasp.doubt));
   }
 }
@@ -102,21 +204,30 @@ void print_grasps(const planning::Pregrasps& grasps, const planning::PregraspOpt
 int find_grasps(const GraspOptions& options) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
+  if (options.test > 0 && plugins.hold_test_maker() == nullptr) {
+    throw geometric::InputError({"--test", "", "no plugin that simulates grasps", "simulate_mujoco",
+                                 "Build Handway with libmujoco-dev"});
+  }
   planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
   set_group(options.group, loaded);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   print_warnings(problem);
   std::stop_source stop;
   planning::Pregrasps grasps;
-  const auto begin = std::chrono::steady_clock::now();
+  TestedGrasps tests;
+  std::chrono::duration<double> time{};
   {
     const StopsOnInterrupt guard(stop);
+    const auto begin = std::chrono::steady_clock::now();
     grasps = planning::find_pregrasps(problem, options.object, options.search, stop.get_token());
+    time = std::chrono::steady_clock::now() - begin;
+    if (options.test > 0 && !grasps.found.empty()) {
+      tests = test_grasps(options, plugins, problem, grasps, stop.get_token());
+    }
   }
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   if (!options.report.empty()) {
-    geometric::replace_file(options.report,
-                            report_of(options, problem, grasps, time.count()).dump(2) + "\n");
+    geometric::replace_file(
+        options.report, report_of(options, problem, grasps, tests, time.count()).dump(2) + "\n");
   }
   if (grasps.found.empty()) {
     print_out("No grasp of {} found. {}\n", options.object,
@@ -127,7 +238,7 @@ int find_grasps(const GraspOptions& options) {
     geometric::replace_file(
         options.out, planning::grasp_file_text(problem, options.object, options.search, grasps));
   }
-  print_grasps(grasps, options.search);
+  print_grasps(grasps, tests, options);
   return grasps.found.front().doubt.empty() ? kDone : kNoPath;
 }
 
@@ -158,10 +269,33 @@ void add_grasp_command(CLI::App& app, int& exit_code) {
       ->add_option("--threads", options->search.threads, "Threads; the grasps do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command
+      ->add_option("--test", options->test,
+                   "Simulate whether as many of the best hold: six forces, then a lift")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  command->add_flag("--margins", options->margins,
+                    "Simulate with which friction, mass and place of the object they still hold");
+  command->add_option("--force", options->hold.force, "Disturbing force of the simulation, N")
+      ->check(CLI::Range(0.0, 1e4))
+      ->capture_default_str();
+  command->add_option("--torque", options->hold.torque, "Most that a finger's joint applies, N·m")
+      ->check(CLI::Range(1e-3, 1e3))
+      ->capture_default_str();
+  command
+      ->add_option("--stiffness", options->hold.stiffness,
+                   "Stiffness of a finger's joint, N·m per rad beyond the grasp")
+      ->check(CLI::Range(1e-3, 1e5))
+      ->capture_default_str();
   add_group_option(*command, options->group);
   command->add_option("--out", options->out, "Write the grasps here (YAML)");
   command->add_option("--report", options->report, "Write a report here (JSON)");
-  command->callback([options, &exit_code] { exit_code = find_grasps(*options); });
+  command->callback([options, &exit_code] {
+    options->hold.contact = options->search.contact;
+    options->hold.mass = options->search.payload;
+    options->test = options->margins ? std::max(options->test, 1) : options->test;
+    exit_code = find_grasps(*options);
+  });
 }
 
 }  // namespace handway::tools

@@ -21,6 +21,7 @@ using planning::HoldSlip;
 
 constexpr double kGravity = 9.81;         // m/s²
 constexpr double kSqueezeTime = 0.5;      // s
+constexpr double kClosingTime = 1.0;      // s, onto a misplaced object
 constexpr double kDisturbanceTime = 1.5;  // s, of each force
 constexpr double kSettled = 0.5;          // s under a steady load, before it is cut short
 constexpr double kLiftTime = 1.0;         // s
@@ -86,13 +87,18 @@ class Simulation {
     set_conditions(hand_, conditions_, *model_);
     mj_setConst(model_.get(), data_.get());
     mj_resetData(model_.get(), data_.get());
-    set_posture(X_PO);
+    place_object(X_PO);
+    set_posture(grasp.closed);
+    if (!conditions.misplacement.isZero()) {
+      open();
+    }
     grasp_pose_ = squeezed_pose_ = object_pose();
   }
 
   [[nodiscard]] HoldSlip squeeze() {
-    const HoldSlip slip = run(kSqueezeTime, kSqueezeTime, [&](double time) {
-      set_targets(std::min(1.0, 2.0 * time / kSqueezeTime));
+    const double duration = conditions_.misplacement.isZero() ? kSqueezeTime : kClosingTime;
+    const HoldSlip slip = run(duration, duration, [&](double time) {
+      set_targets(std::min(1.0, 2.0 * time / duration));
       return Load{};
     });
     squeezed_pose_ = object_pose();
@@ -108,10 +114,7 @@ class Simulation {
   }
 
  private:
-  void set_posture(const Pose& X_PO) {
-    for (const HandJoint& joint : hand_.joints) {
-      data_->qpos[joint.position] = geometric::joint_value(robot_, joint.link, grasp_.closed);
-    }
+  void place_object(const Pose& X_PO) {
     mjtNum* object = data_->qpos + hand_.object_position;
     const Eigen::Quaterniond q(X_PO.linear());
     std::copy_n(X_PO.translation().data(), 3, object);
@@ -119,13 +122,32 @@ class Simulation {
     object[4] = q.x();
     object[5] = q.y();
     object[6] = q.z();
+  }
+
+  void set_posture(const planning::Configuration& q) {
+    begin_ = q;
+    for (const HandJoint& joint : hand_.joints) {
+      data_->qpos[joint.position] = geometric::joint_value(robot_, joint.link, q);
+    }
     set_targets(0.0);
     mj_forward(model_.get(), data_.get());
   }
 
-  // Targets on the way from the grasp (0) to the squeeze (1).
+  // Opens the hand against the direction of its squeeze until nothing touches the object, or as far
+  // as the joints go.
+  void open() {
+    constexpr int kSteps = 30;
+    constexpr double kMost = 1.5;  // rad or m of the joint that moves most
+    const Eigen::VectorXd squeeze = grasp_.squeezed - grasp_.closed;
+    const double most = squeeze.cwiseAbs().maxCoeff();
+    for (int step = 1; step <= kSteps && most > 0.0 && data_->ncon > 0; ++step) {
+      set_posture(robot_.clamped(grasp_.closed - squeeze * (kMost * step / (kSteps * most))));
+    }
+  }
+
+  // Targets on the way from the begin (0) to the squeeze (1).
   void set_targets(double share) {
-    const planning::Configuration q = grasp_.closed + share * (grasp_.squeezed - grasp_.closed);
+    const planning::Configuration q = begin_ + share * (grasp_.squeezed - begin_);
     for (const HandJoint& joint : hand_.joints) {
       if (joint.actuator >= 0) {
         data_->ctrl[joint.actuator] = geometric::joint_value(robot_, joint.link, q);
@@ -203,6 +225,7 @@ class Simulation {
   const geometric::RobotModel& robot_;
   const planning::Pregrasp& grasp_;
   const HoldConditions& conditions_;
+  planning::Configuration begin_;  ///< Posture that the squeeze begins with.
   std::stop_token stop_;
   ModelPointer model_;
   DataPointer data_;
@@ -237,7 +260,9 @@ HoldResult MujocoHoldTest::test(const planning::Pregrasp& grasp, const HoldCondi
   robot_->forward_kinematics(grasp.closed, X_BL);
   const Pose& X_BP = X_BL[static_cast<std::size_t>(palm_)];
   const Eigen::Matrix3d R_PW = (X_WB_ * X_BP).linear().transpose();
-  Simulation simulation(hand_, *robot_, grasp, X_BP.inverse() * X_BO_, conditions, stop);
+  Pose X_WO = X_WB_ * X_BO_;
+  X_WO.pretranslate(conditions.misplacement);
+  Simulation simulation(hand_, *robot_, grasp, (X_WB_ * X_BP).inverse() * X_WO, conditions, stop);
   HoldResult result;
   result.squeeze = simulation.squeeze();
   for (int axis = 0; axis < 3; ++axis) {

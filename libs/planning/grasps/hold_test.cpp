@@ -39,6 +39,21 @@ class Bisection {
   double fails_;
 };
 
+// Holds wherever along x and y of the world the object is off by that much.
+bool holds_misplaced(const HoldTest& test, const Pregrasp& grasp, const HoldConditions& conditions,
+                     double distance, const std::stop_token& stop) {
+  for (const Eigen::Vector3d& direction :
+       {Eigen::Vector3d(distance, 0.0, 0.0), Eigen::Vector3d(-distance, 0.0, 0.0),
+        Eigen::Vector3d(0.0, distance, 0.0), Eigen::Vector3d(0.0, -distance, 0.0)}) {
+    HoldConditions changed = conditions;
+    changed.misplacement = direction;
+    if (!holds(test, grasp, changed, stop)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 int HoldResult::directions_held() const {
@@ -82,6 +97,12 @@ HoldMargins hold_margins(const HoldTest& test, const Pregrasp& grasp,
               with_mass,
               [](double held, double dropped) { return dropped - held <= kMassShare * held; },
               stop);
+  margins.position_error = kMisplacements.front();
+  for (std::size_t i = 1; i < kMisplacements.size() &&
+                          holds_misplaced(test, grasp, conditions, kMisplacements[i], stop);
+       ++i) {
+    margins.position_error = kMisplacements[i];
+  }
   return margins;
 }
 

@@ -4,6 +4,9 @@
 #include "handway/planning/grasps/grasp_quality.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 
+#include <Eigen/Core>
+
+#include <array>
 #include <cstddef>
 #include <numbers>
 #include <optional>
@@ -15,6 +18,9 @@ namespace handway::planning {
 
 /// Conditions of a hold test: loads, and what no robot file says.
 struct HoldConditions {
+  /// m, in the world: how far the object is from where the grasp expects it. If it is not 0, the
+  /// hand starts opened and closes onto the object.
+  Eigen::Vector3d misplacement = Eigen::Vector3d::Zero();
   double mass = 0.1;            ///< Of the object, kg.
   ContactModel contact = {};    ///< Friction between hand and object; `edges` is not used.
   double force = 1.0;           ///< N: the disturbance, along ±x, ±y and ±z of the world.
@@ -49,10 +55,17 @@ struct HoldResult {
   [[nodiscard]] bool held() const { return directions_held() == 6; }
 };
 
-/// How much worse the conditions may get while a grasp holds in all six directions and the lift.
+/// Misplacements (m) that hold_margins() tries.
+inline constexpr std::array<double, 3> kMisplacements{0.0, 0.005, 0.01};
+
+/// How much worse each condition may get, the others as they are, while a grasp holds in all six
+/// directions and the lift.
 struct HoldMargins {
   std::optional<double> least_friction = {};  ///< Nothing: not held with the friction asked for.
   std::optional<double> largest_mass = {};    ///< kg; nothing: not held with the mass asked for.
+  /// m: the largest of kMisplacements by which the object may be off along x and y of the world,
+  /// either way; nothing as before.
+  std::optional<double> position_error = {};
 };
 
 /// Simulates whether the grasps of one object hold it. The hand's palm is fixed; the joints that it
@@ -73,7 +86,8 @@ class HANDWAY_PLANNING_EXPORT HoldTest {
 };
 
 /// Finds the least friction (to 0.01) and the largest mass (to 5 %, at most 10 kg) by bisection,
-/// some 15 tests. @param stop as HoldTest::test(); then with what is known.
+/// and the largest misplacement: some 25 tests.
+/// @param stop as HoldTest::test(); then with what is known.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT HoldMargins hold_margins(const HoldTest& test,
                                                                const Pregrasp& grasp,
                                                                const HoldConditions& conditions,
