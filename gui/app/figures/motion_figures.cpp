@@ -179,7 +179,7 @@ void write_motion_figure(const std::vector<execution::RecordedDevice>& devices,
                       {column.begin(), column.end()});
       plot->refresh();
       plots.push_back(plot->findChild<QwtPlot*>());
-      QwtText title(joint);
+      QwtText title(joint, QwtText::PlainText);
       title.setFont(plot_font(kTitleSize));
       plots.back()->setTitle(title);
       owners.push_back(std::move(plot));

@@ -14,6 +14,7 @@
 #include <qwt_plot_layout.h>
 #include <qwt_scale_draw.h>
 #include <qwt_scale_map.h>
+#include <qwt_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ const QSize kPrintSize{760, 380};
 
 void add_curve(QwtPlot& plot, const QString& title, const QPen& pen, const QVector<QPointF>& points,
                bool in_legend) {
-  auto* curve = new QwtPlotCurve(title);
+  auto* curve = new QwtPlotCurve(QwtText(title, QwtText::PlainText));
   curve->setPen(pen);
   curve->setSamples(points);
   curve->setRenderHint(QwtPlotItem::RenderAntialiased);
@@ -286,7 +287,7 @@ TimePlot::TimePlot(const QString& x_title, const QString& y_title, QWidget* pare
 }
 
 int TimePlot::add_curve(const QString& title, const QColor& color, bool dashed) {
-  auto* curve = new QwtPlotCurve(title);
+  auto* curve = new QwtPlotCurve(QwtText(title, QwtText::PlainText));
   curve->setPen(color, kWidth, dashed ? Qt::DashLine : Qt::SolidLine);
   curve->setRenderHint(QwtPlotItem::RenderAntialiased);
   curve->attach(plot_);

@@ -53,7 +53,7 @@ QFont plot_font(double size, bool bold) {
 }
 
 QwtText plot_text(const QString& text, double size, bool bold) {
-  QwtText result(text);
+  QwtText result(text, QwtText::PlainText);
   result.setFont(plot_font(size, bold));
   result.setColor(kPlotInk);
   return result;

@@ -36,6 +36,8 @@ struct PlotColors {
 /// @param size of the letters, points.
 [[nodiscard]] QFont plot_font(double size, bool bold = false);
 
+/// Plain text for a plot: Qwt guesses by default whether it is HTML.
+/// @param size of the letters, points.
 [[nodiscard]] QwtText plot_text(const QString& text, double size, bool bold = false);
 
 /// Makes a new plot look like the others; its axes get these titles.

@@ -11,6 +11,7 @@
 #include <qwt_plot_marker.h>
 #include <qwt_scale_engine.h>
 #include <qwt_symbol.h>
+#include <qwt_text.h>
 
 #include <algorithm>
 #include <array>
@@ -76,7 +77,7 @@ void EcdfPlot::set_curves(const std::vector<EcdfCurve>& curves) {
   const double last = std::pow(10.0, std::ceil(std::log10(most)));
   plot_->setAxisScale(QwtPlot::xBottom, first, last > first ? last : 10.0 * first);
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    auto* line = new QwtPlotCurve(curves[i].title);
+    auto* line = new QwtPlotCurve(QwtText(curves[i].title, QwtText::PlainText));
     const QColor color = QColor::fromRgb(kColors[i % kColors.size()]);
     line->setPen(on_paper_ ? on_paper_(color) : color, kWidth);
     line->setRenderHint(QwtPlotItem::RenderAntialiased);
@@ -113,8 +114,10 @@ std::unique_ptr<QwtPlot> make_scatter_plot(const PlotVariable& x, const PlotVari
   auto plot = std::make_unique<QwtPlot>();
   style_plot(*plot, x.title, y.title);
   const QString r = QString::number(correlation(x.values, y.values), 'f', 2);
-  plot->setTitle(
-      plot_text(QStringLiteral("<i>r</i> = %1").arg(QString(r).replace('-', QChar(0x2212))), 9.5));
+  QwtText title = plot_text({}, 9.5);
+  title.setText(QStringLiteral("<i>r</i> = %1").arg(QString(r).replace('-', QChar(0x2212))),
+                QwtText::RichText);
+  plot->setTitle(title);
   const Eigen::Index count = std::min(kMostDots, x.values.size());
   QVector<QPointF> points;
   for (Eigen::Index i = 0; i < count; ++i) {
