@@ -11,15 +11,14 @@
 #include "handway/planning/paths/path_file.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/file_dialogs.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/typed_input.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
+#include "widgets/style/text_rules.h"
 #include "widgets/style/theme.h"
-#include "widgets/style/tooltips.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -42,8 +41,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget
   setContextMenuPolicy(Qt::NoContextMenu);
   new WheelGuard(this);
   new TypingGuard(this);
-  new FileDialogTooltips(this);
-  new WrappedTooltips(this);
+  new TextRules(this);
   new EnterKey(*this, workbench_.view);
   new FreedMemory(workbench_);
   build_middle();

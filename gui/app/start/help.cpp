@@ -25,6 +25,7 @@ void show_about(QWidget& window) {
           .arg(QApplication::applicationVersion(), QLatin1String(qVersion()),
                SceneView::coin_version()),
       QMessageBox::Close, &window);
+  box->setTextFormat(Qt::RichText);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();
 }
@@ -162,6 +163,7 @@ void show_panel_help(QMainWindow& window) {
   card->setAttribute(Qt::WA_StyledBackground);
   card->setProperty("role", "help");
   auto* text = new QLabel(QCoreApplication::translate("Help", help->text));
+  text->setTextFormat(Qt::RichText);
   text->setWordWrap(true);
   text->setFixedWidth(scaled(kHelpWidth));
   lay_out(*card, in_column({text}), {16, 12, 16, 12});

@@ -140,8 +140,7 @@ void StartPage::add_scenes(QVBoxLayout& layout) {
     auto* card = new PictureCard(scene.title, scene.picture);
     const QString file = QString::fromStdString(scene.file.string());
     card->setObjectName(QStringLiteral("open ") + QFileInfo(file).baseName());
-    card->setToolTip(QStringLiteral("<b>%1</b><br>%2")
-                         .arg(scene.title.toHtmlEscaped(), scene.description.toHtmlEscaped()));
+    card->setToolTip(scene.title + QLatin1Char('\n') + scene.description);
     connect(card, &QAbstractButton::clicked, this, [this, file] { emit open_requested(file); });
     grid->addWidget(card, index / columns_, index % columns_, Qt::AlignLeft);
     ++index;

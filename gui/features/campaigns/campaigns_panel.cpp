@@ -190,6 +190,7 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::PluginManager> pl
   parts->setSizes({kTableHeight, kPlotHeight});
   parts->setChildrenCollapsible(false);
   setLayout(in_column({make_actions(), progress_, state_, problems_, {parts, 1}}));
+  state_->setTextFormat(Qt::RichText);
   state_->setWordWrap(true);
   progress_->setVisible(false);
   problems_->setVisible(false);
@@ -242,7 +243,7 @@ void CampaignsPanel::open(const QString& file) {
   stop_->setEnabled(true);
   progress_->setRange(0, 0);
   progress_->setVisible(true);
-  state_->setText(tr("Reading %1…").arg(name_));
+  state_->setText(tr("Reading %1…").arg(name_.toHtmlEscaped()));
   const std::filesystem::path path = QFileInfo(file).absoluteFilePath().toStdString();
   if (file.endsWith(QLatin1String(".sqlite"))) {
     runner_.read(path);
@@ -257,7 +258,7 @@ void CampaignsPanel::begin(const QString& name, int all) {
   name_ = name;
   progress_->setRange(0, all);
   progress_->setValue(0);
-  state_->setText(tr("%1: %n run(s)", nullptr, all).arg(name));
+  state_->setText(tr("%1: %n run(s)", nullptr, all).arg(name.toHtmlEscaped()));
 }
 
 void CampaignsPanel::take(const std::vector<planning::ArchivedRun>& runs) {
@@ -292,7 +293,7 @@ void CampaignsPanel::end(const QString& problem) {
     state_->setText(colored(problem, colors_of(current_theme()).bad));
   } else {
     state_->setText(tr("%1: %2 runs, %3 with a path%4")
-                        .arg(name_)
+                        .arg(name_.toHtmlEscaped())
                         .arg(table_->rowCount())
                         .arg(solved)
                         .arg(complete ? QString() : tr("; stopped before its end")));

@@ -104,6 +104,7 @@ MotionPreview::MotionPreview(QWidget* parent)
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setDrawBase(false);
   report_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  report_->setTextFormat(Qt::RichText);
   report_->setWordWrap(true);
   report_->setMargin(12);
   report_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -297,6 +298,7 @@ QWidget* ExportDialog::make_settings() {
 
 QWidget* ExportDialog::make_destination() {
   problem_text_->setWordWrap(true);
+  problem_text_->setTextFormat(Qt::RichText);
   problem_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   problem_text_->hide();
   folder_->setAccessibleName(tr("Folder"));

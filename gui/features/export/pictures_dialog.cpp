@@ -191,6 +191,7 @@ QWidget* PicturesDialog::make_destination() {
   export_button_->setProperty("role", "primary");
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
+  note_->setTextFormat(Qt::RichText);
   note_->setWordWrap(true);
   auto* browse = new QPushButton(tr("Browse…"));
   connect(browse, &QPushButton::clicked, this, &PicturesDialog::browse);

@@ -445,6 +445,9 @@ CaptureCoach::CaptureCoach(QWidget* parent)
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
   progress_->setRange(0, 100);
+  for (QLabel* label : {headline_, advice_, hints_label_, together_}) {
+    label->setTextFormat(Qt::RichText);
+  }
   advice_->setWordWrap(true);
   hints_label_->setWordWrap(true);
   hints_label_->setAlignment(Qt::AlignTop);

@@ -55,6 +55,7 @@ RecordBar::RecordBar(GloveSession& session, QWidget* parent)
       session_(session),
       button_(named("record", new QPushButton)),
       progress_(named("record_progress", note())) {
+  progress_->setTextFormat(Qt::RichText);
   progress_->setWordWrap(true);
   lay_out(*this, in_row({button_, {progress_, 1}}, 10));
   ticker_.setInterval(kTickMs);
@@ -94,7 +95,7 @@ void RecordBar::begin() {
     file_ = new_recording_file(unnamed_folder());
     session_.link().tap().begin(file_, std::move(header));
   } catch (const std::exception& error) {
-    progress_->setText(QString::fromUtf8(error.what()));
+    progress_->setText(QString::fromUtf8(error.what()).toHtmlEscaped());
     return;
   }
   button_->setText(tr("Stop"));
@@ -114,7 +115,7 @@ void RecordBar::finish() {
   }
   progress_->setText(tr("%1 rows kept as %2")
                          .arg(session_.link().tap().rows())
-                         .arg(QString::fromStdString(file_.filename().string())));
+                         .arg(QString::fromStdString(file_.filename().string()).toHtmlEscaped()));
   progress_->setToolTip(QString::fromStdString(file_.string()));
   ask_for_name();
 }
@@ -132,7 +133,8 @@ void RecordBar::ask_for_name() {
     } catch (const std::exception& error) {
       progress_->setText(
           tr("Still in %1: %2")
-              .arg(QString::fromStdString(file_.string()), QString::fromUtf8(error.what())));
+              .arg(QString::fromStdString(file_.string()), QString::fromUtf8(error.what()))
+              .toHtmlEscaped());
     }
   });
   connect(dialog, &QFileDialog::rejected, this,
@@ -153,7 +155,7 @@ void RecordBar::keep_as(const std::filesystem::path& file) {
   file_ = file;
   progress_->setText(tr("%1 rows saved as %2")
                          .arg(session_.link().tap().rows())
-                         .arg(QString::fromStdString(file.filename().string())));
+                         .arg(QString::fromStdString(file.filename().string()).toHtmlEscaped()));
   progress_->setToolTip(QString::fromStdString(file.string()));
   emit recorded(QString::fromStdString(file.string()));
 }
@@ -163,7 +165,7 @@ void RecordBar::show_progress() {
   if (!tap.error().empty()) {
     const QString error = QString::fromStdString(tap.error());
     finish();
-    progress_->setText(error);
+    progress_->setText(error.toHtmlEscaped());
     return;
   }
   progress_->setText(tr("<b>%1</b>, %2 rows").arg(clock_text(tap.duration())).arg(tap.rows()));

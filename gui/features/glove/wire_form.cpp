@@ -324,6 +324,7 @@ WireForm::WireForm(QWidget* parent)
       offset_(field("wire_offset")),
       curve_(field("wire_curve")),
       fixed_(field("wire_fixed")) {
+  joint_->setTextFormat(Qt::RichText);
   sensor_->setMinimumContentsLength(6);
   sensor_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   sensor_->addItem(tr("Fixed, no sensor"), kFixed);
@@ -366,7 +367,7 @@ WireForm::WireForm(QWidget* parent)
 void WireForm::set_wire(const device::JointWire& wire) {
   wire_ = wire;
   const QSignalBlocker quiet(sensor_);
-  joint_->setText(QStringLiteral("<b>%1</b>").arg(joint_label(wire.joint)));
+  joint_->setText(QStringLiteral("<b>%1</b>").arg(joint_label(wire.joint).toHtmlEscaped()));
   sensor_->setCurrentIndex(sensor_->findData(wire.left_to_arm ? kOfArm : wire.sensor));
   sensor_->setToolTip(sensor_->currentData(Qt::ToolTipRole).toString());
   show_text(*gain_, shown_number(wire.gain));

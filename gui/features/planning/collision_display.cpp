@@ -229,6 +229,7 @@ DoctorCard::DoctorCard(QWidget* host, std::function<std::vector<QPoint>()> to_be
       show_(named("doctor_show", new QPushButton(tr("Show")))),
       use_(named("doctor_use", new QPushButton(tr("Use posture")))),
       mend_(named("doctor_mend", new QPushButton)) {
+  text_->setTextFormat(Qt::RichText);
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   show_->setToolTip(tr("Move the robot to the free posture"));

@@ -128,7 +128,8 @@ void PlanPanel::follow(PlanningSession& session) {
   connect(&session, &PlanningSession::optimized_further, this, &PlanPanel::show_optimize_progress);
   connect(&session, &PlanningSession::result_found, this, &PlanPanel::show_result);
   connect(&session, &PlanningSession::replanned, this, &PlanPanel::show_replanned);
-  connect(&session, &PlanningSession::path_opened, result_, &QLabel::setText);
+  connect(&session, &PlanningSession::path_opened, result_,
+          [this](const QString& note) { result_->setText(note.toHtmlEscaped()); });
   connect(&session, &PlanningSession::failed, this, &PlanPanel::show_failure);
 }
 
@@ -202,9 +203,11 @@ QWidget* PlanPanel::make_actions() {
 }
 
 QWidget* PlanPanel::make_results() {
+  result_->setTextFormat(Qt::RichText);
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  validity_->setTextFormat(Qt::RichText);
   validity_->setWordWrap(true);
   validity_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   validity_->hide();

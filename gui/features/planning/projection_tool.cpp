@@ -111,6 +111,7 @@ ProjectionPanel::ProjectionPanel(QWidget* parent)
       note_(named("projection_note", note())) {
   x_->setToolTip(tr("What goes from left to right"));
   y_->setToolTip(tr("What goes upwards"));
+  note_->setTextFormat(Qt::RichText);
   note_->setContentsMargins(12, 0, 12, 6);
   note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   for (QComboBox* axis : {x_, y_}) {
@@ -247,9 +248,9 @@ void ProjectionPanel::tell(std::optional<int> node) {
   const QPointF place = plot_->roadmap().nodes[static_cast<std::size_t>(*node)].place;
   QString text = tr("Node %1: %2 %3, %4 %5")
                      .arg(*node + 1)
-                     .arg(x_->currentText())
+                     .arg(x_->currentText().toHtmlEscaped())
                      .arg(place.x(), 0, 'f', 3)
-                     .arg(y_->currentText())
+                     .arg(y_->currentText().toHtmlEscaped())
                      .arg(place.y(), 0, 'f', 3);
   if (found.pmd_count > 0) {
     text += tr("; %n PMD(s) used", nullptr, found.pmd_count);

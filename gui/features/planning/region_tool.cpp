@@ -69,6 +69,7 @@ RegionPreviewBox::RegionPreviewBox(QWidget* parent)
   rho_->setPageStep(kRhoSteps / 20);
   pmds_->setPageStep(1);
   note_->setWordWrap(true);
+  legend_->setTextFormat(Qt::RichText);
   legend_->setText(bullet(kPalmColor, tr("palm")) + QStringLiteral(" &nbsp; ") +
                    bullet(kFingertipColor, tr("fingertips")) + QStringLiteral(" &nbsp; ") +
                    bullet(kStraightColor, tr("straight motion")));

@@ -155,6 +155,8 @@ RoadmapLegend::RoadmapLegend(QAction& hypercubes, QWidget* host)
       boxes_(named("roadmap_boxes", new QCheckBox)) {
   lay_out(*this, in_column({in_row({{title_, 1}, fold_}), details_}, 3), {12, 8, 12, 8});
   lay_out(*details_, in_column({note_, counts_, boxes_}, 3));
+  note_->setTextFormat(Qt::RichText);
+  counts_->setTextFormat(Qt::RichText);
   boxes_->setFocusPolicy(Qt::NoFocus);
   boxes_->setChecked(hypercubes.isChecked());
   boxes_->setToolTip(
@@ -273,6 +275,7 @@ FrontierLegend::FrontierLegend(QWidget* host)
       from_start_(nullptr),
       from_goal_(nullptr),
       colliding_(named("frontier_colliding", new QLabel)) {
+  colliding_->setTextFormat(Qt::RichText);
   auto* close = named("frontier_close", new QToolButton);
   close->setText(QStringLiteral("×"));
   close->setAutoRaise(true);
@@ -293,6 +296,7 @@ FrontierLegend::FrontierLegend(QWidget* host)
 QLabel* FrontierLegend::add_row(QGridLayout& rows, const char* name, bool from_start) {
   auto* label = new QLabel;
   label->setObjectName(QLatin1String(name));
+  label->setTextFormat(Qt::RichText);
   auto* visit = new QPushButton(tr("Show"));
   visit->setObjectName(QLatin1String(name) + QStringLiteral("_show"));
   visit->setProperty("role", "link");

@@ -322,6 +322,7 @@ PlotsPanel::PlotsPanel(Document& document, PathPlayer& player, MotionAnalysis& a
       joints_(new JointCurveList),
       plot_(new CursorPlot) {
   setAttribute(Qt::WA_StyledBackground);
+  value_->setTextFormat(Qt::RichText);
   note_->setAlignment(Qt::AlignCenter);
   note_->setWordWrap(true);
   curves_->addWidget(joints_);
@@ -492,7 +493,7 @@ QString PlotsPanel::value_text(std::size_t point) const {
     return number(column.values[point], unit_of(quantity(), false));
   };
   if (quantity() == PlotQuantity::kClearance && !columns_.empty()) {
-    const QString pair = QString::fromStdString(analysis_.curves()->closest[point]);
+    const QString pair = QString::fromStdString(analysis_.curves()->closest[point]).toHtmlEscaped();
     return (pair.isEmpty() ? tr("%1 or more") : tr("%1: %2").arg(QStringLiteral("%1"), pair))
         .arg(value(columns_.front()));
   }

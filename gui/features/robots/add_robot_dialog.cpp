@@ -130,6 +130,7 @@ AddRobotDialog::AddRobotDialog(std::shared_ptr<const planning::PluginManager> pl
 }
 
 QWidget* AddRobotDialog::make_form() {
+  note_->setTextFormat(Qt::RichText);
   note_->setWordWrap(true);
   note_->setMinimumWidth(scaled(300));  // or a form leaves room for more lines
   note_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -132,6 +132,7 @@ QWidget* SetupDialog::make_choices() {
   wrist_->addItem(tr("Not decided: with the hand"));
   wrist_->addItem(tr("Of the arm"));
   wrist_->addItem(tr("Of the hand"));
+  group_text_->setTextFormat(Qt::RichText);
   group_text_->setWordWrap(true);
   group_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* box = new QWidget;
@@ -204,6 +205,7 @@ QWidget* SetupDialog::make_panel() {
 }
 
 QWidget* SetupDialog::make_buttons() {
+  outcome_->setTextFormat(Qt::RichText);
   outcome_->setWordWrap(true);
   outcome_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   write_->setProperty("role", "primary");

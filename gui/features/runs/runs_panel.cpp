@@ -48,10 +48,10 @@ RunRow as_row(const PathRecord& record, bool stands_out) {
         record.figures->to_recorded ? record.figures->to_recorded : record.figures->to_subspace;
     row.hand_distance = hand ? std::optional(hand->mean) : std::nullopt;
   }
-  row.tip = QObject::tr("<p><b>Run %1</b> (%2): %3</p>%4")
+  row.tip = QObject::tr("Run %1 (%2): %3\n%4")
                 .arg(run.number)
-                .arg(run.begun.toString(QStringLiteral("HH:mm:ss")),
-                     settings_text(run).toHtmlEscaped(), result_text(run.result));
+                .arg(run.begun.toString(QStringLiteral("HH:mm:ss")), settings_text(run),
+                     result_lines(run.result));
   row.stands_out = stands_out;
   return row;
 }

@@ -74,6 +74,7 @@ QString difference_text(const Eigen::Vector3d& difference, const UnitText& unit,
 
 MeasureCard::MeasureCard(QWidget* host)
     : FloatingCard(host, "measure_card", "legend"), text_(named("measure_text", new QLabel)) {
+  text_->setTextFormat(Qt::RichText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   QToolButton* close = make_close("measure_close", tr("Measure no more (Esc)"));
   connect(close, &QToolButton::clicked, this, &MeasureCard::closed);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QObject>
 #include <QString>
 
 class QWidget;
@@ -13,18 +12,5 @@ namespace handway::gui {
 /// @param filters as QFileDialog has them. @returns nothing if it was cancelled.
 [[nodiscard]] QString ask_where_to_save(QWidget* parent, const QString& title, const QString& name,
                                         const QString& filters);
-
-/// Qt's file dialogs have choices of folder and of type that are narrower than what they hold:
-/// their tooltips show all of it, in every file dialog of the program.
-class FileDialogTooltips : public QObject {
-  Q_OBJECT
-
- public:
-  /// Watches all file dialogs that open for as long as it lives.
-  explicit FileDialogTooltips(QObject* parent);
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-};
 
 }  // namespace handway::gui

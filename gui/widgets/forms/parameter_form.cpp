@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QSpinBox>
+#include <QStringList>
 
 #include <fmt/format.h>
 
@@ -29,15 +30,16 @@ using planning::Choice;
 using planning::Parameter;
 
 QString help_of(const Parameter& parameter) {
-  QString help = QStringLiteral("<p>%1</p>").arg(QString::fromStdString(parameter.help));
+  QStringList help{QString::fromStdString(parameter.help)};
   if (std::holds_alternative<int>(parameter.value) ||
       std::holds_alternative<double>(parameter.value)) {
-    help += QStringLiteral("<p>From %1 to %2 %3</p>")
+    help << QObject::tr("From %1 to %2 %3")
                 .arg(parameter.lower)
                 .arg(parameter.upper)
                 .arg(QString::fromStdString(parameter.unit));
   }
-  return help + QStringLiteral("<p><code>%1</code></p>").arg(QString::fromStdString(parameter.key));
+  help << QString::fromStdString(parameter.key);
+  return help.join(QLatin1Char('\n'));
 }
 
 }  // namespace

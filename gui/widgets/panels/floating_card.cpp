@@ -118,6 +118,7 @@ Banner::Banner(QWidget* host)
       answers_(new QWidget),
       accept_(named("banner_accept", new QPushButton)),
       refuse_(named("banner_refuse", new QPushButton)) {
+  text_->setTextFormat(Qt::RichText);
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   QToolButton* close = make_close("banner_close", tr("Put this message away"));

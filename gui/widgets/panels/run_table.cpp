@@ -40,53 +40,88 @@ QString row(const QString& name, const QString& value) {
       .arg(html(colors_of(current_theme()).muted), name, value);
 }
 
-}  // namespace
+// What is said of a result, as plain text.
+struct ResultWords {
+  QString headline;
+  QStringList paragraphs;
+  std::vector<std::pair<QString, QString>> figures;  // names and values
+  QStringList notes;
+};
 
-QString result_text(const planning::PlanResult& result, const QString& note) {
-  const ThemeColors colors = colors_of(current_theme());
+ResultWords words_of(const planning::PlanResult& result) {
+  ResultWords words;
   const bool searched = !result.solved() && result.status != planning::PlanStatus::kStartInvalid &&
                         result.status != planning::PlanStatus::kGoalInvalid &&
                         result.status != planning::PlanStatus::kCancelled;
   const bool is_proven = result.status == planning::PlanStatus::kInfeasible;
-  QString text =
-      headline(searched && !is_proven && !result.reason.empty() ? QObject::tr("No path found")
-                                                                : status_text(result.status),
-               result.solved() ? colors.good : colors.bad);
-  if (!note.isEmpty()) {
-    text += paragraph(note);
-  }
+  words.headline = searched && !is_proven && !result.reason.empty() ? QObject::tr("No path found")
+                                                                    : status_text(result.status);
   if (!result.reason.empty()) {
     // The headline says it already.
     const QString reason = QString::fromStdString(result.reason);
     const QString stem = QObject::tr("No path found: ");
-    text += paragraph(reason.startsWith(stem) ? capitalised(reason.mid(stem.size())) : reason);
+    words.paragraphs << (reason.startsWith(stem) ? capitalised(reason.mid(stem.size())) : reason);
   }
   for (const std::string& sentence : planning::explain_failure(result)) {
-    text += paragraph(QString::fromStdString(sentence));
+    words.paragraphs << QString::fromStdString(sentence);
   }
-  text += begin_table();
-  text += row(QObject::tr("Planning"), seconds_text(result.time_s));
+  words.figures.emplace_back(QObject::tr("Planning"), seconds_text(result.time_s));
   if (result.solved() && result.smoothing_s > 0.0) {
-    text += row(QObject::tr("Smoothing"), seconds_text(result.smoothing_s));
+    words.figures.emplace_back(QObject::tr("Smoothing"), seconds_text(result.smoothing_s));
   }
-  text += row(QObject::tr("Samples"), count_text(result.statistics.samples));
-  text += row(QObject::tr("Nodes"), count_text(result.statistics.nodes));
+  words.figures.emplace_back(QObject::tr("Samples"), count_text(result.statistics.samples));
+  words.figures.emplace_back(QObject::tr("Nodes"), count_text(result.statistics.nodes));
   if (result.solved()) {
-    text += row(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
-    text += row(QObject::tr("Clearance"),
-                QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
+    words.figures.emplace_back(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
+    words.figures.emplace_back(
+        QObject::tr("Clearance"),
+        QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
   }
-  text += QStringLiteral("</table>");
   for (const planning::OutOfMargin& near : result.out_of_margin) {
     const QString end = near.at_goal ? QObject::tr("goal") : QObject::tr("start");
-    text +=
-        paragraph(QObject::tr("%1 and %2 are %3 mm apart at the %4: next to it they keep less "
-                              "than the margin.")
-                      .arg(QString::fromStdString(near.pair.a), QString::fromStdString(near.pair.b))
-                      .arg(geometric::millimetres(near.pair.distance), 0, 'f', 2)
-                      .arg(end));
+    words.notes << QObject::tr(
+                       "%1 and %2 are %3 mm apart at the %4: next to it they keep less "
+                       "than the margin.")
+                       .arg(QString::fromStdString(near.pair.a),
+                            QString::fromStdString(near.pair.b))
+                       .arg(geometric::millimetres(near.pair.distance), 0, 'f', 2)
+                       .arg(end);
+  }
+  return words;
+}
+
+}  // namespace
+
+QString result_text(const planning::PlanResult& result, const QString& note) {
+  const ThemeColors colors = colors_of(current_theme());
+  const ResultWords words = words_of(result);
+  QString text = headline(words.headline, result.solved() ? colors.good : colors.bad);
+  if (!note.isEmpty()) {
+    text += paragraph(note);
+  }
+  for (const QString& sentence : words.paragraphs) {
+    text += paragraph(sentence);
+  }
+  text += begin_table();
+  for (const auto& [name, value] : words.figures) {
+    text += row(name, value);
+  }
+  text += QStringLiteral("</table>");
+  for (const QString& sentence : words.notes) {
+    text += paragraph(sentence);
   }
   return text;
+}
+
+QString result_lines(const planning::PlanResult& result) {
+  const ResultWords words = words_of(result);
+  QStringList lines{words.headline};
+  lines << words.paragraphs;
+  for (const auto& [name, value] : words.figures) {
+    lines << QStringLiteral("%1: %2").arg(name, value);
+  }
+  lines << words.notes;
+  return lines.join(QLatin1Char('\n'));
 }
 
 QString replanned_text(const planning::PlanResult& result, const QString& source) {
@@ -188,7 +223,8 @@ QString motion_text(const planning::TimedPath& motion) {
   add(tr("The motion takes %1 s.").arg(report.duration, 0, 'f', 2));
   const auto add_share = [&](const QString& line, const planning::LimitShare& share) {
     if (share.share > 0.0) {
-      add(line.arg(100.0 * share.share, 0, 'f', 0).arg(QString::fromStdString(share.joint)));
+      add(line.arg(100.0 * share.share, 0, 'f', 0)
+              .arg(QString::fromStdString(share.joint).toHtmlEscaped()));
     }
   };
   add_share(tr("The velocity is at most %1 % of its limit (joint %2)."), report.velocity);

@@ -22,6 +22,9 @@ namespace handway::gui {
 /// @param note to be said first, plain text; may be empty.
 [[nodiscard]] QString result_text(const planning::PlanResult& result, const QString& note = {});
 
+/// Returns the same without a note as plain text, a line for each figure.
+[[nodiscard]] QString result_lines(const planning::PlanResult& result);
+
 /// Returns the text about a path that was replanned for an edited scene. @param source of the path,
 /// one word.
 [[nodiscard]] QString replanned_text(const planning::PlanResult& result, const QString& source);
@@ -55,7 +58,7 @@ struct RunRow {
   std::optional<double> duration;       ///< s
   std::optional<double> clearance;      ///< The least, mm.
   std::optional<double> hand_distance;  ///< From a person's postures or subspace, mean.
-  QString tip;
+  QString tip;                          ///< Plain text.
   bool stands_out = false;
 };
 
