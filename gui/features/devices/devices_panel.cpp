@@ -223,6 +223,11 @@ QColor state_color(State state) {
   }
 }
 
+// What the user confirms before a motion. Each timing of the path takes it back.
+QString arming_text(bool is_tight) {
+  return is_tight ? QObject::tr("Move, though too close") : QObject::tr("Let the robot move");
+}
+
 }  // namespace
 
 DevicesPanel::DevicesPanel(QWidget* parent)
@@ -241,7 +246,7 @@ DevicesPanel::DevicesPanel(QWidget* parent)
       start_here_(
           named("devices_start_here", new QPushButton(tr("Plan from the measured position")))),
       with_margin_(named("devices_with_margin", new QPushButton)),
-      armed_(named("devices_armed", new QCheckBox(tr("Let the robot move")))),
+      armed_(named("devices_armed", new QCheckBox(arming_text(false)))),
       run_(named("devices_run", new QPushButton(tr("Run on the robot")))),
       hold_(named("devices_hold", new QPushButton(tr("Hold")))),
       progress_(new QProgressBar),
@@ -360,6 +365,7 @@ void DevicesPanel::show_problem(const QString& message) {
 void DevicesPanel::show_no_motion(const QString& why) {
   motion_->setText(colored(why, colors_of(current_theme()).muted));
   cleared_ = false;
+  armed_->setText(arming_text(false));
   start_here_->hide();
   with_margin_->hide();
   update_buttons();
@@ -374,6 +380,7 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
   motion_->setText(motion_text(motion));
   run_->setText(backwards ? tr("Run backwards") : tr("Run on the robot"));
   cleared_ = motion.cleared();
+  armed_->setText(arming_text(motion.preflight.is_tight()));
   start_here_->hide();
   offer_margin(motion.preflight);
   update_buttons();

@@ -204,6 +204,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
       arcs_(new QCheckBox(tr("Round the corners"))),
       deviation_(make_number(0.001, 10.0, planning::BlendOptions{}.deviation, 3, tr(" rad"))),
       any_robot_(named("export_any_robot", new QCheckBox(tr("Any robot")))),
+      too_close_(named("export_too_close", new QCheckBox(tr("Though too close")))),
       preview_(new MotionPreview),
       folder_(named("export_folder", new QLineEdit(QDir::homePath()))),
       export_button_(named("export_now", new QPushButton(tr("Export")))),
@@ -221,6 +222,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
     motion_ = motion;
     any_robot_->setVisible(
         !plugins_->exporter(format()).robot_objection(motion.value->motion).empty());
+    too_close_->setVisible(motion.value->preflight.is_tight());
     preview_->show_motion(*motion.value);
     if (motion.value->cleared()) {
       export_.prepare(format(), motion.value, options());
@@ -229,7 +231,8 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
   connect(&timing_, &TimingRunner::failed, this, &ExportDialog::show_problem);
   connect(&export_, &ExportRunner::prepared, this, [this](const auto& files) {
     preview_->show_files(*files);
-    export_button_->setEnabled(!settle_.isActive());
+    has_files_ = true;
+    update_button();
   });
   connect(&export_, &ExportRunner::written, this, [this](const QStringList& files) {
     emit exported(files);
@@ -279,6 +282,11 @@ QWidget* ExportDialog::make_settings() {
   any_robot_->setToolTip(tr("Export though the format does not seem to be for this robot"));
   any_robot_->hide();
   form->addRow(QString(), any_robot_);
+  too_close_->setToolTip(
+      tr("Export though something is nearer to the robot than the following error and the margin "
+         "allow: see Pre-flight. It holds for one motion"));
+  too_close_->hide();
+  form->addRow(QString(), too_close_);
   auto* box = new QWidget;
   box->setFixedWidth(scaled(kSettingsWidth));
   lay_out(*box, in_column({{formats_, 1}, form}, 10));
@@ -290,6 +298,7 @@ QWidget* ExportDialog::make_settings() {
   connect(name_, &QLineEdit::textEdited, this, settle);
   connect(arcs_, &QCheckBox::toggled, this, settle);
   connect(any_robot_, &QCheckBox::toggled, this, settle);
+  connect(too_close_, &QCheckBox::toggled, this, &ExportDialog::update_button);
   for (QDoubleSpinBox* field : {speed_, period_, deviation_}) {
     connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this, settle);
   }
@@ -349,6 +358,9 @@ std::string ExportDialog::format() const {
 
 void ExportDialog::time_again() {
   motion_ = {};
+  has_files_ = false;
+  too_close_->setChecked(false);
+  too_close_->hide();
   export_.forget();
   export_button_->setEnabled(false);
   problem_text_->hide();
@@ -369,8 +381,17 @@ void ExportDialog::time_again() {
                 options);
 }
 
+bool ExportDialog::is_allowed() const {
+  return motion_.value && motion_.value->cleared() &&
+         (!motion_.value->preflight.is_tight() || too_close_->isChecked());
+}
+
+void ExportDialog::update_button() {
+  export_button_->setEnabled(has_files_ && !settle_.isActive() && is_allowed());
+}
+
 void ExportDialog::export_now() {
-  if (!motion_.value || !motion_.value->cleared()) {
+  if (!is_allowed()) {
     return;
   }
   if (motion_.made_from != document_.revision()) {
@@ -388,7 +409,7 @@ void ExportDialog::show_problem(const QString& message) {
   problem_text_->setText(colored(message, colors_of(current_theme()).bad));
   problem_text_->show();
   setEnabled(true);
-  export_button_->setEnabled(motion_.value && motion_.value->cleared());
+  export_button_->setEnabled(is_allowed());
 }
 
 namespace {

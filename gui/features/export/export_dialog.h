@@ -88,7 +88,7 @@ class MotionPreview : public QWidget {
 
 /// Dialog to export a path for a controller: format, timing, a preview of the files, and the
 /// folder. Motions that fail the pre-flight check, or that were timed before an edit, can't be
-/// exported.
+/// exported; those that keep too little clearance only if that is confirmed.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -113,6 +113,9 @@ class ExportDialog : public QDialog {
   void take_edit(const SceneState& before);
   void time_again();
   void export_now();
+  /// Returns whether the motion may be exported: cleared, and confirmed where it is too close.
+  [[nodiscard]] bool is_allowed() const;
+  void update_button();
   [[nodiscard]] planning::ExportOptions options() const;
   void show_problem(const QString& message);
 
@@ -123,6 +126,7 @@ class ExportDialog : public QDialog {
   ExportRunner export_;
   QTimer settle_;  ///< Settings are timed when they have been left alone for a moment.
   DerivedMotion motion_;
+  bool has_files_ = false;  ///< The motion's files are made.
   planning::SafetyMargin safety_;
   QListWidget* formats_;
   QLineEdit* name_;
@@ -131,6 +135,7 @@ class ExportDialog : public QDialog {
   QCheckBox* arcs_;
   QDoubleSpinBox* deviation_;
   QCheckBox* any_robot_;  ///< Shown where the format objects to the robot.
+  QCheckBox* too_close_;  ///< Shown where the motion keeps too little clearance.
   MotionPreview* preview_;
   QLineEdit* folder_;
   QPushButton* export_button_;

@@ -145,6 +145,24 @@ TEST_F(Devices, MoveNothingUnlessTheyAreArmed) {
   EXPECT_FALSE(part<QPushButton>("devices_run").isEnabled());
 }
 
+// At full speed the path passes the post at less than the assumed following error.
+TEST_F(Devices, AreLetMoveTooCloseOnlyByAConfirmationThatSaysSo) {
+  plan();
+  connect_emulators();
+  auto& armed = part<QCheckBox>("devices_armed");
+  choose_speed(0.05);
+  arm();
+  EXPECT_EQ(armed.text(), "Let the robot move");
+  choose_speed(1.0);
+  EXPECT_FALSE(armed.isChecked()) << "it was for the slow motion";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return armed.isEnabled(); }, kPatienceMs));
+  EXPECT_THAT(text("devices_motion"), HasSubstr("too close"));
+  EXPECT_EQ(armed.text(), "Move, though too close");
+  EXPECT_FALSE(part<QPushButton>("devices_run").isEnabled());
+  armed.click();
+  EXPECT_TRUE(part<QPushButton>("devices_run").isEnabled());
+}
+
 TEST_F(Devices, HoldAndGoOn) {
   plan();
   connect_emulators();

@@ -7,6 +7,7 @@
 #include "patience.h"
 #include "window_test.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -44,9 +45,18 @@ class ExportDialogTest : public WindowTest {
   [[nodiscard]] Widget& field(const char* name) const {
     return *dialog_->findChild<Widget*>(QLatin1String(name));
   }
+  /// Waits until the path may be exported. At full speed it passes the post at less than the
+  /// assumed following error, which is confirmed.
   [[nodiscard]] bool is_ready() const {
-    return QTest::qWaitFor([&] { return field<QPushButton>("export_now").isEnabled(); },
-                           kPatienceMs);
+    auto& too_close = field<QCheckBox>("export_too_close");
+    return QTest::qWaitFor(
+        [&] {
+          if (too_close.isVisible() && !too_close.isChecked()) {
+            too_close.click();
+          }
+          return field<QPushButton>("export_now").isEnabled();
+        },
+        kPatienceMs);
   }
 
   ScratchFolder folder_;
@@ -71,6 +81,29 @@ TEST_F(ExportDialogTest, ShowsTheFilesBeforeItWritesThem) {
   std::ifstream file(folder_.path() / "out" / "Small_cell.csv");
   const std::string content(std::istreambuf_iterator<char>(file), {});
   EXPECT_EQ(content.substr(0, 1000), shown.substr(0, 1000));
+}
+
+TEST_F(ExportDialogTest, AsksForAConfirmationWhereThePathIsTooClose) {
+  auto& too_close = field<QCheckBox>("export_too_close");
+  auto& now = field<QPushButton>("export_now");
+  const auto& files = field<QListWidget>("export_files");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return files.count() == 1; }, kPatienceMs));
+  EXPECT_THAT(field<QLabel>("export_report").text().toStdString(), HasSubstr("too close"));
+  ASSERT_TRUE(too_close.isVisible());
+  EXPECT_FALSE(too_close.isChecked());
+  EXPECT_FALSE(now.isEnabled());
+  too_close.click();
+  EXPECT_TRUE(now.isEnabled());
+  too_close.click();
+  EXPECT_FALSE(now.isEnabled());
+  too_close.click();
+  field<QDoubleSpinBox>("export_speed").setValue(50.0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !too_close.isChecked(); }, kPatienceMs))
+      << "it holds for one motion";
+  EXPECT_FALSE(now.isEnabled());
+  field<QDoubleSpinBox>("export_speed").setValue(5.0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return now.isEnabled(); }, kPatienceMs)) << "slow enough";
+  EXPECT_FALSE(too_close.isVisible());
 }
 
 TEST_F(ExportDialogTest, TimesAgainAtAnotherSpeed) {
