@@ -51,7 +51,7 @@ RunRow as_row(const PathRecord& record, bool stands_out) {
   row.tip = QObject::tr("Run %1 (%2): %3\n%4")
                 .arg(run.number)
                 .arg(run.begun.toString(QStringLiteral("HH:mm:ss")), settings_text(run),
-                     result_lines(run.result));
+                     result_tip(run.result));
   row.stands_out = stands_out;
   return row;
 }

@@ -36,9 +36,11 @@ QString help_of(const Parameter& parameter) {
     help << QObject::tr("From %1 to %2 %3")
                 .arg(parameter.lower)
                 .arg(parameter.upper)
-                .arg(QString::fromStdString(parameter.unit));
+                .arg(QString::fromStdString(parameter.unit))
+                .trimmed();
   }
   help << QString::fromStdString(parameter.key);
+  help.removeAll({});
   return help.join(QLatin1Char('\n'));
 }
 

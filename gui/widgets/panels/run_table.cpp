@@ -113,7 +113,7 @@ QString result_text(const planning::PlanResult& result, const QString& note) {
   return text;
 }
 
-QString result_lines(const planning::PlanResult& result) {
+QString result_tip(const planning::PlanResult& result) {
   const ResultWords words = words_of(result);
   QStringList lines{words.headline};
   lines << words.paragraphs;

@@ -22,8 +22,8 @@ namespace handway::gui {
 /// @param note to be said first, plain text; may be empty.
 [[nodiscard]] QString result_text(const planning::PlanResult& result, const QString& note = {});
 
-/// Returns the same without a note as plain text, a line for each figure.
-[[nodiscard]] QString result_lines(const planning::PlanResult& result);
+/// The same without a note as plain text, for a tool tip; each figure has a line.
+[[nodiscard]] QString result_tip(const planning::PlanResult& result);
 
 /// Returns the text about a path that was replanned for an edited scene. @param source of the path,
 /// one word.

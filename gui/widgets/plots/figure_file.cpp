@@ -127,7 +127,7 @@ QByteArray svg(const QSize& size, const QString& title, const DrawFigure& draw) 
   generator.setSize(size);
   generator.setViewBox(QRect(QPoint(0, 0), size));
   generator.setResolution(qRound(kScreenDpi));
-  generator.setTitle(title);
+  generator.setTitle(title.toHtmlEscaped());  // Qt writes it as it is
   QPainter painter(&generator);
   painter.fillRect(QRect(QPoint(0, 0), size), Qt::white);
   draw(painter, size);

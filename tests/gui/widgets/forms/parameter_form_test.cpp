@@ -46,6 +46,11 @@ TEST_F(ParameterForms, ShowsEveryKindOfParameterWithItsValue) {
   EXPECT_EQ(field<QComboBox>("corridor").currentText(), "cartesian");
 }
 
+TEST_F(ParameterForms, TellsInToolTipsWhatAParameterIs) {
+  EXPECT_EQ(field<QSpinBox>("count").toolTip(), "How many\nFrom 1 to 50\ncount");
+  EXPECT_EQ(field<QCheckBox>("smooth").toolTip(), "smooth");
+}
+
 TEST_F(ParameterForms, ReportsWhatIsEntered) {
   field<QCheckBox>("smooth").setChecked(false);
   field<QSpinBox>("count").setValue(20);

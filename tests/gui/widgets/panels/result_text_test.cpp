@@ -6,7 +6,9 @@
 namespace handway::gui {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 TEST(ResultText, TellsAPathWithItsFigures) {
   planning::PlanResult result;
@@ -21,6 +23,8 @@ TEST(ResultText, TellsAPathWithItsFigures) {
   EXPECT_THAT(text, HasSubstr("1,234,567"));
   EXPECT_THAT(text, HasSubstr("2.50 mm"));
   EXPECT_EQ(result_line(result), "Path found in 250 ms, 4 waypoints");
+  EXPECT_THAT(result_tip(result).toStdString(),
+              AllOf(StartsWith("Path found\nPlanning: 250 ms\n"), HasSubstr("2.50 mm")));
 }
 
 TEST(ResultText, NamesWhatDoesNotKeepTheMargin) {
@@ -37,6 +41,7 @@ TEST(ResultText, GivesTheReasonWhyThereIsNone) {
   result.reason = "The start is in collision: palm <and> wall.";
   EXPECT_THAT(result_text(result).toStdString(), HasSubstr("palm &lt;and&gt; wall"));
   EXPECT_EQ(result_line(result).toStdString(), result.reason);
+  EXPECT_THAT(result_tip(result).toStdString(), HasSubstr("palm <and> wall"));
 }
 
 TEST(ResultText, SaysOnceThatNoPathWasFound) {
