@@ -68,6 +68,27 @@ void add_veil(SoSeparator& parent, const geometric::Shape& shape, const geometri
   parent.addChild(veil);
 }
 
+// Adds a cone about `direction` (of length 1), open at its end. @param angle less than a right one.
+// @param slant m, from the apex to the rim.
+void add_open_cone(SoSeparator& parent, const Eigen::Vector3d& apex,
+                   const Eigen::Vector3d& direction, double angle, double slant,
+                   const geometric::Color& color) {
+  const geometric::Cone cone{slant * std::sin(angle), slant * std::cos(angle)};
+  const Eigen::Quaterniond turn =
+      Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitZ(), direction);
+  const geometric::Pose X_WC = Eigen::Translation3d(apex + 0.5 * cone.length * direction) * turn;
+  add_veil(parent, cone, X_WC, color);
+  std::vector<Eigen::Vector3d> rim;
+  Edges edges;
+  for (int i = 0; i < kRim; ++i) {
+    const double at = 2.0 * std::numbers::pi * i / kRim;
+    rim.emplace_back(X_WC * Eigen::Vector3d(cone.radius * std::cos(at), cone.radius * std::sin(at),
+                                            -0.5 * cone.length));
+    edges.emplace_back(i, (i + 1) % kRim);
+  }
+  parent.addChild(make_edges_node(rim, edges, color, kEdgeWidth));
+}
+
 // Adds a cone with its apex at the body's origin. A constraint that allows more than a right angle
 // has no cone.
 void add_cone(SoSeparator& parent, const geometric::OrientationConstraint& upright,
@@ -82,21 +103,7 @@ void add_cone(SoSeparator& parent, const geometric::OrientationConstraint& uprig
   if (upright.angle >= 0.5 * std::numbers::pi) {
     return;
   }
-  const geometric::Cone cone{kSlant * std::sin(upright.angle), kSlant * std::cos(upright.angle)};
-  const Eigen::Quaterniond turn =
-      Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitZ(), direction);
-  const geometric::Pose X_WC =
-      Eigen::Translation3d(X_WB.translation() + 0.5 * cone.length * direction) * turn;
-  add_veil(parent, cone, X_WC, color);
-  std::vector<Eigen::Vector3d> rim;
-  Edges edges;
-  for (int i = 0; i < kRim; ++i) {
-    const double at = 2.0 * std::numbers::pi * i / kRim;
-    rim.emplace_back(X_WC * Eigen::Vector3d(cone.radius * std::cos(at), cone.radius * std::sin(at),
-                                            -0.5 * cone.length));
-    edges.emplace_back(i, (i + 1) % kRim);
-  }
-  parent.addChild(make_edges_node(rim, edges, color, kEdgeWidth));
+  add_open_cone(parent, X_WB.translation(), direction, upright.angle, kSlant, color);
 }
 
 // Edges of boxes, whose corners are numbered by their bits: 1 for x, 2 for y, 4 for z.
@@ -233,6 +240,7 @@ namespace {
 constexpr float kBeadRadius = 0.005F;  // m
 constexpr geometric::Color kMeasureColor{0.52F, 0.20F, 0.80F, 1.0F};
 constexpr geometric::Color kExecutedColor{0.80F, 0.12F, 0.46F, 1.0F};
+constexpr geometric::Color kWeakestColor{0.90F, 0.42F, 0.05F, 1.0F};
 constexpr geometric::Color kContactColor{0.93F, 0.05F, 0.60F, 1.0F};
 
 // In the colours from start to goal.
@@ -242,6 +250,39 @@ SoSeparator* make_line(std::span<const Eigen::Vector3d> points, float width) {
     colors.push_back(color_along(i, points.size()));
   }
   return make_line_node(points, colors, width);
+}
+
+// Adds a line that ends in an arrow's tip.
+void add_arrow(SoSeparator& parent, const std::vector<Eigen::Vector3d>& points,
+               const geometric::Color& color) {
+  constexpr double kTip = 0.014;  // m
+  const Eigen::Vector3d& end = points.back();
+  const Eigen::Vector3d along = (end - points[points.size() - 2]).normalized();
+  const geometric::Cone tip{0.35 * kTip, kTip};
+  auto* separator = new SoSeparator;
+  auto* place = new SoMatrixTransform;
+  place->matrix =
+      to_coin(geometric::Pose(Eigen::Translation3d(end) *
+                              Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along)));
+  separator->addChild(place);
+  separator->addChild(make_material(color).get());
+  separator->addChild(make_shape_node(tip).get());
+  parent.addChild(make_line_node(points, {color}, kAxisWidth));
+  parent.addChild(separator);
+}
+
+// Points on most of a circle about an axis of length 1.
+std::vector<Eigen::Vector3d> arc_about(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis,
+                                       double radius) {
+  constexpr int kSteps = 40;
+  const Eigen::Vector3d u = planning::tangent(axis);
+  const Eigen::Vector3d v = axis.cross(u);
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double at = 1.5 * std::numbers::pi * i / kSteps;
+    points.emplace_back(centre + radius * (std::cos(at) * u + std::sin(at) * v));
+  }
+  return points;
 }
 
 // For what is seen through the robot, which would hide most of it.
@@ -313,6 +354,31 @@ Drawing make_contacts_node(std::span<const Eigen::Vector3d> points) {
   auto separator = make_seen_through();
   for (const Eigen::Vector3d& point : points) {
     separator->addChild(make_bead(point, kContactColor));
+  }
+  return separator;
+}
+
+Drawing make_grasp_node(const geometric::Pose& X_WO, const Eigen::Vector3d& p_O,
+                        const planning::Pregrasp& grasp, double friction) {
+  constexpr double kConeSlant = 0.025;  // m
+  constexpr double kLength = 0.12;      // m, of the arrow of a force without torque
+  constexpr double kLeast = 0.1;        // share of the wrench that is worth an arrow
+  CoinRef<SoSeparator> separator = make_seen_through();
+  for (const planning::HandContact& touch : grasp.contacts) {
+    const Eigen::Vector3d p_W = X_WO * touch.contact.p_O;
+    separator->addChild(make_dot(p_W, kContactColor));
+    add_open_cone(*separator.get(), p_W, -(X_WO.linear() * touch.contact.normal_O),
+                  std::atan(friction), kConeSlant, kContactColor);
+  }
+  const Eigen::Vector3d centre = X_WO * p_O;
+  const Eigen::Vector3d force = X_WO.linear() * grasp.quality.weakest.head<3>();
+  const Eigen::Vector3d torque = X_WO.linear() * grasp.quality.weakest.tail<3>();
+  if (force.norm() > kLeast) {
+    add_arrow(*separator.get(), {centre, centre + kLength * force}, kWeakestColor);
+  }
+  if (torque.norm() > kLeast) {
+    add_arrow(*separator.get(),
+              arc_about(centre, torque.normalized(), 0.5 * kLength * torque.norm()), kWeakestColor);
   }
   return separator;
 }

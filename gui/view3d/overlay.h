@@ -5,6 +5,7 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/robot/robot_state.h"
 #include "handway/geometric/scene/scene.h"
+#include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/queries/region_draws.h"
 #include "model/planning/microscope.h"
 #include "model/planning/palm_roadmap.h"
@@ -72,6 +73,7 @@ enum class Overlay {
   kMeasure,
   kGoalPoses,
   kReach,
+  kGrasp,
 };
 
 /// Result of a check whether a robot reaches a pose.
@@ -87,6 +89,13 @@ enum class PoseReached { kUnknown, kYes, kNo };
 /// line to the nearest position of the tool. Points in the world, m.
 [[nodiscard]] Drawing make_reach_node(const Eigen::Vector3d& target, const Eigen::Vector3d& tool,
                                       bool reached);
+
+/// Draws how a grasp holds an object: at each contact a dot and the friction cone, whose axis
+/// points out of the object, and from the object's centre an arrow for the force, and a ring with
+/// an arrow for the torque, that together are resisted least.
+/// @param X_WO of the object. @param p_O the object's centre (m), in its frame.
+[[nodiscard]] Drawing make_grasp_node(const geometric::Pose& X_WO, const Eigen::Vector3d& p_O,
+                                      const planning::Pregrasp& grasp, double friction);
 
 /// Draws the scene's constraints for the first robot at `q`: a cone about the direction that an
 /// axis has to keep to, with the axis in it; a box that a point has to stay in, with the point.

@@ -389,11 +389,11 @@ void SceneGraph::render_still(SoGLRenderAction& action) {
   still.insert(still.begin(),
                {overlay(Overlay::kPath), overlay(Overlay::kRoadmap), overlay(Overlay::kTrails),
                 overlay(Overlay::kSteps), overlay(Overlay::kHypercubes)});
-  moving.insert(
-      moving.begin(),
-      {overlay(Overlay::kExecuted), overlay(Overlay::kOptimized), overlay(Overlay::kContacts),
-       overlay(Overlay::kRegion), overlay(Overlay::kClearance), overlay(Overlay::kConstraints),
-       overlay(Overlay::kMeasure), overlay(Overlay::kGoalPoses), overlay(Overlay::kReach)});
+  moving.insert(moving.begin(), {overlay(Overlay::kExecuted), overlay(Overlay::kOptimized),
+                                 overlay(Overlay::kContacts), overlay(Overlay::kRegion),
+                                 overlay(Overlay::kClearance), overlay(Overlay::kConstraints),
+                                 overlay(Overlay::kMeasure), overlay(Overlay::kGoalPoses),
+                                 overlay(Overlay::kReach), overlay(Overlay::kGrasp)});
   passes_->split->list(bodies_.has_robot() ? &bodies_.first_robot() : nullptr, still, moving);
   action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
   action.apply(passes_->split->still());

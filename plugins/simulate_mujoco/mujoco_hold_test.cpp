@@ -21,6 +21,7 @@ using planning::HoldSlip;
 
 constexpr double kGravity = 9.81;         // m/s²
 constexpr double kSqueezeTime = 0.5;      // s
+constexpr double kFrameTime = 0.02;       // s between those that are watched
 constexpr double kClosingTime = 1.0;      // s, onto a misplaced object
 constexpr double kDisturbanceTime = 1.5;  // s, of each force
 constexpr double kSettled = 0.5;          // s under a steady load, before it is cut short
@@ -74,20 +75,23 @@ void set_conditions(const HandModel& hand, const HoldConditions& conditions, mjM
 class Simulation {
  public:
   Simulation(const HandModel& hand, const geometric::RobotModel& robot,
-             const planning::Pregrasp& grasp, const Pose& X_PO, const HoldConditions& conditions,
-             std::stop_token stop)
+             const planning::Pregrasp& grasp, const Pose& X_WP, const Pose& X_WO,
+             const HoldConditions& conditions, std::stop_token stop,
+             const planning::HoldWatcher& watch)
       : hand_(hand),
         robot_(robot),
         grasp_(grasp),
+        X_WP_(X_WP),
         conditions_(conditions),
         stop_(std::move(stop)),
+        watch_(watch),
         model_(mj_copyModel(nullptr, hand.model.get())),
         data_(make_data(*model_)),
         squeezed_(make_data(*model_)) {
     set_conditions(hand_, conditions_, *model_);
     mj_setConst(model_.get(), data_.get());
     mj_resetData(model_.get(), data_.get());
-    place_object(X_PO);
+    place_object(X_WP.inverse() * X_WO);
     set_posture(grasp.closed);
     if (!conditions.misplacement.isZero()) {
       open();
@@ -110,6 +114,7 @@ class Simulation {
   // @param settled as run().
   [[nodiscard]] HoldSlip load(double duration, double settled, const LoadAtTime& load_at) {
     mj_copyData(data_.get(), model_.get(), squeezed_.get());
+    ++load_;
     return run(duration, settled, load_at);
   }
 
@@ -197,9 +202,13 @@ class Simulation {
     const double step_time = model_->opt.timestep;
     const int steps = static_cast<int>(std::lround(duration / step_time));
     constexpr int kLook = 25;  // steps
+    const int per_frame = std::max(1, static_cast<int>(std::lround(kFrameTime / step_time)));
     HoldSlip from_grasp{true, 0.0, 0.0};
     int step = 0;
     while (step < steps && from_grasp.held && !stop_.stop_requested()) {
+      if (watch_ && step % per_frame == 0) {
+        watch_(frame(step * step_time));
+      }
       apply(load_at(step * step_time));
       mj_step(model_.get(), data_.get());
       ++step;
@@ -215,6 +224,16 @@ class Simulation {
                            : HoldSlip{false, slip.shift, slip.turn};
   }
 
+  [[nodiscard]] planning::HoldFrame frame(double time) const {
+    planning::HoldFrame frame{load_, time, grasp_.closed, X_WP_ * object_pose()};
+    for (const HandJoint& joint : hand_.joints) {
+      if (joint.actuator >= 0) {
+        frame.q[robot_.drive(joint.link).variable] = data_->qpos[joint.position];
+      }
+    }
+    return frame;
+  }
+
   void apply(const Load& load) {
     mjtNum* force = data_->xfrc_applied + 6 * hand_.object_body;
     std::copy_n(load.force.data(), 3, force);
@@ -224,9 +243,12 @@ class Simulation {
   const HandModel& hand_;
   const geometric::RobotModel& robot_;
   const planning::Pregrasp& grasp_;
+  Pose X_WP_;
   const HoldConditions& conditions_;
   planning::Configuration begin_;  ///< Posture that the squeeze begins with.
   std::stop_token stop_;
+  const planning::HoldWatcher& watch_;
+  int load_ = 0;
   ModelPointer model_;
   DataPointer data_;
   DataPointer squeezed_;
@@ -255,14 +277,15 @@ MujocoHoldTest::MujocoHoldTest(const planning::PlanningProblem& problem, std::st
 }
 
 HoldResult MujocoHoldTest::test(const planning::Pregrasp& grasp, const HoldConditions& conditions,
-                                const std::stop_token& stop) const {
+                                const std::stop_token& stop,
+                                const planning::HoldWatcher& watch) const {
   std::vector<Pose> X_BL(static_cast<std::size_t>(robot_->link_count()));
   robot_->forward_kinematics(grasp.closed, X_BL);
   const Pose& X_BP = X_BL[static_cast<std::size_t>(palm_)];
   const Eigen::Matrix3d R_PW = (X_WB_ * X_BP).linear().transpose();
   Pose X_WO = X_WB_ * X_BO_;
   X_WO.pretranslate(conditions.misplacement);
-  Simulation simulation(hand_, *robot_, grasp, (X_WB_ * X_BP).inverse() * X_WO, conditions, stop);
+  Simulation simulation(hand_, *robot_, grasp, X_WB_ * X_BP, X_WO, conditions, stop, watch);
   HoldResult result;
   result.squeeze = simulation.squeeze();
   for (int axis = 0; axis < 3; ++axis) {

@@ -19,7 +19,8 @@ class MujocoHoldTest : public planning::HoldTest {
 
   [[nodiscard]] planning::HoldResult test(const planning::Pregrasp& grasp,
                                           const planning::HoldConditions& conditions,
-                                          const std::stop_token& stop) const override;
+                                          const std::stop_token& stop,
+                                          const planning::HoldWatcher& watch) const override;
   [[nodiscard]] std::vector<std::string> assumptions() const override;
 
  private:

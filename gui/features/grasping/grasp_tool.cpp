@@ -2,6 +2,7 @@
 
 #include "features/workbench.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/setup/placing.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
@@ -32,17 +33,56 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kWidth = 340;
+constexpr int kWidth = 400;
 constexpr int kMargin = 12;
 constexpr int kColumnWidth = 60;
 constexpr int kFewestRows = 3;
 constexpr int kProgressSteps = 1000;
+constexpr int kHeldColumn = 5;
 
 QStringList row_texts(int rank, const planning::Pregrasp& grasp) {
-  return {QString::number(rank), QString::number(grasp.contacts.size()),
+  return {QString::number(rank),
+          QString::number(grasp.contacts.size()),
           QString::number(grasp.quality.epsilon, 'f', 3),
           QObject::tr("%1 mm").arg(geometric::millimetres(grasp.clearance), 0, 'f', 0),
-          QString::number(grasp.score, 'f', 2)};
+          QString::number(grasp.score, 'f', 2),
+          QString()};
+}
+
+QString hold_text(const planning::HoldResult& result) {
+  return QObject::tr("%1 of 6").arg(result.directions_held());
+}
+
+QString hold_tip(const planning::HoldResult& result) {
+  const planning::HoldConditions conditions;
+  const QString forces = QObject::tr("Simulated: held against %1 of 6 forces of %2 N")
+                             .arg(result.directions_held())
+                             .arg(conditions.force);
+  if (!result.lift) {
+    return forces;
+  }
+  const QString lift = result.lift->held
+                           ? QObject::tr("Raised by 10 cm and held for 5 s: slips by %1 mm and %2°")
+                                 .arg(geometric::millimetres(result.lift->shift), 0, 'f', 1)
+                                 .arg(geometric::degrees(result.lift->turn), 0, 'f', 1)
+                           : QObject::tr("Dropped when it was raised");
+  return forces + QLatin1Char('\n') + lift + QLatin1Char('\n') +
+         QObject::tr("%1 kg, friction %2").arg(conditions.mass).arg(conditions.contact.friction);
+}
+
+// What is done to the object in a part of a hold test.
+QString load_text(int load) {
+  const QStringList axes{QStringLiteral("+x"), QStringLiteral("-x"), QStringLiteral("+y"),
+                         QStringLiteral("-y"), QStringLiteral("+z"), QStringLiteral("-z")};
+  if (load == 0) {
+    return QObject::tr("Simulation: the hand squeezes.");
+  }
+  if (load <= axes.size()) {
+    return QObject::tr("Simulation: %1 N along %2.")
+        .arg(planning::HoldConditions{}.force)
+        .arg(axes[load - 1]);
+  }
+  return QObject::tr("Simulation: raised by 10 cm, seen from the palm.");
 }
 
 QString row_tip(const planning::Pregrasp& grasp) {
@@ -72,24 +112,29 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
       list_(named("grasp_list", new QTreeWidget)),
       search_(new QWidget),
       progress_(named("grasp_progress", new QProgressBar)),
+      film_(named("grasp_film", new QPushButton(tr("Watch the test")))),
       plan_(named("grasp_plan", new QPushButton(tr("Plan to this grasp")))) {
   note_->setWordWrap(true);
   list_->setAccessibleName(tr("Grasps"));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
-  list_->setHeaderLabels({QString(), tr("Contacts"), tr("Epsilon"), tr("Clear"), tr("Score")});
+  list_->setHeaderLabels(
+      {QString(), tr("Contacts"), tr("Epsilon"), tr("Clear"), tr("Score"), tr("Held")});
   list_->header()->setStretchLastSection(false);
   list_->header()->setMinimumSectionSize(scaled(kColumnWidth));
   list_->header()->setSectionResizeMode(QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
   list_->header()->resizeSection(0, scaled(kColumnWidth));
-  const QStringList words{tr("Rank"), tr("Contacts of the closed hand with the object"),
+  const QStringList words{tr("Rank"),
+                          tr("Contacts of the closed hand with the object"),
                           tr("Smallest disturbance in N that 1 N of contact forces cannot resist, "
                              "with friction %1; 0 or less: it may slip")
                               .arg(planning::PregraspOptions{}.contact.friction),
                           tr("Distance of robot and hand to everything else, up to 50 mm"),
-                          tr("What they are ranked by, from 0 to 1")};
+                          tr("What they are ranked by, from 0 to 1"),
+                          tr("Simulated: in how many of six directions the object stays in the "
+                             "hand")};
   for (int column = 0; column < words.size(); ++column) {
     list_->headerItem()->setToolTip(column, words[column]);
   }
@@ -100,6 +145,11 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
   stop->setToolTip(tr("End the search and keep what was found"));
   connect(stop, &QPushButton::clicked, this, &GraspCard::stop_requested);
   lay_out(*search_, in_row({{progress_, 1}, stop}, 8));
+  film_->setCheckable(true);
+  film_->setToolTip(
+      tr("Show the simulation of this grasp: the hand squeezes, six forces pull, it is raised"));
+  connect(film_, &QPushButton::clicked, this,
+          [this](bool wanted) { emit film_wanted(row(), wanted); });
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Take it for the goal and plan"));
   QToolButton* close = make_close("grasp_close", tr("Leave the goal as it is"));
@@ -110,6 +160,7 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     const int row = list_->indexOfTopLevelItem(item);
     plan_->setEnabled(row >= 0);
+    film_->setEnabled(row >= 0 && tested_[static_cast<std::size_t>(row)]);
     if (row >= 0) {
       emit looked_at(row);
     }
@@ -120,13 +171,13 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
   connect(list_, &QTreeWidget::itemDoubleClicked, plan_, &QPushButton::click);
   connect(plan_, &QPushButton::clicked, this, [this] {
     hide();
-    emit chosen(list_->indexOfTopLevelItem(list_->currentItem()));
+    emit chosen(row());
   });
   lay_out(*details_, in_column({note_, search_, {list_, 1}}, 6));
   lay_out(*this,
           in_column({in_row({{title_, 1}, {fold_, 0, Qt::AlignTop}, {close, 0, Qt::AlignTop}}),
                      {details_, 1},
-                     plan_},
+                     in_row({{film_, 1}, {plan_, 1}}, 8)},
                     6),
           {12, 6, 8, 10});
 }
@@ -173,6 +224,7 @@ void GraspCard::list(const std::vector<planning::Pregrasp>& grasps) {
   }
   const bool is_first = listed_.empty();
   listed_ = grasps;
+  tested_.assign(grasps.size(), false);
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
@@ -195,11 +247,41 @@ void GraspCard::show_failure(const QString& object, const QString& reason) {
   set_up(reason, false, false);
 }
 
+int GraspCard::row() const { return list_->indexOfTopLevelItem(list_->currentItem()); }
+
+void GraspCard::show_tests(bool possible) { list_->setColumnHidden(kHeldColumn, !possible); }
+
+void GraspCard::show_untested(const QString& reason) {
+  show_tests(false);
+  set_up(tr("Not simulated: %1").arg(reason), true, false);
+}
+
+void GraspCard::show_hold(int index, const planning::HoldResult& result) {
+  QTreeWidgetItem* item = list_->topLevelItem(index);
+  if (item == nullptr) {
+    return;
+  }
+  item->setText(kHeldColumn, hold_text(result));
+  item->setToolTip(kHeldColumn, hold_tip(result));
+  tested_[static_cast<std::size_t>(index)] = true;
+  film_->setEnabled(row() >= 0 && tested_[static_cast<std::size_t>(row())]);
+}
+
+void GraspCard::show_film(const QString& what) {
+  if (note_before_film_.isEmpty()) {
+    note_before_film_ = note_->text();
+  }
+  film_->setChecked(!what.isEmpty());
+  film_->setText(what.isEmpty() ? tr("Watch the test") : tr("Stop"));
+  note_->setText(what.isEmpty() ? std::exchange(note_before_film_, QString()) : what);
+}
+
 void GraspCard::set_up(const QString& note, bool with_list, bool searching) {
   note_->setText(note);
   search_->setVisible(searching);
   list_->setVisible(with_list);
   plan_->setVisible(with_list);
+  film_->setVisible(with_list && !list_->isColumnHidden(kHeldColumn));
   fold_->setVisible(with_list);
   appear();
 }
@@ -237,13 +319,20 @@ void GraspCard::place() {
 }
 
 GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& session,
-                     SceneView& view, QObject* parent)
+                     SceneView& view, planning::MakeHoldTest make_hold_test, QObject* parent)
     : QObject(parent),
       document_(document),
       editor_(editor),
       session_(session),
       view_(view),
-      card_(new GraspCard(&view, [this] { return to_be_seen(); })) {
+      card_(new GraspCard(&view, [this] { return to_be_seen(); })),
+      make_hold_test_(make_hold_test) {
+  card_->show_tests(make_hold_test_ != nullptr);
+  constexpr int kFrameTime = 20;  // ms, as HoldWatcher's
+  film_.setInterval(kFrameTime);
+  connect(&film_, &QTimer::timeout, this, &GraspTool::show_next_frame);
+  connect(card_, &GraspCard::film_wanted, this,
+          [this](int index, bool wanted) { wanted ? begin_film(index) : end_film(); });
   connect(&document_, &Document::opened, this, &GraspTool::end);
   connect(&document_, &Document::edited, this, [this](const SceneState& before) {
     if (before.scene != document_.scene()) {
@@ -251,9 +340,7 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
     }
   });
   connect(&session_, &PlanningSession::started, this, &GraspTool::end);  // to another goal
-  connect(card_, &GraspCard::looked_at, this, [this](int index) {
-    view_.preview_ghost(false, grasps_.value[static_cast<std::size_t>(index)].q);
-  });
+  connect(card_, &GraspCard::looked_at, this, &GraspTool::look_at);
   connect(card_, &GraspCard::chosen, this, &GraspTool::choose);
   connect(card_, &GraspCard::closed, this, &GraspTool::end);
   connect(card_, &GraspCard::stop_requested, this, [this] {
@@ -261,6 +348,7 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
       ends_search_->request_stop();
     }
   });
+  connect(&test_job_, &LatestJob::failed, card_, &GraspCard::show_untested);
   connect(&job_, &LatestJob::failed, this, [this](const QString& reason) {
     card_->show_failure(QString::fromStdString(object_), reason);
   });
@@ -273,7 +361,11 @@ void GraspTool::begin() {
   }
   emit handles_welcome(false);
   object_ = object->name;
+  end_film();
+  test_job_.cancel();
+  tests_.clear();
   grasps_ = {};
+  card_->show_tests(make_hold_test_ != nullptr);
   card_->show_search(QString::fromStdString(object->name));
   ends_search_ = std::make_shared<std::stop_source>();
   // Without a start the motion begins where the robot is shown. Of size 0: the scene has a start.
@@ -306,6 +398,7 @@ void GraspTool::begin() {
                                        : QString::fromStdString(found.why_none));
       } else {
         card_->show_grasps(grasps_.value, ends->stop_requested());
+        test(found.palm);
       }
     };
   });
@@ -319,8 +412,101 @@ void GraspTool::take_progress(int search, std::vector<planning::Pregrasp> found,
   card_->show_progress(grasps_.value, fraction);
 }
 
+void GraspTool::look_at(int index) {
+  end_film();
+  const planning::Pregrasp& grasp = grasps_.value[static_cast<std::size_t>(index)];
+  view_.preview_ghost(false, grasp.closed.size() > 0 ? grasp.closed : grasp.q);
+  const geometric::SceneObject* object = geometric::find_object(*document_.scene(), object_);
+  if (object == nullptr) {
+    return;
+  }
+  const planning::TorqueScale scale = planning::torque_scale(*geometric::tessellate(object->shape));
+  view_.set_overlay(Overlay::kGrasp, make_grasp_node(object->X_PO, scale.centre_O, grasp,
+                                                     planning::PregraspOptions{}.contact.friction));
+}
+
+void GraspTool::test(int palm) {
+  tests_.clear();
+  if (make_hold_test_ == nullptr) {
+    return;
+  }
+  test_job_.run([this, palm, make = make_hold_test_, name = object_, search = search_,
+                 grasps = grasps_.value,
+                 problem = document_.problem()](const std::stop_token& stop) -> LatestJob::Answer {
+    const PreparedProblem::Problem prepared = problem->wait(stop);
+    if (!prepared) {
+      return nullptr;
+    }
+    const auto hold_test = make(*prepared, name, palm);
+    for (const planning::Pregrasp& grasp : grasps) {
+      FilmedTest filmed;
+      filmed.result = hold_test->test(grasp, {}, stop, [&filmed](const planning::HoldFrame& frame) {
+        filmed.frames.push_back(frame);
+      });
+      if (stop.stop_requested()) {
+        return nullptr;
+      }
+      QMetaObject::invokeMethod(
+          this, [this, search, filmed = std::move(filmed)] { take_test(search, filmed); },
+          Qt::QueuedConnection);
+    }
+    return nullptr;
+  });
+}
+
+void GraspTool::take_test(int search, FilmedTest test) {
+  if (search != search_ || tests_.size() >= grasps_.value.size()) {
+    return;
+  }
+  tests_.push_back(std::move(test));
+  card_->show_hold(static_cast<int>(tests_.size()) - 1, tests_.back().result);
+}
+
+void GraspTool::begin_film(int index) {
+  filmed_ = static_cast<std::size_t>(index);
+  next_frame_ = 0;
+  if (filmed_ >= tests_.size()) {
+    return;
+  }
+  view_.preview_ghost(false, std::nullopt);
+  view_.set_overlay(Overlay::kGrasp, nullptr);
+  film_.start();
+}
+
+void GraspTool::show_next_frame() {
+  const std::vector<planning::HoldFrame>& frames = tests_[filmed_].frames;
+  if (next_frame_ >= frames.size()) {
+    look_at(static_cast<int>(filmed_));
+    return;
+  }
+  const planning::HoldFrame& frame = frames[next_frame_++];
+  view_.set_configuration(frame.q);
+  view_.preview(object_item(object_), frame.X_WO);
+  card_->show_film(load_text(frame.load));
+}
+
+void GraspTool::end_film() {
+  if (!film_.isActive()) {
+    return;
+  }
+  film_.stop();
+  card_->show_film({});
+  const std::shared_ptr<const geometric::Scene> scene = document_.scene();
+  const auto* object = scene ? geometric::find_object(*scene, object_) : nullptr;
+  if (object != nullptr) {
+    view_.preview(object_item(object_), object->X_PO);
+  }
+  if (document_.robot()) {
+    view_.set_configuration(document_.configuration());
+  }
+}
+
 void GraspTool::end() {
+  end_film();
   job_.cancel();
+  test_job_.cancel();
+  tests_.clear();
+  view_.set_overlay(Overlay::kGrasp, nullptr);
   ++search_;
   card_->hide();
   emit handles_welcome(true);
@@ -373,7 +559,7 @@ void GraspTool::choose(int index) {
 
 void add_grasping(Workbench& workbench) {
   auto& tool = workbench.own<GraspTool>(workbench.document, workbench.editor, workbench.session,
-                                        workbench.view);
+                                        workbench.view, workbench.plugins->hold_test_maker());
   QAction* grasp = workbench.make_action(
       QStringLiteral("posture"), QObject::tr("&Grasp…"), QKeySequence(QStringLiteral("Ctrl+G")),
       QObject::tr("Find grasps of the object, choose one and plan to it"));

@@ -1,13 +1,17 @@
 #pragma once
 
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/extensions/plugin.h"
+#include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "model/jobs/background.h"
 #include "widgets/panels/floating_card.h"
 
 #include <QObject>
 #include <QPoint>
+#include <QTimer>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -43,6 +47,15 @@ class GraspCard : public FloatingCard {
   /// The search has ended. @param stopped before its end.
   void show_grasps(const std::vector<planning::Pregrasp>& grasps, bool stopped);
   void show_failure(const QString& object, const QString& reason);
+  /// Shows or hides the column for simulated grasps, which is empty until their results come.
+  void show_tests(bool possible);
+  /// Shows the grasps without tests. @param reason why they can't be simulated.
+  void show_untested(const QString& reason);
+  /// Shows how a row's grasp held in simulation.
+  void show_hold(int index, const planning::HoldResult& result);
+  /// Shows in words what is simulated at the moment; empty: the film is over.
+  void show_film(const QString& what);
+  [[nodiscard]] int row() const;
 
  signals:
   /// The row that is looked at.
@@ -52,6 +65,8 @@ class GraspCard : public FloatingCard {
   void closed();
   /// Search no longer, and keep what was found.
   void stop_requested();
+  /// Show the simulation of this one, or no longer.
+  void film_wanted(int index, bool wanted);
 
  private:
   void set_up(const QString& note, bool with_list, bool searching);
@@ -67,25 +82,38 @@ class GraspCard : public FloatingCard {
   QTreeWidget* list_;
   QWidget* search_;  ///< Progress and button to end the search.
   QProgressBar* progress_;
+  QPushButton* film_;
   QPushButton* plan_;
+  std::vector<bool> tested_;  ///< By row.
+  QString note_before_film_;
   std::vector<planning::Pregrasp> listed_;
   bool is_chosen_ = false;  ///< A person has chosen the row.
 };
 
-/// Plans to an object: finds pre-grasps in the background, shows them as ghosts of the goal, and
-/// plans to the chosen one.
+/// A grasp that was simulated, with what is to be seen of it.
+struct FilmedTest {
+  planning::HoldResult result;
+  std::vector<planning::HoldFrame> frames;
+};
+
+/// Plans to an object: finds grasps in the background, shows them closed as ghosts of the goal with
+/// their contacts, simulates whether they hold, and plans to the chosen one.
 class GraspTool : public QObject {
   Q_OBJECT
 
  public:
   /// All outlive it. The card floats over the view.
+  /// @param make_hold_test null: grasps are not simulated.
   GraspTool(Document& document, SceneEditor& editor, PlanningSession& session, SceneView& view,
-            QObject* parent = nullptr);
+            planning::MakeHoldTest make_hold_test, QObject* parent = nullptr);
 
   /// Searches for grasps of the selected object.
   void begin();
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
   [[nodiscard]] const std::vector<planning::Pregrasp>& grasps() const { return grasps_.value; }
+  /// Returns the simulations of grasps() that are done, from the first.
+  [[nodiscard]] const std::vector<FilmedTest>& tests() const { return tests_; }
+  [[nodiscard]] bool is_testing() const { return test_job_.is_busy(); }
 
  signals:
   /// Emitted when there is room in the view for the handles of the selection, or not because they
@@ -97,6 +125,13 @@ class GraspTool : public QObject {
  private:
   void end();
   void choose(int index);
+  void look_at(int index);
+  /// Simulates grasps() one after the other. @param palm link of the robot.
+  void test(int palm);
+  void take_test(int search, FilmedTest test);
+  void begin_film(int index);
+  void show_next_frame();
+  void end_film();
   /// Takes the grasps that a search has found so far. @param search the number of the search.
   void take_progress(int search, std::vector<planning::Pregrasp> found, double fraction);
   /// Returns the points of the view that should stay visible: of the object, and of the hand in
@@ -112,6 +147,12 @@ class GraspTool : public QObject {
   planning::Derived<std::vector<planning::Pregrasp>> grasps_;
   int search_ = 0;  ///< The number of the last search.
   std::shared_ptr<std::stop_source> ends_search_;
+  planning::MakeHoldTest make_hold_test_;
+  std::vector<FilmedTest> tests_;
+  QTimer film_;
+  std::size_t filmed_ = 0;      ///< Index of the grasp whose film is shown,
+  std::size_t next_frame_ = 0;  ///< and of its next frame.
+  LatestJob test_job_;
   LatestJob job_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 // Holds in everything that is tested.
 bool holds(const HoldTest& test, const Pregrasp& grasp, const HoldConditions& conditions,
            const std::stop_token& stop) {
-  const HoldResult result = test.test(grasp, conditions, stop);
+  const HoldResult result = test.test(grasp, conditions, stop, {});
   return result.held() && result.lift && result.lift->held;
 }
 
@@ -114,7 +114,7 @@ std::vector<HoldResult> test_grasps(const HoldTest& test, const std::vector<Preg
   ThreadPool pool(std::max(threads, 1));
   pool.run(0, static_cast<int>(count), [&](int k) {
     const auto i = static_cast<std::size_t>(k);
-    results[i] = test.test(grasps[i], conditions, stop);
+    results[i] = test.test(grasps[i], conditions, stop, {});
   });
   const auto unfinished =
       std::ranges::find_if(results, [](const HoldResult& result) { return !result.lift; });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/math/pose.h"
 #include "handway/planning/export.h"
 #include "handway/planning/grasps/grasp_quality.h"
 #include "handway/planning/grasps/pregrasp_search.h"
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <stop_token>
@@ -68,6 +70,16 @@ struct HoldMargins {
   std::optional<double> position_error = {};
 };
 
+/// A moment of a hold test.
+struct HoldFrame {
+  int load = 0;       ///< 0: the squeeze; 1 to 6: HoldResult::directions; 7: the lift.
+  double time = 0.0;  ///< s since the load's begin.
+  Configuration q;    ///< Of the robot, its arm at rest: the lift is shown in the palm's frame.
+  geometric::Pose X_WO = geometric::Pose::Identity();  ///< Of the object.
+};
+/// Receives moments of a test in their order, one every 20 ms of simulated time.
+using HoldWatcher = std::function<void(const HoldFrame& frame)>;
+
 /// Simulates whether the grasps of one object hold it. The hand's palm is fixed; the joints that it
 /// carries are driven from Pregrasp::closed to Pregrasp::squeezed by position control of limited
 /// force; the object is free, and nothing but the hand touches it. Any number of threads may test
@@ -79,8 +91,10 @@ class HANDWAY_PLANNING_EXPORT HoldTest {
  public:
   virtual ~HoldTest() = default;
   /// @param stop ends the test within 100 ms, with what is known until then.
+  /// @param watch may be empty.
   [[nodiscard]] virtual HoldResult test(const Pregrasp& grasp, const HoldConditions& conditions,
-                                        const std::stop_token& stop) const = 0;
+                                        const std::stop_token& stop,
+                                        const HoldWatcher& watch) const = 0;
   /// Returns what the simulation assumes besides HoldConditions, a sentence each.
   [[nodiscard]] virtual std::vector<std::string> assumptions() const = 0;
 };
