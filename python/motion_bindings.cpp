@@ -1,6 +1,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway/sampling/postures/principal_components.h"
@@ -103,8 +104,38 @@ py::list contacts_of(const planning::Pregrasp& grasp) {
   return contacts;
 }
 
+py::dict slip_of(const planning::HoldSlip& slip) {
+  py::dict answer;
+  answer["held"] = slip.held;
+  answer["shift"] = slip.shift;
+  answer["turn"] = slip.turn;
+  return answer;
+}
+
+py::dict hold_of(const planning::HoldResult& result) {
+  py::dict answer;
+  py::list directions;
+  for (const planning::HoldSlip& slip : result.directions) {
+    directions.append(slip_of(slip));
+  }
+  answer["held"] = result.held();
+  answer["squeeze"] = slip_of(result.squeeze);
+  answer["directions"] = directions;
+  answer["lift"] = slip_of(*result.lift);
+  return answer;
+}
+
+planning::MakeHoldTest need_hold_test() {
+  const planning::MakeHoldTest make = plugin_manager().hold_test_maker();
+  if (make == nullptr) {
+    throw InputError({"test", "", "no plugin that simulates grasps", "simulate_mujoco",
+                      "Build Handway with libmujoco-dev"});
+  }
+  return make;
+}
+
 py::list grasps(const SceneModel& scene, const std::string& object, int most, int samples,
-                std::uint64_t seed, double friction, double payload) {
+                std::uint64_t seed, double friction, double payload, int test) {
   for (const auto& [argument, value] : {std::pair("most", most), std::pair("samples", samples)}) {
     if (value < 1) {
       throw InputError({argument, "", std::to_string(value), "1 or more", ""});
@@ -116,6 +147,10 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, in
       throw InputError({argument, "", fmt::format("{}", value), "a number above 0", ""});
     }
   }
+  if (test < 0) {
+    throw InputError({"test", "", std::to_string(test), "0 or more", ""});
+  }
+  const planning::MakeHoldTest make_hold_test = test > 0 ? need_hold_test() : nullptr;
   planning::PregraspOptions options;
   options.contact.friction = friction;
   options.payload = payload;
@@ -123,11 +158,18 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, in
   options.samples = samples;
   options.seed = seed;
   std::vector<planning::Pregrasp> found;
-  {
-    run_interruptible([&](const std::stop_token& stop) {
-      found = planning::find_pregrasps(scene.problem(), object, options, stop).found;
-    });
-  }
+  std::vector<planning::HoldResult> holds;
+  run_interruptible([&](const std::stop_token& stop) {
+    const planning::Pregrasps grasps =
+        planning::find_pregrasps(scene.problem(), object, options, stop);
+    found = grasps.found;
+    if (make_hold_test != nullptr && !found.empty()) {
+      const planning::HoldConditions conditions{.mass = payload, .contact = options.contact};
+      holds =
+          planning::test_grasps(*make_hold_test(scene.problem(), object, grasps.palm), found,
+                                static_cast<std::size_t>(test), conditions, options.threads, stop);
+    }
+  });
   py::list answers;
   for (const planning::Pregrasp& grasp : found) {
     py::dict answer;
@@ -143,6 +185,8 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, in
     answer["holding_force"] = grasp.holding_force;
     answer["doubt"] = grasp.doubt;
     answer["contacts"] = contacts_of(grasp);
+    const auto rank = static_cast<std::size_t>(answers.size());
+    answer["hold"] = rank < holds.size() ? py::object(hold_of(holds[rank])) : py::none();
     answers.append(answer);
   }
   return answers;
@@ -239,17 +283,19 @@ void bind_motion(py::module_& module) {
            "jerk: True to limit jerk, too.")
       .def("grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
            py::arg("samples") = 8000, py::arg("seed") = 1, py::arg("friction") = 0.6,
-           py::arg("payload") = 0.1,
+           py::arg("payload") = 0.1, py::arg("test") = 0,
            "Returns grasps of an object, the best first.\n\n"
            "object: name of a fixed object. most: largest number of grasps. samples: number of\n"
            "palm poses to try. seed: seed of the samples. friction: coefficient between hand and\n"
-           "object. payload: mass of the object, kg. Returns dicts: q, closed and squeezed\n"
+           "object. payload: mass of the object, kg. test: how many of the best to simulate.\n"
+           "Returns dicts: q, closed and squeezed\n"
            "[variables], the configurations before contact, in contact and pushing; score;\n"
            "epsilon (N) and volume of the grasp wrench space; holding_force (N, the largest\n"
            "contact force that holds the payload, or None); contacts, dicts with finger, link,\n"
            "point and normal (in the object's frame) and distance (m); doubt, a reason to\n"
            "distrust it, or empty; fingers,\n"
-           "enclosure, clearance (m).");
+           "enclosure, clearance (m); hold, None or a dict of the simulation: held (in all six\n"
+           "directions), squeeze, directions and lift, each with held, shift (m) and turn (rad).");
   module.def(
       "find_pmds", &find_pmds, py::arg("postures"), py::arg("joints"), py::kw_only(),
       py::arg("free") = std::vector<std::string>(), py::arg("directions") = 4, py::arg("hand") = "",

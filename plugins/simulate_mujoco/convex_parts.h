@@ -16,15 +16,16 @@ struct ConvexPart {
 
 /// Limits of a decomposition into convex parts.
 struct ConvexPartsLimits {
-  /// Volume that the parts may have beyond that of the solid, as a share of it.
-  double excess = 0.02;
+  /// m: what a part may have beyond the solid, its volume spread over the part's surface.
+  double depth = 2e-4;
   int most = 32;  ///< Parts, at least 1. Connected pieces of the mesh are never joined for it.
 };
 
 /// Returns convex parts that together cover the mesh. Cuts by planes divide it, the part first
-/// whose hull has the most volume beyond its own; of the planes across the mesh's three axes the
-/// one is taken that leaves the least. A cut solid is closed by the cut's face, so that volumes
-/// stay true. Of an open surface, which has no volume, the parts cover the triangles.
+/// whose hull has the most volume beyond its own. Of planes through the part's middle and of those
+/// in which many of its corners lie, the one is taken that leaves the least. A cut solid is closed
+/// by the cut's face, so that volumes stay true. Of an open surface, which has no volume, the parts
+/// cover the triangles.
 [[nodiscard]] std::vector<ConvexPart> convex_parts(const geometric::TriangleMesh& mesh,
                                                    const ConvexPartsLimits& limits = {});
 

@@ -115,7 +115,7 @@ class HandWriter {
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  static constexpr ConvexPartsLimits kLinkParts{0.03, 16};
+  static constexpr ConvexPartsLimits kLinkParts{2e-4, 12};
   // Fingers are driven, so their inertia matters little; that of shells and rods would be a guess.
   static constexpr const char* kLeastInertia =
       "<inertial pos='0 0 0' mass='0.05' diaginertia='2e-5 2e-5 2e-5'/>\n";
@@ -178,16 +178,14 @@ std::string mjcf_of(const std::string& assets, const std::string& bodies, const 
   return fmt::format(
       "<mujoco>"
       "<compiler angle='radian' autolimits='true' boundmass='1e-6' boundinertia='1e-10'/>"
-      "<size njmax='1500' nconmax='300'/>"
-      "<option timestep='0.004' integrator='implicit' cone='elliptic' impratio='10' "
-      "noslip_iterations='2' gravity='0 0 0'/>"
+      "{}"
       "<default>"
       "<default class='hand'><geom condim='4' contype='1' conaffinity='2'/></default>"
       "<default class='object'><geom condim='4' contype='2' conaffinity='1'/></default>"
       "</default>"
       "<asset>{}</asset><worldbody>{}</worldbody>"
       "<equality>{}</equality><actuator>{}</actuator></mujoco>",
-      assets, bodies, hand.equalities(), hand.actuators());
+      kSolver, assets, bodies, hand.equalities(), hand.actuators());
 }
 
 void find_joints(const RobotModel& robot, const std::vector<int>& links, HandModel& made) {
@@ -241,7 +239,7 @@ HandModel hand_model(const RobotModel& robot, int palm, const geometric::SceneOb
   GeomWriter geoms;
   HandWriter hand(robot, palm, geoms);
   const std::string links = hand.body(palm);
-  constexpr ConvexPartsLimits kObjectParts{0.01, 64};
+  constexpr ConvexPartsLimits kObjectParts{2e-4, 48};
   constexpr double kAnyDensity = 1000.0;  // kg/m³; each test scales the mass
   const std::string shapes =
       geoms.geoms(object.shape, Pose::Identity(), "object", kAnyDensity, kObjectParts);

@@ -22,6 +22,13 @@ struct DataDeleter {
 };
 using DataPointer = std::unique_ptr<mjData, DataDeleter>;
 
+/// The settings of the solver, as MJCF: steps of 4 ms, elliptic friction cones whose friction is
+/// stiffer than the contact, so that little creeps; no gravity, room for 300 contacts.
+inline constexpr const char* kSolver =
+    "<size njmax='1500' nconmax='300'/>"
+    "<option timestep='0.004' integrator='implicit' cone='elliptic' impratio='10' "
+    "noslip_iterations='2' gravity='0 0 0'/>";
+
 /// Compiles MJCF. Any thread. Errors of MuJoCo are exceptions from the first call on, for the whole
 /// program, instead of its end.
 /// @throws std::runtime_error with MuJoCo's message.
