@@ -105,6 +105,15 @@ class Grasps(unittest.TestCase):
         self.assertGreater(grasps[0]["holding_force"], 0.0)
         self.assertGreaterEqual(len({contact["finger"] for contact in grasps[0]["contacts"]}), 2)
         self.assertAlmostEqual(float(np.linalg.norm(grasps[0]["contacts"][0]["normal"])), 1.0)
+        self.assertIsNone(grasps[0]["hold"])
+        try:
+            hold = scene.grasps("can", most=1, samples=4000, test=1)[0]["hold"]
+        except handway.InputError as error:
+            self.assertIn("no plugin that simulates grasps", str(error))  # built without MuJoCo
+        else:
+            self.assertTrue(hold["held"])
+            self.assertEqual(len(hold["directions"]), 6)
+            self.assertLess(hold["lift"]["shift"], 0.005)
         slippery = scene.grasps("can", most=1, samples=1000, friction=0.02)
         self.assertTrue(all(grasp["doubt"] for grasp in slippery))
         with self.assertRaisesRegex(handway.InputError, "cam"):

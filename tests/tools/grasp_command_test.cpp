@@ -47,6 +47,30 @@ TEST_F(GraspCommand, WritesGraspsAndAReport) {
                              HasSubstr("    squeeze: {\""), HasSubstr("      - {finger: ")));
 }
 
+TEST_F(GraspCommand, SimulatesTheBestGrasps) {
+  const Outcome run =
+      line_.run("grasp " + scene() + " can --count 2 --test 1 --margins --report report.json");
+  if (run.exit_code == 3) {
+    EXPECT_THAT(run.err, HasSubstr("no plugin that simulates grasps"));
+    GTEST_SKIP() << "built without MuJoCo";
+  }
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("held"));
+  EXPECT_THAT(run.out, HasSubstr("6/6"));
+  const auto report = nlohmann::json::parse(line_.read("report.json"));
+  EXPECT_FALSE(report["hold_assumptions"].empty());
+  ASSERT_EQ(report["grasps"].size(), 2U);
+  EXPECT_FALSE(report["grasps"][1].contains("hold")) << "only the best was asked for";
+  const auto& hold = report["grasps"][0]["hold"];
+  EXPECT_TRUE(hold["held"]);
+  EXPECT_EQ(hold["directions"].size(), 6U);
+  EXPECT_TRUE(hold["lift"]["held"]);
+  EXPECT_LT(hold["lift"]["slip_mm"], 5.0);
+  EXPECT_LT(hold["least_friction"], 0.6);
+  EXPECT_GT(hold["largest_mass"], 0.1);
+  EXPECT_TRUE(hold.contains("position_error_mm"));
+}
+
 TEST_F(GraspCommand, SaysWhyThereIsNone) {
   const Outcome run = line_.run("grasp " + scene() + " table");
   EXPECT_EQ(run.exit_code, 1);

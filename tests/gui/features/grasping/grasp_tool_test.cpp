@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeWidget>
 
@@ -39,6 +40,33 @@ TEST_F(ClickToPlan, PlansToTheGraspThatIsChosen) {
   EXPECT_EQ(editor().undo_stack().undoText(), "Set goal");
   window().session().cancel();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !window().session().is_running(); }, 8000));
+}
+
+TEST_F(ClickToPlan, SimulatesTheGraspsAndShowsTheFilm) {
+  open(source_dir() / "scenes" / "can_on_table.yaml");
+  grasp("can");
+  gui::GraspTool& grasping = tool<gui::GraspTool>();
+  auto& list = part<QTreeWidget>("grasp_list");
+  auto& film = part<QPushButton>("grasp_film");
+  constexpr int kHeld = 5;
+  if (list.isColumnHidden(kHeld)) {
+    EXPECT_FALSE(film.isVisible());
+    GTEST_SKIP() << "built without MuJoCo";
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !grasping.is_testing(); }, 120000));
+  ASSERT_EQ(grasping.tests().size(), grasping.grasps().size());
+  EXPECT_EQ(list.topLevelItem(0)->text(kHeld), "6 of 6");
+  EXPECT_TRUE(list.topLevelItem(0)->toolTip(kHeld).contains("Raised by 10 cm"));
+  const gui::SceneState before = editor().state();
+  click("grasp_film");
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return part<QLabel>("grasp_note").text().contains("1 N along"); }, 20000));
+  keep_picture("grasp_film");
+  EXPECT_EQ(film.text(), "Stop");
+  EXPECT_EQ(editor().state(), before) << "only shown";
+  click("grasp_film");
+  EXPECT_EQ(film.text(), "Watch the test");
+  EXPECT_FALSE(part<QLabel>("grasp_note").text().contains("Simulation"));
 }
 
 TEST_F(ClickToPlan, LeavesTheGoalWhenTheListIsClosed) {
