@@ -13,11 +13,15 @@ namespace handway::test {
 
 void WindowTest::SetUp() {
   HANDWAY_NEED_DISPLAY();
-  window_ = std::make_unique<gui::MainWindow>(std::make_shared<planning::PluginManager>());
+  window_ = std::make_unique<gui::MainWindow>(plugins());
   window_->resize(1024, 700);
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   WatchedApplication::forget();
+}
+
+std::shared_ptr<planning::PluginManager> WindowTest::plugins() const {
+  return std::make_shared<planning::PluginManager>();
 }
 
 void WindowTest::TearDown() {

@@ -25,6 +25,8 @@ class WindowTest : public ::testing::Test {
  protected:
   void SetUp() override;
   void TearDown() override;
+  /// The plugins of the window: none.
+  [[nodiscard]] virtual std::shared_ptr<planning::PluginManager> plugins() const;
 
   /// Opens a file and waits until it is shown or refused.
   void open(const std::filesystem::path& file);

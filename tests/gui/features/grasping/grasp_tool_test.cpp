@@ -42,7 +42,17 @@ TEST_F(ClickToPlan, PlansToTheGraspThatIsChosen) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !window().session().is_running(); }, 8000));
 }
 
-TEST_F(ClickToPlan, SimulatesTheGraspsAndShowsTheFilm) {
+/// With the plugins that are built.
+class ClickToSimulate : public ClickToPlan {
+ protected:
+  [[nodiscard]] std::shared_ptr<planning::PluginManager> plugins() const override {
+    auto loaded = std::make_shared<planning::PluginManager>();
+    loaded->load_plugins(planning::plugin_directory());
+    return loaded;
+  }
+};
+
+TEST_F(ClickToSimulate, ShowsWhatIsHeldAndTheFilm) {
   open(source_dir() / "scenes" / "can_on_table.yaml");
   grasp("can");
   gui::GraspTool& grasping = tool<gui::GraspTool>();
