@@ -105,8 +105,7 @@ TriangleMesh hull_of(const std::vector<Triangle>& surface, const std::vector<Cap
     }
   }
   std::ranges::sort(points, before);
-  const auto repeated = std::ranges::unique(points);
-  points.erase(repeated.begin(), repeated.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   return geometric::convex_hull(points);
 }
 
