@@ -309,10 +309,11 @@ std::vector<Plane> faces_across(const Part& part, int axis, double tolerance) {
     }
   }
   std::ranges::stable_sort(faces, std::greater<>(), [](const auto& face) { return face.first; });
-  std::vector<Plane> planes;
-  for (std::size_t i = 0; i < std::min(kMost, faces.size()); ++i) {
-    planes.push_back({Vector3d::Unit(axis), faces[i].second});
-  }
+  faces.resize(std::min(kMost, faces.size()));
+  std::vector<Plane> planes(faces.size());
+  std::ranges::transform(faces, planes.begin(), [axis](const auto& face) {
+    return Plane{Vector3d::Unit(axis), face.second};
+  });
   return planes;
 }
 
