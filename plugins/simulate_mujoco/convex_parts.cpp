@@ -321,6 +321,7 @@ std::vector<Plane> faces_across(const Part& part, int axis, double tolerance) {
 // across its own principal axes through its centre.
 std::vector<Plane> middle_planes(const Part& part) {
   std::vector<Plane> planes;
+  planes.reserve(6);
   const Vector3d middle = geometric::bounding_box(part.hull).centre();
   for (int axis = 0; axis < 3; ++axis) {
     planes.push_back({Vector3d::Unit(axis), middle[axis]});
