@@ -46,7 +46,7 @@ Configuration FingerClosing::closed(Configuration q, std::size_t which, const ge
     next = next.cwiseMax(0.0).cwiseMin(1.0);
     const Configuration q_next = hand_.with_hand(q, next);
     const bool moves = next != posture;
-    if (moves && keeps_gap(q_next, checks_[which], limits)) {
+    if (moves && keeps_gap(q_next, checks_[which], first, limits)) {
       posture = next;
       q = q_next;
       travel += size;
@@ -75,42 +75,51 @@ Configuration FingerClosing::all_closed(Configuration q, const geometric::Aabb& 
 std::vector<FingerClosing::MovedCheck> FingerClosing::checks_of(
     const HandClosing::Finger& finger, const std::vector<int>& with_object,
     const std::vector<int>& of_hand) const {
+  constexpr Eigen::Index kNone = -1;
   const geometric::RobotModel& model = problem_.model();
-  std::vector<bool> moved(static_cast<std::size_t>(model.link_count()), false);
+  // For each link, the outermost joint of the finger that moves it.
+  std::vector<Eigen::Index> last(static_cast<std::size_t>(model.link_count()), kNone);
   for (int link = 1; link < model.link_count(); ++link) {
-    const bool is_driven = std::ranges::any_of(finger.joints, [&](int joint) {
-      return problem_.hand[static_cast<std::size_t>(joint)] == model.drive(link).variable;
-    });
-    moved[static_cast<std::size_t>(link)] =
-        is_driven || moved[static_cast<std::size_t>(model.parent(link))];
+    Eigen::Index& joint = last[static_cast<std::size_t>(link)];
+    joint = last[static_cast<std::size_t>(model.parent(link))];
+    for (std::size_t k = 0; k < finger.joints.size(); ++k) {
+      if (problem_.hand[static_cast<std::size_t>(finger.joints[k])] == model.drive(link).variable) {
+        joint = std::max(joint, static_cast<Eigen::Index>(k));
+      }
+    }
   }
   const geometric::CollisionWorld& world = checker_.world();
-  const auto moves = [&](int body) {
+  const auto last_of = [&](int body) {
     const int link = world.body(body).link;
-    return world.body(body).moves() && link >= 0 && moved[static_cast<std::size_t>(link)];
+    return world.body(body).moves() && link >= 0 ? last[static_cast<std::size_t>(link)] : kNone;
   };
   std::vector<MovedCheck> checks;
   for (int check = 0; check < world.check_count(); ++check) {
     if (const geometric::LinkConstraint* constraint = world.constraint(check)) {
-      if (moved[static_cast<std::size_t>(constraint->link())]) {
-        checks.push_back({check, Concern::kOther});
+      if (const Eigen::Index joint = last[static_cast<std::size_t>(constraint->link())];
+          joint != kNone) {
+        checks.push_back({check, Concern::kOther, joint});
       }
       continue;
     }
     const auto& bodies = world.pairs()[static_cast<std::size_t>(check)];
-    if (moves(bodies.a) || moves(bodies.b)) {
-      checks.push_back({check, std::ranges::count(with_object, check) > 0 ? Concern::kObject
-                               : std::ranges::count(of_hand, check) > 0   ? Concern::kHand
-                                                                          : Concern::kOther});
+    if (const Eigen::Index joint = std::max(last_of(bodies.a), last_of(bodies.b)); joint != kNone) {
+      const Concern concern = std::ranges::count(with_object, check) > 0 ? Concern::kObject
+                              : std::ranges::count(of_hand, check) > 0   ? Concern::kHand
+                                                                         : Concern::kOther;
+      checks.push_back({check, concern, joint});
     }
   }
   return checks;
 }
 
 bool FingerClosing::keeps_gap(const Configuration& q, const std::vector<MovedCheck>& checks,
-                              const Limits& limits) {
+                              Eigen::Index first, const Limits& limits) {
   checker_.place(q);
   return std::ranges::all_of(checks, [&](const MovedCheck& moved) {
+    if (moved.last < first) {
+      return true;
+    }
     const double gap = moved.concern == Concern::kObject ? limits.object_gap
                        : moved.concern == Concern::kHand ? limits.own_gap
                                                          : 0.0;

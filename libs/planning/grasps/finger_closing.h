@@ -43,13 +43,15 @@ class FingerClosing {
   struct MovedCheck {
     int check = 0;
     Concern concern = Concern::kOther;
+    Eigen::Index last = 0;  ///< Outermost joint of the finger that moves one of its bodies.
   };
 
   [[nodiscard]] std::vector<MovedCheck> checks_of(const HandClosing::Finger& finger,
                                                   const std::vector<int>& with_object,
                                                   const std::vector<int>& of_hand) const;
+  /// @param first joint of the finger that moves; what only joints before it move keeps its gap.
   [[nodiscard]] bool keeps_gap(const Configuration& q, const std::vector<MovedCheck>& checks,
-                               const Limits& limits);
+                               Eigen::Index first, const Limits& limits);
 
   const PlanningProblem& problem_;
   const HandClosing& hand_;
