@@ -30,7 +30,7 @@ std::vector<LinkContact> ContactFinder::contacts(geometric::CollisionChecker& ch
   std::vector<LinkContact> found;
   for (const int pair : pairs_) {
     if (checker.pair_closeness(pair, tolerance) != geometric::Closeness::kFarther) {
-      add_contacts(pair, X_WA(pair, checker.link_poses()), found);
+      add_contacts(pair, X_WA(pair, checker.link_poses()), tolerance, found);
     }
   }
   return found;
@@ -63,11 +63,14 @@ Pose ContactFinder::X_WA(int pair, const std::vector<Pose>& X_BL) const {
   return world_->X_WB() * X_BL[static_cast<std::size_t>(body.link)] * body.X_FB;
 }
 
-void ContactFinder::add_contacts(int pair, const Pose& X_WA, std::vector<LinkContact>& contacts) {
+void ContactFinder::add_contacts(int pair, const Pose& X_WA, double tolerance,
+                                 std::vector<LinkContact>& contacts) {
+  constexpr double kSpare = 1e-6;  // m, of rounding
   const auto [a, b] = world_->pairs()[static_cast<std::size_t>(pair)];
   const int link = world_->body(a).link;
   const Pose& X_WB = world_->body(b).X_FB;
-  const std::optional<geometric::ClosestPoints> nearest = closest_.between(a, b, X_WA, X_WB);
+  const std::optional<geometric::ClosestPoints> nearest = closest_.between(
+      a, b, X_WA, X_WB, tolerance + world_->padding(pair) + kSpare);
   if (!nearest) {
     return;  // they are in each other
   }
@@ -85,7 +88,8 @@ void ContactFinder::add_contacts(int pair, const Pose& X_WA, std::vector<LinkCon
     const Pose tilted = Eigen::Translation3d(nearest->p_WA - kPatchLift * normal) *
                         Eigen::AngleAxisd(kPatchTilt, axis) * Eigen::Translation3d(-nearest->p_WA) *
                         X_WA;
-    const std::optional<geometric::ClosestPoints> corner = closest_.between(a, b, tilted, X_WB);
+    const std::optional<geometric::ClosestPoints> corner = closest_.between(
+        a, b, tilted, X_WB, distance + kPatchLift + kSpare);  // as far as the first point gets
     if (!corner) {
       continue;
     }

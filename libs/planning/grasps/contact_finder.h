@@ -40,7 +40,8 @@ class ContactFinder {
 
  private:
   [[nodiscard]] geometric::Pose X_WA(int pair, const std::vector<geometric::Pose>& X_BL) const;
-  void add_contacts(int pair, const geometric::Pose& X_WA, std::vector<LinkContact>& contacts);
+  void add_contacts(int pair, const geometric::Pose& X_WA, double tolerance,
+                    std::vector<LinkContact>& contacts);
 
   std::shared_ptr<const geometric::CollisionWorld> world_;
   geometric::ClosestPointFinder closest_;

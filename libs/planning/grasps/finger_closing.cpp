@@ -33,6 +33,7 @@ Configuration FingerClosing::closed(Configuration q, std::size_t which, const ge
   const auto joints = static_cast<Eigen::Index>(finger.joints.size());
   Eigen::Index first = 0;  // joint that does not stand
   double travel = 0.0;     // normalised
+  bool grows = false;      // steps, until one is blocked
   for (int step = 0; travel < kMostClosingSteps * kClosingStep && !stop.stop_requested();) {
     if (step % kStepsOfDirection == 0 || rates.size() == 0) {
       rates = hand_.towards(finger, posture, core, X_PO);
@@ -51,12 +52,15 @@ Configuration FingerClosing::closed(Configuration q, std::size_t which, const ge
       q = q_next;
       travel += size;
       ++step;
+      size = grows ? std::min(2.0 * size, kClosingStep) : size;
     } else if (moves && size > least) {
       size *= 0.5;
+      grows = false;
     } else if (++first == joints) {
       break;
-    } else {
-      size = kClosingStep;
+    } else {  // what is in the way mostly stops the outer joints, too: the least step tells
+      size = least;
+      grows = true;
       rates.resize(0);  // the outer joints go on at full pace
     }
   }
@@ -113,10 +117,10 @@ std::vector<FingerClosing::MovedCheck> FingerClosing::checks_of(
   return checks;
 }
 
-bool FingerClosing::keeps_gap(const Configuration& q, const std::vector<MovedCheck>& checks,
+bool FingerClosing::keeps_gap(const Configuration& q, std::vector<MovedCheck>& checks,
                               Eigen::Index first, const Limits& limits) {
   checker_.place(q);
-  return std::ranges::all_of(checks, [&](const MovedCheck& moved) {
+  const auto keeps = [&](const MovedCheck& moved) {
     if (moved.last < first) {
       return true;
     }
@@ -125,7 +129,13 @@ bool FingerClosing::keeps_gap(const Configuration& q, const std::vector<MovedChe
                                                          : 0.0;
     return gap > 0.0 ? checker_.pair_closeness(moved.check, gap) == geometric::Closeness::kFarther
                      : !checker_.pair_collides(moved.check);
-  });
+  };
+  const auto broken = std::ranges::find_if_not(checks, keeps);
+  if (broken == checks.end()) {
+    return true;
+  }
+  std::rotate(checks.begin(), broken, broken + 1);  // it is the likeliest one to be broken next
+  return false;
 }
 
 }  // namespace handway::planning

@@ -50,7 +50,7 @@ class FingerClosing {
                                                   const std::vector<int>& with_object,
                                                   const std::vector<int>& of_hand) const;
   /// @param first joint of the finger that moves; what only joints before it move keeps its gap.
-  [[nodiscard]] bool keeps_gap(const Configuration& q, const std::vector<MovedCheck>& checks,
+  [[nodiscard]] bool keeps_gap(const Configuration& q, std::vector<MovedCheck>& checks,
                                Eigen::Index first, const Limits& limits);
 
   const PlanningProblem& problem_;

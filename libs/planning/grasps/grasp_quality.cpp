@@ -7,13 +7,16 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 // The reentrant qhull is C, with macros of its own.
 extern "C" {
@@ -310,21 +313,128 @@ const Wrenches& probed_directions() {
 
 }  // namespace
 
+namespace {
+
+// Walks over the facets of the hull of some wrenches, each time to a neighbour whose plane is nearer
+// to the origin, which is inside. In the polar of the hull, { y : w·y <= 1 for all wrenches w }, facets
+// are corners and the nearest plane is the corner that is farthest from the origin.
+class FacetWalk {
+ public:
+  explicit FacetWalk(const Wrenches& wrenches) : wrenches_(wrenches) {
+    constexpr double kTieBreak = 1e-4;  // so that no corner is on more than six planes
+    sampling::RandomStream random(1);
+    limits_.resize(wrenches.cols());
+    for (double& limit : limits_) {
+      limit = 1.0 + kTieBreak * random.uniform();
+    }
+  }
+
+  // Returns the direction of the plane at the end of the walk that begins where the hull is left
+  // into `direction`.
+  [[nodiscard]] Wrench nearest_from(const Wrench& direction) const {
+    constexpr int kMostSteps = 40;
+    Eigen::RowVectorXd reach = direction.transpose() * wrenches_;
+    Eigen::Index first = 0;
+    const double grown = (reach.array() / limits_.array()).maxCoeff(&first);
+    Wrench y = direction / grown;
+    Matrix6d planes;
+    std::array<Eigen::Index, 6> tight{first};
+    for (int count = 1; count < 6; ++count) {  // to a corner, away from the origin
+      planes.row(count - 1) = wrenches_.col(tight[static_cast<std::size_t>(count - 1)]).transpose();
+      const auto at = planes.topRows(count);
+      const Wrench out = outwards(at, y);
+      const auto [next, way] = next_plane(y, out);
+      if (next < 0) {
+        return out.normalized();
+      }
+      y += way * out;
+      tight[static_cast<std::size_t>(count)] = next;
+    }
+    planes.row(5) = wrenches_.col(tight[5]).transpose();
+    for (int step = 0; step < kMostSteps; ++step) {
+      const Matrix6d edges = -planes.inverse();  // column j leaves plane j
+      if (!edges.allFinite()) {
+        break;
+      }
+      double farthest = y.squaredNorm();
+      Wrench best = y;
+      int left = -1;
+      Eigen::Index entered = -1;
+      for (int j = 0; j < 6; ++j) {
+        const auto [next, way] = next_plane(y, edges.col(j));
+        if (next < 0) {
+          return edges.col(j).normalized();
+        }
+        const Wrench corner = y + way * edges.col(j);
+        if (corner.squaredNorm() > farthest) {
+          farthest = corner.squaredNorm();
+          best = corner;
+          left = j;
+          entered = next;
+        }
+      }
+      if (left < 0) {
+        break;
+      }
+      y = best;
+      planes.row(left) = wrenches_.col(entered).transpose();
+    }
+    return y.normalized();
+  }
+
+ private:
+  using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+  // The way along `planes` that leads away from the origin fastest.
+  template <typename Planes>
+  [[nodiscard]] static Wrench outwards(const Planes& planes, const Wrench& y) {
+    constexpr double kNone = 1e-9;
+    const Eigen::HouseholderQR<Eigen::Matrix<double, 6, Eigen::Dynamic>> basis(planes.transpose());
+    const Matrix6d Q = basis.householderQ();
+    const auto along = Q.rightCols(6 - planes.rows());
+    const Wrench way = along * (along.transpose() * y);
+    return way.norm() > kNone * y.norm() ? Wrench(way) : Wrench(along.col(0));
+  }
+
+  // The plane that is met first from y into a direction, and after how much of it; -1 if none is.
+  [[nodiscard]] std::pair<Eigen::Index, double> next_plane(const Wrench& y,
+                                                           const Wrench& direction) const {
+    constexpr double kParallel = 1e-9;
+    const Eigen::RowVectorXd approach = direction.transpose() * wrenches_;
+    const Eigen::RowVectorXd room = limits_ - y.transpose() * wrenches_;
+    const double least = kParallel * direction.norm();
+    std::pair<Eigen::Index, double> first{-1, HUGE_VAL};
+    for (Eigen::Index i = 0; i < approach.size(); ++i) {
+      if (approach[i] > least && room[i] < first.second * approach[i]) {
+        first = {i, std::max(room[i] / approach[i], 0.0)};
+      }
+    }
+    return first;
+  }
+
+  const Wrenches& wrenches_;
+  Eigen::RowVectorXd limits_;
+};
+
+}  // namespace
+
 double epsilon_bound(const Wrenches& wrenches) {
   require(wrenches.allFinite(), "wrenches must be finite");
-  constexpr int kSteps = 24;
+  constexpr std::size_t kWalks = 4;
   if (wrenches.cols() == 0) {
     return 0.0;
   }
   const Eigen::RowVectorXd reach =
       (wrenches.transpose() * probed_directions()).colwise().maxCoeff();
-  Eigen::Index least = 0;
-  double bound = reach.minCoeff(&least);
-  Wrench direction = probed_directions().col(least);
-  for (int step = 1; step <= kSteps; ++step) {  // down the subgradient of the reach
-    Eigen::Index farthest = 0;
-    bound = std::min(bound, (wrenches.transpose() * direction).maxCoeff(&farthest));
-    direction = (direction - 0.5 / step * wrenches.col(farthest)).normalized();
+  std::vector<Eigen::Index> starts(static_cast<std::size_t>(reach.size()));
+  std::iota(starts.begin(), starts.end(), 0);
+  std::ranges::partial_sort(starts, starts.begin() + kWalks, {},
+                            [&](Eigen::Index i) { return reach[i]; });
+  double bound = reach[starts.front()];
+  const FacetWalk walk(wrenches);
+  for (std::size_t i = 0; i < kWalks && bound > 0.0; ++i) {
+    const Wrench direction = walk.nearest_from(probed_directions().col(starts[i]));
+    bound = std::min(bound, (wrenches.transpose() * direction).maxCoeff());
   }
   return bound;
 }

@@ -341,16 +341,21 @@ class PregraspSearch {
       return result;
     }
     const HandClosing::Preshape& preshape = fitting[random.below(fitting.size())];
-    try_place({preshape, palm_at(preshape, chord, random),
-               chords_.core(chord.centre, kCoreShare * chord.length + kCoreRoom)},
-              judges, result);
+    const Place place{preshape, palm_at(preshape, chord, random),
+                      chords_.core(chord.centre, kCoreShare * chord.length + kCoreRoom)};
+    const Configuration opened = hand_.with_hand(problem_.start, preshape.open);
+    try_place(place, ik_.all(opened, X_BO_ * place.X_OP), judges, result);
     return result;
   }
 
   /// Tries a place beside that of a measured candidate; finds a better grasp or none.
   [[nodiscard]] SampleResult neighbour(const Candidate& candidate, sampling::RandomStream random) {
     SampleResult result;
-    try_place(beside(candidate.place, random), false, result);
+    const Place place = beside(candidate.place, random);
+    PalmMove moved = ik_.moved(hand_.with_hand(candidate.grasp.q, place.preshape.open),
+                               X_BO_ * place.X_OP);
+    try_place(place, moved.reached ? std::vector{std::move(moved.q)} : std::vector<Configuration>(),
+              false, result);
     if (result.candidate &&
         !measure(*result.candidate, needed_epsilon(candidate, *result.candidate))) {
       result.candidate.reset();
@@ -401,11 +406,11 @@ class PregraspSearch {
   }
 
  private:
-  /// Brings the hand to a place, closes it there and sets the result's end.
-  void try_place(const Place& place, bool judges, SampleResult& result) {
+  /// Closes the hand at a place and sets the result's end.
+  /// @param solutions configurations with the opened hand there.
+  void try_place(const Place& place, const std::vector<Configuration>& solutions, bool judges,
+                 SampleResult& result) {
     last_pair_ = 0;  // of this place alone: which pair is looked at first counts as work
-    const Configuration opened = hand_.with_hand(problem_.start, place.preshape.open);
-    const std::vector<Configuration> solutions = ik_.all(opened, X_BO_ * place.X_OP);
     if (solutions.empty()) {
       result.end = SampleEnd::kOutOfReach;
       return;

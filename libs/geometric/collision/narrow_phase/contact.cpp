@@ -49,12 +49,12 @@ std::optional<ClosestPoints> ClosestPointFinder::between(std::string_view a, std
 }
 
 std::optional<ClosestPoints> ClosestPointFinder::between(int a, int b, const Pose& X_WA,
-                                                         const Pose& X_WB) {
+                                                         const Pose& X_WB, double enough) {
   const fcl::DistanceRequestd request(true);
-  fcl::DistanceResultd result;
+  fcl::DistanceResultd result(enough);
   fcl::distance(trees_->get(world_->body(a)), X_WA, trees_->get(world_->body(b)), X_WB, request,
                 result);
-  if (result.min_distance <= 0.0) {
+  if (result.min_distance <= 0.0 || result.min_distance >= enough) {
     return std::nullopt;
   }
   return ClosestPoints{result.nearest_points[0], result.nearest_points[1]};

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,9 +35,11 @@ class HANDWAY_GEOMETRIC_EXPORT ClosestPointFinder {
 
   /// Closest points of two bodies that stand where they are put.
   /// @param a, b indices of the world's bodies. @param X_WA, X_WB their poses.
-  /// @returns nothing if they touch.
-  [[nodiscard]] std::optional<ClosestPoints> between(int a, int b, const Pose& X_WA,
-                                                     const Pose& X_WB);
+  /// @param enough m; the less, the cheaper.
+  /// @returns nothing if they touch or are `enough` or more apart.
+  [[nodiscard]] std::optional<ClosestPoints> between(
+      int a, int b, const Pose& X_WA, const Pose& X_WB,
+      double enough = std::numeric_limits<double>::max());
 
  private:
   struct Trees;
