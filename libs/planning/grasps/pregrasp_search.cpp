@@ -57,7 +57,8 @@ constexpr double kSlippingImbalance = 0.6;  // … and not from here on
 constexpr double kHoldWeight = 0.6;         // share of the score that is lost then
 constexpr double kSurfaceSpacing = 0.004;   // m
 constexpr int kLeastSamples = 1024;         // before a search ends early …
-constexpr int kSamplesWithoutGain = 1024;  // … since so many samples made the best ones no better
+constexpr int kSamplesWithoutGain = 384;    // … since so many samples made a full list no better, …
+constexpr int kMorePatience = 2048;          // … or so many a shorter one
 constexpr double kScoreGain = 0.01;        // of a score
 constexpr double kEpsilonWeight = 0.7;     // share of the score
 constexpr double kFullEpsilon = 0.15;      // N: more is not better
@@ -742,7 +743,7 @@ class Patience {
       since_ = samples;
     }
     const int patience =
-        static_cast<int>(found.size()) >= most_ ? kSamplesWithoutGain : 2 * kSamplesWithoutGain;
+        static_cast<int>(found.size()) >= most_ ? kSamplesWithoutGain : kMorePatience;
     ended_ = !found.empty() && samples >= kLeastSamples && samples - since_ >= patience;
   }
   [[nodiscard]] bool ended() const { return ended_; }
