@@ -69,8 +69,8 @@ void ContactFinder::add_contacts(int pair, const Pose& X_WA, double tolerance,
   const auto [a, b] = world_->pairs()[static_cast<std::size_t>(pair)];
   const int link = world_->body(a).link;
   const Pose& X_WB = world_->body(b).X_FB;
-  const std::optional<geometric::ClosestPoints> nearest = closest_.between(
-      a, b, X_WA, X_WB, tolerance + world_->padding(pair) + kSpare);
+  const std::optional<geometric::ClosestPoints> nearest =
+      closest_.between(a, b, X_WA, X_WB, tolerance + world_->padding(pair) + kSpare);
   if (!nearest) {
     return;  // they are in each other
   }

@@ -6,7 +6,7 @@
 namespace handway::planning {
 namespace {
 
-constexpr int kMostClosingSteps = 40;    // of full size
+constexpr int kMostClosingSteps = 40;  // of full size
 constexpr int kMostSteps = 60;         // a finger that slides along something takes small ones
 constexpr double kLeastRate = 1e-3;    // gradient of the tip's distance that still closes it
 constexpr double kClosingStep = 0.03;  // normalised
@@ -35,8 +35,8 @@ Configuration FingerClosing::closed(Configuration q, std::size_t which, const ge
   Eigen::Index first = 0;  // joint that does not stand
   double travel = 0.0;     // normalised
   bool grows = false;      // steps, until one is blocked
-  for (int step = 0; step < kMostSteps && travel < kMostClosingSteps * kClosingStep &&
-                     !stop.stop_requested();) {
+  for (int step = 0;
+       step < kMostSteps && travel < kMostClosingSteps * kClosingStep && !stop.stop_requested();) {
     if (step % kStepsOfDirection == 0 || rates.size() == 0) {
       rates = hand_.towards(finger, posture, core, X_PO);
       const double left = rates.tail(joints - first).norm();

@@ -57,21 +57,21 @@ constexpr double kSlippingImbalance = 0.6;  // … and not from here on
 constexpr double kHoldWeight = 0.6;         // share of the score that is lost then
 constexpr double kSurfaceSpacing = 0.004;   // m
 constexpr int kLeastSamples = 1024;         // before a search ends early …
-constexpr int kSamplesWithoutGain = 384;    // … since so many samples made a full list no better, …
-constexpr int kMorePatience = 2048;          // … or so many a shorter one
-constexpr double kScoreGain = 0.01;        // of a score
-constexpr double kEpsilonWeight = 0.7;     // share of the score
-constexpr double kFullEpsilon = 0.15;      // N: more is not better
-constexpr int kPoolFactor = 2;             // candidates that are measured, times those wanted, …
-constexpr int kLeastPool = 16;             // … and at least
-constexpr int kMostMeasured = 3;           // times that, with those that turn out bad
+constexpr int kSamplesWithoutGain = 384;  // … since so many samples made a full list no better, …
+constexpr int kMorePatience = 2048;       // … or so many a shorter one
+constexpr double kScoreGain = 0.01;       // of a score
+constexpr double kEpsilonWeight = 0.7;    // share of the score
+constexpr double kFullEpsilon = 0.15;     // N: more is not better
+constexpr int kPoolFactor = 2;            // candidates that are measured, times those wanted, …
+constexpr int kLeastPool = 16;            // … and at least
+constexpr int kMostMeasured = 3;          // times that, with those that turn out bad
 constexpr std::size_t kMeasuredEach = 8;   // at a time
 constexpr int kBatch = 32;                 // samples between two reports of progress
 constexpr double kNeighbourShift = 0.015;  // m, of the palm beside a good place, along each axis
 constexpr double kNeighbourTurn = geometric::radians(15.0);  // about each axis
 constexpr int kFirstNeighbour = 512;                         // sample, and …
 constexpr int kNeighbourEach = 2;                            // … then each of so many, …
-constexpr int kNeighbours = 32;                              // … and that for each grasp
+constexpr int kNeighbours = 48;                              // … and that for each grasp
 
 const geometric::SceneObject& needed_object(const PlanningProblem& problem, std::string_view name) {
   const std::string file = problem.scene->file.string();
@@ -353,8 +353,8 @@ class PregraspSearch {
   [[nodiscard]] SampleResult neighbour(const Candidate& candidate, sampling::RandomStream random) {
     SampleResult result;
     const Place place = beside(candidate.place, random);
-    PalmMove moved = ik_.moved(hand_.with_hand(candidate.grasp.q, place.preshape.open),
-                               X_BO_ * place.X_OP);
+    PalmMove moved =
+        ik_.moved(hand_.with_hand(candidate.grasp.q, place.preshape.open), X_BO_ * place.X_OP);
     try_place(place, moved.reached ? std::vector{std::move(moved.q)} : std::vector<Configuration>(),
               false, result);
     if (result.candidate &&
@@ -797,6 +797,10 @@ class SampleRunner {
     }
     measure();
     best_ = search().best(results_.candidates());
+    improvable_ = best_;
+    std::erase_if(improvable_, [this](std::size_t i) {
+      return results_.candidates()[i].grasp.quality.epsilon >= kFullEpsilon;
+    });
     return true;
   }
 
@@ -813,12 +817,12 @@ class SampleRunner {
   /// The grasp that a sample is to be taken beside; null for one anywhere.
   [[nodiscard]] const Candidate* improvable(int sample) const {
     const int since = sample - kFirstNeighbour;
-    if (best_.empty() || since < 0 || since % kNeighbourEach != 0 ||
+    if (improvable_.empty() || since < 0 || since % kNeighbourEach != 0 ||
         since / kNeighbourEach >= kNeighbours * wanted_) {
       return nullptr;
     }
     const auto turn = static_cast<std::size_t>(since / kNeighbourEach);
-    return &results_.candidates()[best_[turn % best_.size()]];
+    return &results_.candidates()[improvable_[turn % improvable_.size()]];
   }
 
   /// Measures the most promising candidates, a few at a time.
@@ -842,7 +846,8 @@ class SampleRunner {
   ThreadPool threads_;
   std::vector<std::unique_ptr<PregraspSearch>> searches_;
   SampleResults results_;
-  std::vector<std::size_t> best_;  ///< Indices of candidates.
+  std::vector<std::size_t> best_;        ///< Indices of candidates, …
+  std::vector<std::size_t> improvable_;  ///< … and of those that more epsilon makes better.
 };
 
 }  // namespace

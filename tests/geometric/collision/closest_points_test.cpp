@@ -51,5 +51,19 @@ TEST(ClosestPoints, AreNoneOfWhatTouchesOrIsNotThere) {
   EXPECT_FALSE(finder.between("probe", "nothing", Eigen::Vector3d::Zero()));
 }
 
+TEST(ClosestPoints, AreLookedForAsFarAsIsEnough) {
+  Scene scene = scene_of(test::gantry(Box{{0.2, 0.2, 0.2}}));
+  add_object(scene, "box", Box{{0.4, 0.4, 0.4}}, Pose::Identity());
+  const auto world = std::make_shared<const CollisionWorld>(scene);
+  const auto [probe, box] =
+      world->pairs()[static_cast<std::size_t>(world->pairs_with("box").front())];
+  ClosestPointFinder finder(world);
+  const Pose X_WProbe = Pose(Eigen::Translation3d(0.45, 0.02, 0.03));  // 0.15 m from the box
+  const auto points = finder.between(probe, box, X_WProbe, Pose::Identity(), 0.151);
+  ASSERT_TRUE(points);
+  EXPECT_NEAR((points->p_WA - points->p_WB).norm(), 0.15, 1e-9);
+  EXPECT_FALSE(finder.between(probe, box, X_WProbe, Pose::Identity(), 0.149));
+}
+
 }  // namespace
 }  // namespace handway::geometric

@@ -80,8 +80,9 @@ struct GraspQuality {
 /// @throws std::invalid_argument for a wrench that is not finite.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT GraspQuality grasp_quality(const Wrenches& wrenches);
 
-/// Returns an upper bound of GraspQuality::epsilon, by how far the wrench space reaches in a few
-/// hundred directions and downhill from the least of them: without the cost of the hull.
+/// Returns an upper bound of GraspQuality::epsilon, for most grasps epsilon itself, without the
+/// cost of the hull: the least that the wrench space reaches in a few hundred directions, and at
+/// the ends of walks over its facets that begin at the least of these.
 /// @throws as grasp_quality().
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double epsilon_bound(const Wrenches& wrenches);
 

@@ -98,11 +98,12 @@ using PregraspProgress = std::function<void(const std::vector<Pregrasp>& found, 
 /// around the object. Kept are those with two or more fingers on different sides of the object;
 /// similar ones are left out, and fingers that would push it out of the hand, as jaws on a chord of
 /// what is round, are ranked low. The most promising ones are closed up to contact and ranked by
-/// how they hold the object (GraspQuality). After that every second sample, up to 32 for each
-/// wanted grasp, moves and turns the palm of one of the best by up to 15 mm and 15 degrees, and
-/// replaces it where that is better. Those that do not resist some force or torque are given if
-/// there is nothing better, with the reason. Of a robot whose arms have a hand each, the hand that
-/// is nearest to the object at the start grasps. Same arguments, same bits.
+/// how they hold the object (GraspQuality). After that every second sample, up to 48 for each
+/// wanted grasp, moves and turns the palm of one of the best whose epsilon is below 0.15 N by up to
+/// 15 mm and 15 degrees, and replaces it where that is better. Those that do not resist some force
+/// or torque are given if there is nothing better, with the reason. Of a robot whose arms have a
+/// hand each, the hand that is nearest to the object at the start grasps. Same arguments, same
+/// bits.
 /// @param object of the scene, that stands still.
 /// @param stop ends the search within 100 ms. @param progress may be empty.
 /// @returns after `stop` was requested what was found until then, without a reason if that is
