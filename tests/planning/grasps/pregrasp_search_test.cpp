@@ -108,6 +108,7 @@ TEST_F(PregraspSearch, RanksGraspsThatResistEverythingByHowMuch) {
 TEST_F(PregraspSearch, SaysWhyAGraspIsInDoubt) {
   PregraspOptions slippery;
   slippery.contact.friction = 0.02;
+  slippery.samples = 512;  // none of them is made better yet
   const std::vector<Pregrasp> grasps =
       find_pregrasps(shipped("can_on_table"), "can", slippery).found;
   ASSERT_FALSE(grasps.empty()) << "nothing better exists";
