@@ -311,10 +311,6 @@ const Wrenches& probed_directions() {
   return kAll;
 }
 
-}  // namespace
-
-namespace {
-
 // Walks over the facets of the hull of some wrenches, each time to a neighbour whose plane is
 // nearer to the origin, which is inside. In the polar of the hull, { y : w·y <= 1 for all wrenches
 // w }, facets are corners and the nearest plane is the corner that is farthest from the origin.
