@@ -71,7 +71,7 @@ constexpr double kNeighbourShift = 0.015;  // m, of the palm beside a good place
 constexpr double kNeighbourTurn = geometric::radians(15.0);  // about each axis
 constexpr int kFirstNeighbour = 512;                         // sample, and …
 constexpr int kNeighbourEach = 2;                            // … then each of so many, …
-constexpr int kNeighbours = 48;                              // … and that for each grasp
+constexpr int kNeighbours = 96;                              // … and that for each grasp
 
 const geometric::SceneObject& needed_object(const PlanningProblem& problem, std::string_view name) {
   const std::string file = problem.scene->file.string();

@@ -98,7 +98,7 @@ using PregraspProgress = std::function<void(const std::vector<Pregrasp>& found, 
 /// around the object. Kept are those with two or more fingers on different sides of the object;
 /// similar ones are left out, and fingers that would push it out of the hand, as jaws on a chord of
 /// what is round, are ranked low. The most promising ones are closed up to contact and ranked by
-/// how they hold the object (GraspQuality). After that every second sample, up to 48 for each
+/// how they hold the object (GraspQuality). After that every second sample, up to 96 for each
 /// wanted grasp, moves and turns the palm of one of the best whose epsilon is below 0.15 N by up to
 /// 15 mm and 15 degrees, and replaces it where that is better. Those that do not resist some force
 /// or torque are given if there is nothing better, with the reason. Of a robot whose arms have a
