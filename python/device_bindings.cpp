@@ -66,7 +66,7 @@ std::unique_ptr<device::RobotEmulator> emulate(const SceneModel& scene, const st
   if (kind != "arm" && kind != "hand") {
     throw InputError({"kind", "", "\"" + kind + "\"", "arm or hand", ""});
   }
-  const std::vector<int> variables = execution::device_variables(scene.problem(), kind);
+  const geometric::JointIndices variables = scene.problem().joints.of_part(kind);
   const auto at_start = [&](auto settings) {
     settings.joints = execution::device_joints(scene.robot(), variables);
     settings.position = scene.problem().start(variables);

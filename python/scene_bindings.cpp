@@ -131,10 +131,10 @@ void bind_contents(py::class_<SceneModel>& scene) {
                              "Names of the planned robot's links, parents first.")
       .def_property_readonly("objects", &object_names, "Names of the objects.")
       .def_property_readonly(
-          "arm", [](const SceneModel& s) { return names_of(s.robot(), s.problem().arm); },
+          "arm", [](const SceneModel& s) { return names_of(s.robot(), s.problem().joints.arm); },
           "Names of the arm's variables.")
       .def_property_readonly(
-          "hand", [](const SceneModel& s) { return names_of(s.robot(), s.problem().hand); },
+          "hand", [](const SceneModel& s) { return names_of(s.robot(), s.problem().joints.hand); },
           "Names of the hand's variables, in the order of the basis' joints.")
       .def_property_readonly(
           "constraints",
@@ -150,7 +150,8 @@ void bind_contents(py::class_<SceneModel>& scene) {
           "group", [](const SceneModel& s) { return s.scene().group; },
           "Names of the groups, robots and joints that move; empty: all variables.")
       .def_property_readonly(
-          "moving", [](const SceneModel& s) { return names_of(s.robot(), s.problem().moving); },
+          "moving",
+          [](const SceneModel& s) { return names_of(s.robot(), s.problem().joints.moving); },
           "Names of the variables that move; the others stay at the start.")
       .def_property_readonly(
           "lower", [](const SceneModel& s) { return to_array(s.robot().lower()); },

@@ -80,7 +80,7 @@ EmulatedPosture scene_posture(const std::filesystem::path& scene, const std::str
   plugins.load_plugins(planning::plugin_directory());
   const planning::LoadedScene loaded = planning::load_scene(scene, plugins);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-  const std::vector<int> variables = execution::device_variables(problem, kind);
+  const geometric::JointIndices variables = problem.joints.of_part(kind);
   if (variables.empty()) {
     throw geometric::InputError({scene.string(), "", "a robot without joints of its " + kind,
                                  "a robot with a group \"" + kind + "\"", ""});

@@ -30,13 +30,13 @@ struct MapOptions {
 };
 
 void print(const device::HandMapping& mapping) {
-  for (const device::JointWire& wire : mapping.wires) {
-    if (wire.sensor < 0) {
-      print_out("{:<23} fixed at {:.3f}\n", wire.joint, wire.fixed.value_or(0.0));
+  for (const device::JointMapping& mapped : mapping.joints) {
+    if (mapped.sensor < 0) {
+      print_out("{:<23} fixed at {:.3f}\n", mapped.joint, mapped.fixed.value_or(0.0));
     } else {
-      print_out("{:<23} {:<18}gain {:+.3f}, offset {:+.3f}\n", wire.joint,
-                device::cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name, wire.gain,
-                wire.offset);
+      print_out("{:<23} {:<18}gain {:+.3f}, offset {:+.3f}\n", mapped.joint,
+                device::cyberglove_sensors()[static_cast<std::size_t>(mapped.sensor)].name,
+                mapped.gain, mapped.offset);
     }
   }
 }

@@ -198,7 +198,7 @@ int guide(const GuideChoice& choice) {
   const geometric::RobotModel& model = input.problem.model();
   const execution::PathToolCurve tool_path(
       input.problem.scene->robots.front().model, input.path,
-      choice.link.empty() ? execution::tool_link(model, input.problem.arm) : choice.link);
+      choice.link.empty() ? execution::tool_link(model, input.problem.joints.arm) : choice.link);
   const planning::JointKinematicLimits limits =
       choice.timing.limits.empty()
           ? planning::rate_limits(model)

@@ -3,9 +3,9 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
-#include "handway/geometric/setup/moving_group.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/pose_goals.h"
+#include "handway/planning/core/select_joints.h"
 #include "handway/planning/extensions/plugin.h"
 #include "printing.h"
 #include "robot_report.h"
@@ -302,13 +302,14 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
   if (loaded.basis) {
     print_basis(*loaded.basis);
   }
+  const geometric::JointSelection joints = planning::select_joints(scene, nullptr);
   if (!scene.group.empty()) {
-    print_out("moves: {} ({} of {} joints)\n", fmt::join(scene.group, ", "),
-              geometric::moving_variables(scene).size(),
-              scene.robots.front().model->variable_count());
+    print_out("moves: {} ({} of {} joints)\n", fmt::join(scene.group, ", "), joints.moving.size(),
+              joints.moving.size() + joints.fixed.size());
   }
-  if (const std::vector<int> resting = planning::resting_variables(scene); !resting.empty()) {
-    print_out("stays: {} joints of arms that the goal leaves at the start\n", resting.size());
+  if (!joints.fixed_limb_joints.empty()) {
+    print_out("stays: {} joints of arms that the goal leaves at the start\n",
+              joints.fixed_limb_joints.size());
   }
   if (checker) {
     print_ends(ends, *checker);

@@ -131,10 +131,10 @@ void print_summary(const PlanResult& result, const planning::PlanningProblem& pr
   if (is_end_invalid && problem.goal_fault.empty()) {
     print_advice(problem, result.status == PlanStatus::kStartInvalid);
   }
-  if (!is_end_invalid && !planning::holding_variables(*problem.scene).empty()) {
+  if (!is_end_invalid && !problem.joints.holding.empty()) {
     print_error("  The hand that carries an object stays as it is: --group lets its joints move\n");
   }
-  if (!is_end_invalid && !planning::resting_variables(*problem.scene).empty()) {
+  if (!is_end_invalid && !problem.joints.fixed_limb_joints.empty()) {
     print_error(
         "  The arms that the goal leaves at the start stay there: where they are in the way, "
         "--group lets them move\n");

@@ -117,7 +117,7 @@ std::string plan_report(planning::Planner& planner, const planning::PlanningProb
       {"load_s", load_s},
       {"goal", goal_of(problem, result)},
       {"group", problem.scene->group},
-      {"moving", names_of(problem.model(), problem.moving)},
+      {"moving", names_of(problem.model(), problem.joints.moving)},
       {"path_nodes", result.path.waypoints.size()},
       {"certificate",
        {{"resolution_mm", result.certificate.resolution_mm},
@@ -171,7 +171,7 @@ std::optional<planning::PathLikeness> hand_likeness(const planning::PlanningProb
     return std::nullopt;
   }
   const planning::HumanLikeness likeness(
-      problem.model(), problem.hand, *problem.basis,
+      problem.model(), problem.joints.hand, *problem.basis,
       postures.empty() ? sampling::load_recorded_postures(*problem.basis)
                        : sampling::load_recorded_postures(*problem.basis, postures));
   return planning::path_likeness(problem.model(), likeness, path);

@@ -5,8 +5,8 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/setup/moving_group.h"
-#include "handway/planning/core/limbs.h"
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/core/select_joints.h"
 #include "handway/planning/paths/path_file.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis.h"
@@ -241,15 +241,14 @@ std::optional<GivenPose> given_pose_of(const std::string& text) {
 std::string palm_of(const std::string& option, const planning::LoadedScene& loaded) {
   const geometric::Scene& scene = *loaded.scene;
   const geometric::RobotModel& model = *scene.robots.front().model;
-  const std::vector<int> moving = geometric::moving_variables(scene);
-  const std::vector<int> resting = planning::resting_variables(scene);
+  const geometric::JointSelection chosen = planning::select_joints(scene, loaded.basis.get());
   const auto moves = [&](int v) {
-    return std::ranges::binary_search(moving, v) && !std::ranges::binary_search(resting, v);
+    return std::ranges::binary_search(chosen.moving, v) &&
+           !std::ranges::binary_search(chosen.fixed_limb_joints, v);
   };
-  const std::vector<int> hand = planning::hand_variables(scene, loaded.basis.get());
-  const std::vector<int> arm = planning::arm_variables(model, hand);
+  const auto all = geometric::JointSelection::with_hand(model, chosen.whole_hand);
   std::vector<std::string> palms;
-  for (const planning::Limb& limb : planning::limbs(model, arm, hand)) {
+  for (const geometric::Limb& limb : limbs(model, all)) {
     if (!limb.hand.empty() &&
         (std::ranges::any_of(limb.arm, moves) || std::ranges::any_of(limb.hand, moves))) {
       palms.push_back(model.link(planning::palm_link(model, limb.arm, limb.hand)).name);
@@ -261,7 +260,8 @@ std::string palm_of(const std::string& option, const planning::LoadedScene& load
                                  fmt::format("the link: {}", fmt::join(palms, ", ")),
                                  "Write --goal-link LINK, or LINK: before the numbers"});
   }
-  return palms.empty() ? model.link(planning::palm_link(model, arm, hand)).name : palms.front();
+  return palms.empty() ? model.link(planning::palm_link(model, all.arm, all.hand)).name
+                       : palms.front();
 }
 
 // Returns the link named `name` or, if it is empty, palm_of().

@@ -326,7 +326,7 @@ class VariantGenerator::Parts {
   explicit Parts(const planning::PlanningProblem& problem)
       : problem_(problem),
         scene_(*problem.scene),
-        palm_(planning::palm_link(problem.model(), problem.arm, problem.hand)),
+        palm_(planning::palm_link(problem.model(), problem.joints.arm, problem.joints.hand)),
         hand_links_(hand_links(problem.model(), palm_)),
         units_(movable_units(scene_)) {
     for (Unit& unit : units_) {
@@ -359,7 +359,7 @@ class VariantGenerator::Parts {
       }
     }
     if (target_) {
-      placement.goal = close_hand(*placement.checker, problem_.hand, palm_, target_names_,
+      placement.goal = close_hand(*placement.checker, problem_.joints.hand, palm_, target_names_,
                                   placement.goal, kVariantHandGap);
     }
     FclChecker reference(placement.world);
@@ -380,7 +380,7 @@ class VariantGenerator::Parts {
   };
 
   void find_target() {
-    if (problem_.arm.empty()) {
+    if (problem_.joints.arm.empty()) {
       return;
     }
     const auto checker = problem_.checker->clone();
@@ -451,7 +451,7 @@ class VariantGenerator::Parts {
   [[nodiscard]] bool solve_goal(Placement& placement) const {
     std::vector<Configuration> goals{*scene_.goal};
     if (target_) {
-      const planning::PalmIk ik(scene_.robots.front().model, palm_, problem_.arm);
+      const planning::PalmIk ik(scene_.robots.front().model, palm_, problem_.joints.arm);
       const Pose& X_WB = scene_.robots.front().X_WB;
       const Pose moved = placement.motions[*target_].about(units_[*target_].middle);
       goals = ik.all(*scene_.goal, X_WB.inverse() * moved * X_WB * ik.pose(*scene_.goal));

@@ -104,7 +104,7 @@ void SceneView::connect_cube() {
     untouched_ = false;
     flight_.stop();
     move_camera(camera_, CameraMove::kTurn, kCubeTurns / OrientationCube::kSize * QPointF(drag));
-    hurry();
+    draw_fast();
   });
 }
 
@@ -146,7 +146,7 @@ void SceneView::set_configuration(const geometric::Configuration& q) {
   if (graph_->set_configuration(q) && painter_) {
     painter_->invalidate();
   }
-  hurry();
+  draw_fast();
 }
 
 void SceneView::set_collisions(std::vector<std::string> bodies) {
@@ -236,7 +236,7 @@ void SceneView::set_executed(std::span<const Eigen::Vector3d> points) {
 void SceneView::set_camera(const OrbitCamera::Placement& placement) {
   untouched_ = false;
   camera_.set_placement(placement);
-  hurry();
+  draw_fast();
 }
 
 void SceneView::set_overlay(Overlay overlay, const Drawing& drawing) {
@@ -341,7 +341,7 @@ void SceneView::fly_to(const OrbitCamera::Placement& placement) {
   connect(&flight_, &QVariantAnimation::valueChanged, this,
           [this, from, placement](const QVariant& t) {
             camera_.set_placement(interpolate(from, placement, t.toDouble()));
-            hurry();
+            draw_fast();
           });
   flight_.start();
 }
@@ -373,7 +373,7 @@ void SceneView::change() {
   pacer_.request();
 }
 
-void SceneView::hurry() {
+void SceneView::draw_fast() {
   if (!always_fine_) {
     settle_.start();
   }
@@ -449,7 +449,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
   untouched_ = false;
   move_camera(camera_, camera_move(navigation_.style, event->buttons(), event->modifiers()),
               QPointF(moved) / std::max(height(), 1));
-  hurry();
+  draw_fast();
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
@@ -547,7 +547,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   const QPointF from_middle = event->position() - QPointF(rect().center());
   camera_.zoom(wheel_zoom(navigation_, event->angleDelta().y()), from_middle.x() * unit,
                -from_middle.y() * unit);
-  hurry();
+  draw_fast();
   event->accept();
 }
 
@@ -567,7 +567,7 @@ void SceneView::show_drag(const geometric::Pose& X_WO) {
   graph_->preview(gizmo_.item(), X_WO);
   overlay_->set_note(gizmo_.amount(), last_position_);
   change();
-  hurry();
+  draw_fast();
   emit dragged(gizmo_.item(), X_WO);
 }
 

@@ -191,7 +191,7 @@ class SceneView : public QOpenGLWidget {
   /// Repaints what the painter may have kept.
   void change();
   /// Paints fast from now on, until nothing has moved for a moment.
-  void hurry();
+  void draw_fast();
   void update_gizmo();
   void drag_gizmo(const QPoint& position, Qt::KeyboardModifiers modifiers);
   void show_drag(const geometric::Pose& X_WO);

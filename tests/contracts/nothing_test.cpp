@@ -175,7 +175,7 @@ TEST_P(EveryNothing, IsAskedWhatTheWindowAsks) {
   const PlanningProblem problem = make_problem(scene_, nullptr);
   EXPECT_TRUE(find_nearest_free(problem, start_).q);
   EXPECT_EQ(describe_change(problem.model(), start_, start_), "nothing");
-  static_cast<void>(palm_link(problem.model(), problem.arm, problem.hand));
+  static_cast<void>(palm_link(problem.model(), problem.joints.arm, problem.joints.hand));
   static_cast<void>(geometric::sample_overlapping_links(problem.model(), 20, 1));
   for (const geometric::SceneObject& object : scene_->objects) {
     try {

@@ -226,7 +226,7 @@ TEST(HandAlone, HasNoToolToPlanWith) {
 TEST(EmptyArmGroup, SaysNothing) {
   const PlanningProblem problem = problem_of(planar({{"arm", {}}, {"hand", kHand}}, {}), true);
   const RobotModel& model = problem.model();
-  EXPECT_EQ(problem.arm,
+  EXPECT_EQ(problem.joints.arm,
             (std::vector{*model.find_variable("shoulder"), *model.find_variable("elbow")}));
 }
 

@@ -265,7 +265,7 @@ class WatchedRun : public testing::Test {
     device::Val3ControllerSettings arm;
     device::HandControllerSettings hand;
     const auto emulate = [](const char* kind, auto& settings) {
-      const std::vector<int> variables = device_variables(empty_cell(), kind);
+      const geometric::JointIndices variables = empty_cell().joints.of_part(kind);
       settings.joints = device_joints(empty_cell().model(), variables);
       settings.position = start()(variables);
     };

@@ -73,30 +73,30 @@ TEST_F(CarriedObjects, FreezeTheHandThatHoldsThem) {
       "start: {open: 0.03, follow: 0.03}\ngoal: {joint_1: 0.5, open: 0.03, follow: 0.03}\n");
   const std::vector<int> jaws = variables(carrying, {"open", "follow"});
   ASSERT_EQ(jaws.size(), 2U);
-  EXPECT_EQ(holding_variables(*carrying.scene), jaws);
-  EXPECT_THAT(carrying.hand, IsEmpty());
-  for (const int v : planned_variables(carrying)) {
+  EXPECT_EQ(carrying.joints.holding, jaws);
+  EXPECT_THAT(carrying.joints.hand, IsEmpty());
+  for (const int v : carrying.planned_joints()) {
     EXPECT_EQ(std::ranges::count(jaws, v), 0) << carrying.model().variable(v).name;
   }
-  EXPECT_EQ(planned_variables(carrying).size(), 7U) << "the arm moves";
+  EXPECT_EQ(carrying.planned_joints().size(), 7U) << "the arm moves";
 }
 
 TEST_F(CarriedObjects, LeaveTheHandFreeWhereTheSceneAsksForIt) {
   const std::string ends =
       "start: {open: 0.03, follow: 0.03}\ngoal: {joint_1: 0.5, open: 0.03, follow: 0.03}\n";
   const PlanningProblem asked = problem(ends + "group: [joint_1, joint_2, open, follow]\n");
-  EXPECT_THAT(holding_variables(*asked.scene), IsEmpty());
-  EXPECT_EQ(asked.hand.size() + asked.arm.size(), 4U);
+  EXPECT_THAT(asked.joints.holding, IsEmpty());
+  EXPECT_EQ(asked.joints.hand.size() + asked.joints.arm.size(), 4U);
   const PlanningProblem at_forearm = problem(ends, "link: link_3");
   EXPECT_THAT(carried_objects(*at_forearm.scene), IsEmpty()) << "a tool on the forearm";
-  EXPECT_EQ(planned_variables(at_forearm).size(), 9U);
+  EXPECT_EQ(at_forearm.planned_joints().size(), 9U);
 }
 
 TEST_F(CarriedObjects, AreNamedWhereFingersMoveWhileTheyCarry) {
   const PlanningProblem releasing = problem(
       "start: {open: 0.02, follow: 0.03}\ngoal: {joint_1: 0.5, open: 0.03, follow: 0.03}\n");
   const std::vector<int> open = variables(releasing, {"open"});
-  const std::vector<int> planned = planned_variables(releasing);
+  const std::vector<int> planned = releasing.planned_joints();
   EXPECT_EQ(std::ranges::count(planned, open.front()), 1) << "the goal asks for it";
   EXPECT_EQ(planned.size(), 8U);
   const Path path{{releasing.start, releasing.goal}};

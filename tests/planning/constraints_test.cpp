@@ -221,7 +221,7 @@ TEST(ConstraintsKept, ByProjectedConfigurations) {
   const PlanningProblem problem = post_problem_with(heading(0.25));
   const auto projected = [&](const Configuration& q) {
     return geometric::project_onto_constraints(
-        problem.model(), problem.checker->world().constraints(), problem.arm, q);
+        problem.model(), problem.checker->world().constraints(), problem.joints.arm, q);
   };
   const Configuration inside = test::planar_configuration(0.1, 0.1);
   EXPECT_EQ(projected(inside), inside);

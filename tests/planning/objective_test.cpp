@@ -68,7 +68,7 @@ TEST_F(FlatArm, CostsAtMostTheTimeOfItsSlowestJoint) {
   Objective fastest(problem_, {.length = 0.0, .duration = 1.0});
   const Configuration from = posture(-0.4, 0.0);
   const Configuration to = posture(0.4, 0.0);
-  const double velocity = problem_.model().variable(problem_.arm.front()).limits.velocity;
+  const double velocity = problem_.model().variable(problem_.joints.arm.front()).limits.velocity;
   const double limit = std::isfinite(velocity) && velocity > 0.0 ? velocity : 1.0;
   EXPECT_NEAR(fastest.cost(Path{{from, to}}), 0.8 / limit, 1e-12);
 }
@@ -79,7 +79,7 @@ TEST_F(FlatArm, GoesTowardsTheSubspaceWithTheArmAsItIs) {
   const Objective::Point half = objective.towards_subspace(at, 0.5);
   EXPECT_NEAR(half.distance(), 0.5 * at.distance(), 1e-9);
   EXPECT_NEAR(objective.towards_subspace(at, 1.0).distance(), 0.0, 1e-9);
-  for (const int v : problem_.arm) {
+  for (const int v : problem_.joints.arm) {
     EXPECT_NEAR(half.q[v], at.q[v], 1e-12);
   }
   EXPECT_NEAR(objective.moved_along_subspace(half, Eigen::Vector2d(0.1, 0.1)).distance(),

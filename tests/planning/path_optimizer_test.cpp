@@ -22,7 +22,7 @@ PlanningProblem problem_outside_of_subspace() {
   basis.directions.resize(1);
   problem.basis = std::make_shared<const sampling::PmdBasis>(std::move(basis));
   for (Configuration* end : {&problem.start, &problem.goal}) {
-    (*end)(problem.hand) = Eigen::Vector3d(0.0, 0.6, 0.1);
+    (*end)(problem.joints.hand) = Eigen::Vector3d(0.0, 0.6, 0.1);
   }
   return problem;
 }

@@ -1,5 +1,6 @@
 #include "handway/planning/core/planning_problem.h"
 
+#include "handway/planning/core/select_joints.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner.h"
 #include "handway/planning/timing/time_path.h"
@@ -126,20 +127,29 @@ class TwoArmedRobot : public testing::Test {
   std::shared_ptr<Scene> scene = std::make_shared<Scene>(test::scene_of(two_armed_robot()));
 };
 
+TEST_F(TwoArmedRobot, HasTwoMovableArmsWhateverTheGoalMoves) {
+  set_goal("r_elbow", 0.5);
+  const geometric::JointSelection joints = select_movable_joints(*scene, nullptr);
+  EXPECT_EQ(joints.arm.size(), 5U);
+  EXPECT_EQ(joints.hand.size(), 6U);
+}
+
 TEST_F(TwoArmedRobot, MovesTheArmAndHandThatTheGoalMoves) {
   set_goal("r_elbow", 0.5);
   const PlanningProblem problem = make_problem(scene, nullptr);
-  EXPECT_THAT(joint_names(problem, problem.arm), ElementsAre("torso", "r_shoulder", "r_elbow"));
-  EXPECT_THAT(joint_names(problem, problem.hand), ElementsAre("r_thumb", "r_left", "r_right"));
+  EXPECT_THAT(joint_names(problem, problem.joints.arm),
+              ElementsAre("torso", "r_shoulder", "r_elbow"));
+  EXPECT_THAT(joint_names(problem, problem.joints.hand),
+              ElementsAre("r_thumb", "r_left", "r_right"));
 }
 
 TEST_F(TwoArmedRobot, MovesBothArmsWhereTheGoalMovesBothOrNeither) {
-  EXPECT_EQ(make_problem(scene, nullptr).arm.size(), 5U);
+  EXPECT_EQ(make_problem(scene, nullptr).joints.arm.size(), 5U);
   set_goal("torso", 0.2);
-  EXPECT_EQ(make_problem(scene, nullptr).hand.size(), 6U);
+  EXPECT_EQ(make_problem(scene, nullptr).joints.hand.size(), 6U);
   set_goal("r_elbow", 0.5);
   set_goal("l_thumb", 0.5);
-  EXPECT_EQ(make_problem(scene, nullptr).arm.size(), 5U);
+  EXPECT_EQ(make_problem(scene, nullptr).joints.arm.size(), 5U);
 }
 
 TEST_F(TwoArmedRobot, MovesTheArmWithTheLinkOfAGoalPose) {
@@ -149,20 +159,21 @@ TEST_F(TwoArmedRobot, MovesTheArmWithTheLinkOfAGoalPose) {
   scene->goal_poses = {pose};
   scene->goal.reset();
   const PlanningProblem problem = make_problem(scene, nullptr);
-  EXPECT_THAT(joint_names(problem, problem.arm), ElementsAre("torso", "l_shoulder", "l_elbow"));
+  EXPECT_THAT(joint_names(problem, problem.joints.arm),
+              ElementsAre("torso", "l_shoulder", "l_elbow"));
 }
 
 TEST_F(TwoArmedRobot, MovesWhatItsGroupSays) {
   scene->group = {"arm"};
   set_goal("r_elbow", 0.5);
-  EXPECT_EQ(make_problem(scene, nullptr).arm.size(), 5U);
+  EXPECT_EQ(make_problem(scene, nullptr).joints.arm.size(), 5U);
 }
 
 TEST_F(TwoArmedRobot, LeavesTheOtherArmWhereItIsAndAllowsPathsThatDoNot) {
   set_goal("r_shoulder", 1.0);
   set_goal("r_left", 1.0);
   const PlanningProblem problem = make_problem(scene, nullptr);
-  const std::vector<int> resting = resting_variables(*scene);
+  const geometric::JointIndices& resting = problem.joints.fixed_limb_joints;
   EXPECT_EQ(resting.size(), 5U);
   expect_of_every_path(problem, [&](const Path& path) {
     for (const Configuration& q : path.waypoints) {
@@ -184,8 +195,8 @@ TEST_F(TwoArmedRobot, TakesABasisForTheHandThatTheGoalMoves) {
   const PlanningProblem right =
       make_problem(scene, std::make_shared<const sampling::PmdBasis>(basis));
   EXPECT_TRUE(right.basis);
-  EXPECT_EQ(right.hand.size(), 3U);
-  EXPECT_THAT(joint_names(right, right.arm), ElementsAre("torso", "r_shoulder", "r_elbow"));
+  EXPECT_EQ(right.joints.hand.size(), 3U);
+  EXPECT_THAT(joint_names(right, right.joints.arm), ElementsAre("torso", "r_shoulder", "r_elbow"));
 }
 
 TEST(PlanningProblem, SplitsTheJointsOfArmAndHand) {
@@ -194,10 +205,10 @@ TEST(PlanningProblem, SplitsTheJointsOfArmAndHand) {
   const PlanningProblem problem =
       make_problem(planar_scene(), std::make_shared<const sampling::PmdBasis>(basis));
   const auto& model = problem.model();
-  EXPECT_EQ(problem.arm, *model.find_group("arm"));
+  EXPECT_EQ(problem.joints.arm, *model.find_group("arm"));
   const std::vector<int> hand = {*model.find_variable("right"), *model.find_variable("left"),
                                  *model.find_variable("thumb")};
-  EXPECT_EQ(problem.hand, hand);
+  EXPECT_EQ(problem.joints.hand, hand);
 }
 
 TEST(PlanningProblem, TakesEveryJointForTheArmWithoutGroups) {
@@ -207,12 +218,12 @@ TEST(PlanningProblem, TakesEveryJointForTheArmWithoutGroups) {
   scene->start = planar_configuration(-0.4, 0);
   scene->goal = planar_configuration(0.4, 0);
   const PlanningProblem alone = make_problem(scene, nullptr);
-  EXPECT_EQ(alone.arm.size(), 5U);
-  EXPECT_TRUE(alone.hand.empty());
+  EXPECT_EQ(alone.joints.arm.size(), 5U);
+  EXPECT_TRUE(alone.joints.hand.empty());
   const PlanningProblem with_basis =
       make_problem(scene, std::make_shared<const sampling::PmdBasis>(test::planar_hand_basis()));
-  EXPECT_EQ(with_basis.arm.size(), 2U);
-  EXPECT_EQ(with_basis.hand.size(), 3U);
+  EXPECT_EQ(with_basis.joints.arm.size(), 2U);
+  EXPECT_EQ(with_basis.joints.hand.size(), 3U);
 }
 
 TEST(PlanningProblem, StartsWhereTheRobotStandsAndNeedsAGoal) {
@@ -262,15 +273,16 @@ TEST(PlanningProblem, LeavesWhatIsNotOfTheGroupAtTheStart) {
   const auto basis = std::make_shared<const sampling::PmdBasis>(test::planar_hand_basis());
   scene->group = {"arm"};
   const PlanningProblem arm = make_problem(scene, basis);
-  EXPECT_EQ(arm.moving, *arm.model().find_group("arm"));
-  EXPECT_EQ(arm.arm, arm.moving);
-  EXPECT_TRUE(arm.hand.empty());
+  EXPECT_EQ(arm.joints.moving, *arm.model().find_group("arm"));
+  EXPECT_EQ(arm.joints.arm, arm.joints.moving);
+  EXPECT_EQ(arm.joints.fixed, *arm.model().find_group("hand"));
+  EXPECT_TRUE(arm.joints.hand.empty());
   EXPECT_FALSE(arm.basis) << "of a hand that does not move";
   auto other = std::make_shared<Scene>(*scene);
   other->group = {"hand"};
   const PlanningProblem hand = updated_problem(arm, other, basis);
-  EXPECT_TRUE(hand.arm.empty());
-  EXPECT_EQ(hand.hand.size(), 3U);
+  EXPECT_TRUE(hand.joints.arm.empty());
+  EXPECT_EQ(hand.joints.hand.size(), 3U);
   EXPECT_EQ(hand.basis, basis);
 }
 
@@ -313,6 +325,18 @@ TEST(PlanningProblem, RefusesTheBasisOfAnotherHand) {
   basis.joints[1] = "pinky";
   EXPECT_THAT(refusal(planar_scene(), basis),
               AllOf(HasSubstr("\"pinky\""), HasSubstr("planar"), HasSubstr("claw")));
+}
+
+TEST(MovableJoints, LeaveOutThoseOfABasisThatTheRobotLacks) {
+  const std::shared_ptr<Scene> scene = planar_scene();
+  sampling::PmdBasis basis = test::planar_hand_basis();
+  basis.joints[1] = "pinky";
+  EXPECT_THAT(select_movable_joints(*scene, &basis).hand, ElementsAre(2, 4)) << "thumb and right";
+  scene->group = {"arm"};
+  const geometric::JointSelection of_arm = select_movable_joints(*scene, &basis);
+  EXPECT_THAT(of_arm.arm, ElementsAre(0, 1));
+  EXPECT_TRUE(of_arm.hand.empty());
+  EXPECT_THAT(of_arm.fixed, ElementsAre(2, 3, 4));
 }
 
 TEST(PlanningProblem, MeasuresInNormalisedJoints) {

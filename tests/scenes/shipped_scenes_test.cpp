@@ -80,9 +80,9 @@ class ShippedScene : public testing::TestWithParam<std::string> {
   /// The hand's joints of `q`, normalised, in the basis' order.
   [[nodiscard]] Eigen::VectorXd posture(const Configuration& q) const {
     const geometric::RobotModel& model = problem_.model();
-    Eigen::VectorXd c(static_cast<Eigen::Index>(problem_.hand.size()));
+    Eigen::VectorXd c(static_cast<Eigen::Index>(problem_.joints.hand.size()));
     for (Eigen::Index i = 0; i < c.size(); ++i) {
-      const int v = problem_.hand[static_cast<std::size_t>(i)];
+      const int v = problem_.joints.hand[static_cast<std::size_t>(i)];
       c[i] = (q[v] - model.lower()[v]) / (model.upper()[v] - model.lower()[v]);
     }
     return c;
@@ -156,7 +156,7 @@ TEST_P(ShippedScene, EndsCloserToTheObjectThanItStarts) {
 
 TEST_P(ShippedScene, TakesHandPosturesThatThePrincipalDirectionsReach) {
   ASSERT_NE(problem().basis, nullptr);
-  EXPECT_EQ(problem().basis->joints.size(), problem().hand.size());
+  EXPECT_EQ(problem().basis->joints.size(), problem().joints.hand.size());
   for (const Configuration& q : {problem().start, problem().goal}) {
     EXPECT_LT(distance_before_clamping(*problem().basis, posture(q)), kRounding);
   }

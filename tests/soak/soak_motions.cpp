@@ -503,7 +503,7 @@ Devices simulated_devices(const PlanningProblem& problem, const Configuration& s
   Devices devices;
   devices.time = std::make_unique<VirtualTime>();
   for (const char* kind : {"arm", "hand"}) {
-    std::vector<int> variables = execution::device_variables(problem, kind);
+    geometric::JointIndices variables = problem.joints.of_part(kind);
     auto link = std::make_unique<SimulatedLink>(
         kind, execution::device_joints(problem.model(), variables), start(variables));
     devices.targets.push_back({kind, std::move(variables), std::move(link)});
@@ -513,7 +513,7 @@ Devices simulated_devices(const PlanningProblem& problem, const Configuration& s
 
 Devices emulated_devices(const PlanningProblem& problem, const Configuration& start) {
   const auto settings = [&](const char* kind, auto fresh) {
-    const std::vector<int> variables = execution::device_variables(problem, kind);
+    const geometric::JointIndices variables = problem.joints.of_part(kind);
     fresh.joints = execution::device_joints(problem.model(), variables);
     fresh.position = start(variables);
     return fresh;

@@ -41,7 +41,7 @@ class SendThatIs : public testing::TestWithParam<int> {
 
   template <typename Settings>
   [[nodiscard]] Settings settings(const std::string& kind) const {
-    const std::vector<int> variables = execution::device_variables(*problem_, kind);
+    const geometric::JointIndices variables = problem_->joints.of_part(kind);
     Settings settings;
     settings.joints = execution::device_joints(problem_->model(), variables);
     settings.position = problem_->start(variables);

@@ -87,7 +87,7 @@ void CampaignRunner::carry_out(const fs::path& file, const std::stop_token& stop
       [this, name = QString::fromStdString(campaign.name),
        all = static_cast<int>(campaign.run_count())] { emit began(name, all); },
       Qt::QueuedConnection);
-  const auto tell = [&](std::span<const planning::RunRecord> records) {
+  const auto notify = [&](std::span<const planning::RunRecord> records) {
     std::vector<ArchivedRun> runs;
     runs.reserve(records.size());
     for (const planning::RunRecord& record : records) {
@@ -97,14 +97,14 @@ void CampaignRunner::carry_out(const fs::path& file, const std::stop_token& stop
       hand_over(std::move(runs));
     }
   };
-  tell(database.records());
+  notify(database.records());
   planning::ThreadWorkers workers(workers_beside_the_window());
   workers.carry_out(
       executor, database.pending(),
       [&](std::span<const planning::RunRecord> records) {
         if (!records.empty()) {
           database.add(records);
-          tell(records);
+          notify(records);
         }
       },
       stop);

@@ -197,7 +197,7 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, MotionDrive
     panel_->show_motion(*motion.value, backwards_);
   });
   connect(&timing_, &TimingRunner::failed, panel_, &DevicesPanel::show_no_motion);
-  connect(&driver_, &MotionDriver::state_changed, this, &DeviceSession::take_state);
+  connect(&driver_, &MotionDriver::state_changed, this, &DeviceSession::on_state_changed);
   connect(&driver_, &MotionDriver::measured, this, &DeviceSession::take_measured);
   connect(&driver_, &MotionDriver::progressed, panel_, &DevicesPanel::show_progress);
   connect(&driver_, &MotionDriver::held, this, [this](const QString& reason) {
@@ -306,7 +306,7 @@ void DeviceSession::run() {
   driver_.run(motion_.value, document_.problem(), log_folder() / (name.toStdString() + ".csv"));
 }
 
-void DeviceSession::take_state(State state) {
+void DeviceSession::on_state_changed(State state) {
   if (state == State::kOff) {
     measured_.resize(0);
     mirror();
@@ -387,7 +387,7 @@ void DeviceSession::take_outcome(const execution::MotionOutcome& outcome,
   }
   safety_.following_error = executed->following_error(*document_.robot()->model);
   panel_->show_outcome(outcome, executed, *document_.robot()->model);
-  emit executed_changed(executed->way_of(*document_.robot(), document_.palm()));
+  emit executed_changed(executed->link_path(*document_.robot(), document_.palm()));
   emit reported(outcome.done,
                 outcome.done ? tr("The robot ran the path in %1 s").arg(outcome.time, 0, 'f', 2)
                              : tr("The robot stopped after %1 s: %2")

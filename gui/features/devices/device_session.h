@@ -98,7 +98,7 @@ class DeviceSession : public QObject {
   void connect_devices();
   void time_again();
   void run();
-  void take_state(MotionDriver::State state);
+  void on_state_changed(MotionDriver::State state);
   void show_stop(bool active);
   void take_measured(const Eigen::VectorXd& q);
   void take_edit(const SceneState& before);

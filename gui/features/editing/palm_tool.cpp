@@ -40,12 +40,12 @@ void PalmTool::use_robot() {
   ik_.reset();
   before_.reset();
   const geometric::RobotInstance* robot = document_.robot();
-  if (!robot || document_.groups().arm.empty()) {
+  if (!robot || document_.joints().arm.empty()) {
     return;
   }
   try {
     ik_ = std::make_unique<const planning::PalmIk>(robot->model, document_.palm(),
-                                                   document_.groups().arm);
+                                                   document_.joints().arm);
   } catch (const geometric::InputError&) {  // no joint moves it: there is nothing to drag
   }
 }
@@ -93,7 +93,7 @@ void PalmTool::show_reach(const geometric::Pose& X_WP, bool reached) {
   view_.set_overlay(Overlay::kReach,
                     make_reach_node(X_WP.translation(), X_WP_now.translation(), reached));
   const auto figures =
-      planning::reach_figures(*robot.model, document_.palm(), document_.groups().arm, now_);
+      planning::reach_figures(*robot.model, document_.palm(), document_.joints().arm, now_);
   view_.add_to_note(figures ? reach_words(*figures, reached) : QString());
 }
 

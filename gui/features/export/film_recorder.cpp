@@ -193,7 +193,7 @@ class FrameFolder::Parts {
     owner_ = nullptr;
     wanted_ = false;
   }
-  void tell(const QString& fault) {
+  void notify(const QString& fault) {
     const std::lock_guard lock(mutex_);
     if (owner_) {
       QMetaObject::invokeMethod(
@@ -232,7 +232,7 @@ void FrameFolder::add(const QImage& picture) {
   ++waiting_;
   run_in_background([parts = parts_, picture, path = parts_->folder().filePath(name)] {
     if (parts->are_wanted()) {
-      parts->tell(write_png(picture, path));
+      parts->notify(write_png(picture, path));
     }
   });
 }

@@ -326,22 +326,24 @@ struct Moved {
   double not_stretched = 0.0;  // at the other end
 };
 
-bool rises(const device::JointWire& wire) {
-  return wire.curve.empty() ? wire.gain > 0.0 : wire.curve.back().joint > wire.curve.front().joint;
+bool rises(const device::JointMapping& mapped) {
+  return mapped.curve.empty() ? mapped.gain > 0.0
+                              : mapped.curve.back().joint > mapped.curve.front().joint;
 }
 
 std::vector<Moved> moved_joints(const JointCoverage& coverage, const device::HandMapping& mapping) {
   std::vector<Moved> result;
   for (const JointVisits& visits : coverage.joints()) {
-    const auto wire = std::ranges::find(mapping.wires, visits.joint, &device::JointWire::joint);
-    if (!visits.driven || wire == mapping.wires.end() || wire->sensor < 0) {
+    const auto mapped =
+        std::ranges::find(mapping.joints, visits.joint, &device::JointMapping::joint);
+    if (!visits.driven || mapped == mapping.joints.end() || mapped->sensor < 0) {
       continue;
     }
-    const auto& sensor = device::cyberglove_sensors()[static_cast<std::size_t>(wire->sensor)];
+    const auto& sensor = device::cyberglove_sensors()[static_cast<std::size_t>(mapped->sensor)];
     Moved moved{sensor.letter,
                 QString::fromUtf8(sensor.label.data(), static_cast<int>(sensor.label.size())),
                 visits.range(), 1.0 - visits.most, visits.least};
-    if (!rises(*wire)) {
+    if (!rises(*mapped)) {
       std::swap(moved.not_bent, moved.not_stretched);
     }
     if (std::ranges::count(result, moved.letter, &Moved::letter) == 0) {

@@ -8,6 +8,7 @@
 #include "features/glove/record_bar.h"
 #include "features/glove/sensor_bars.h"
 #include "features/workbench.h"
+#include "handway/planning/core/select_joints.h"
 #include "model/document/document.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
@@ -199,8 +200,9 @@ void GlovePanel::take_basis(const std::shared_ptr<const geometric::RobotModel>& 
     }
   }
   mapping_editor_->set_hand(model, std::move(free));
-  const JointGroups groups = model ? joint_groups(*model, basis.get()) : JointGroups{};
-  guard_.set_robot(model, model ? moving_parts(*model, groups) : std::vector<std::vector<int>>{},
+  guard_.set_robot(model,
+                   model ? moving_parts(*model, planning::select_joints(*model, basis.get()))
+                         : std::vector<geometric::JointIndices>{},
                    std::move(problem));
 }
 

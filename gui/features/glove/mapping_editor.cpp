@@ -2,7 +2,7 @@
 
 #include "features/glove/capture_coach.h"
 #include "features/glove/device_field.h"
-#include "features/glove/wire_form.h"
+#include "features/glove/joint_mapping_form.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/io/resources.h"
@@ -57,8 +57,8 @@ MappingWires::MappingWires(QWidget* parent) : QWidget(parent) {
 
 void MappingWires::set_mapping(const device::HandMapping& mapping) {
   mapping_ = mapping;
-  outputs_.assign(mapping_.wires.size(), -1.0);
-  selected_ = std::clamp(selected_, 0, std::max(0, static_cast<int>(mapping_.wires.size()) - 1));
+  outputs_.assign(mapping_.joints.size(), -1.0);
+  selected_ = std::clamp(selected_, 0, std::max(0, static_cast<int>(mapping_.joints.size()) - 1));
   updateGeometry();
   update();
 }
@@ -70,8 +70,8 @@ void MappingWires::select(int joint) {
 
 void MappingWires::show_sample(const GloveSample& sample, const device::HandMapper& mapper) {
   input_ = sample.frame;
-  for (std::size_t w = 0; w < mapping_.wires.size(); ++w) {
-    const auto found = std::ranges::find(mapper.joints(), mapping_.wires[w].joint);
+  for (std::size_t w = 0; w < mapping_.joints.size(); ++w) {
+    const auto found = std::ranges::find(mapper.joints(), mapping_.joints[w].joint);
     const Eigen::Index j = found - mapper.joints().begin();
     if (found != mapper.joints().end() && j < sample.posture.size()) {
       const double range = mapper.upper()[j] - mapper.lower()[j];
@@ -90,7 +90,7 @@ QPointF MappingWires::sensor_handle(int sensor) const {
 }
 
 QPointF MappingWires::joint_handle(int joint) const {
-  const double count = std::max(1.0, static_cast<double>(mapping_.wires.size()));
+  const double count = std::max(1.0, static_cast<double>(mapping_.joints.size()));
   const double step = device::kGloveSensors * scaled(kRow) / count;
   return {width() - kWireMargin - scaled(kColumn) - 6.0, (joint + 0.5) * step};
 }
@@ -103,7 +103,7 @@ std::optional<int> MappingWires::sensor_at(const QPointF& position) const {
 }
 
 std::optional<int> MappingWires::joint_at(const QPointF& position) const {
-  for (int joint = 0; joint < static_cast<int>(mapping_.wires.size()); ++joint) {
+  for (int joint = 0; joint < static_cast<int>(mapping_.joints.size()); ++joint) {
     const QPointF handle = joint_handle(joint);
     if (position.x() > handle.x() - 10.0 &&
         std::abs(position.y() - handle.y()) < scaled(kRow) / 2.0) {
@@ -164,7 +164,8 @@ void MappingWires::paint_wire(QPainter& painter, const QPointF& from, const QPoi
 void MappingWires::paint_sensors(QPainter& painter) const {
   const ThemeColors colors = colors_of(current_theme());
   for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
-    const bool used = std::ranges::count(mapping_.wires, sensor, &device::JointWire::sensor) > 0;
+    const bool used =
+        std::ranges::count(mapping_.joints, sensor, &device::JointMapping::sensor) > 0;
     const QRectF cell(kWireMargin, sensor * scaled(kRow), scaled(kColumn), scaled(kRow));
     if (input_) {
       const double share = input_->counts.at(static_cast<std::size_t>(sensor)) / kMostCounts;
@@ -181,9 +182,9 @@ void MappingWires::paint_sensors(QPainter& painter) const {
 
 void MappingWires::paint_joints(QPainter& painter) const {
   const ThemeColors colors = colors_of(current_theme());
-  for (std::size_t w = 0; w < mapping_.wires.size(); ++w) {
-    const device::JointWire& wire = mapping_.wires[w];
-    const bool driven = wire.sensor >= 0;
+  for (std::size_t w = 0; w < mapping_.joints.size(); ++w) {
+    const device::JointMapping& mapped = mapping_.joints[w];
+    const bool driven = mapped.sensor >= 0;
     const QPointF handle = joint_handle(static_cast<int>(w));
     const QRectF cell(handle.x() + 6.0, handle.y() - scaled(kRow) / 2.0, scaled(kColumn),
                       scaled(kRow));
@@ -198,7 +199,7 @@ void MappingWires::paint_joints(QPainter& painter) const {
       painter.drawRoundedRect(cell.adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
     }
     painter.setPen(driven ? colors.text : colors.muted);
-    painter.drawText(cell.adjusted(5, 0, 0, 0), Qt::AlignVCenter, joint_label(wire.joint));
+    painter.drawText(cell.adjusted(5, 0, 0, 0), Qt::AlignVCenter, joint_label(mapped.joint));
     painter.setPen(Qt::NoPen);
     painter.setBrush(driven ? colors.accent : colors.border);
     painter.drawEllipse(handle, kHandleRadius, kHandleRadius);
@@ -209,10 +210,10 @@ void MappingWires::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   set_text_size(painter, 11);
-  for (std::size_t w = 0; w < mapping_.wires.size(); ++w) {
-    if (mapping_.wires[w].sensor >= 0) {
+  for (std::size_t w = 0; w < mapping_.joints.size(); ++w) {
+    if (mapping_.joints[w].sensor >= 0) {
       const int joint = static_cast<int>(w);
-      paint_wire(painter, sensor_handle(mapping_.wires[w].sensor), joint_handle(joint),
+      paint_wire(painter, sensor_handle(mapping_.joints[w].sensor), joint_handle(joint),
                  joint == selected_);
     }
   }
@@ -321,7 +322,7 @@ MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget
       session_(session),
       history_(history),
       wires_(new MappingWires),
-      form_(new WireForm),
+      form_(new JointMappingForm),
       curve_(new CurveView),
       source_(named("mapping_source", new QLineEdit)),
       comparison_(named("mapping_comparison", note())),
@@ -337,16 +338,16 @@ MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget
   connect(wires_, &MappingWires::selected_changed, this, [this] { refresh(); });
   connect(wires_, &MappingWires::connected, this, [this](int joint, int sensor) {
     device::HandMapping mapping = session_.mapping();
-    device::JointWire& wire = mapping.wires[static_cast<std::size_t>(joint)];
-    wire.sensor = sensor;
-    wire.fixed.reset();
-    wire.left_to_arm = false;
-    change(tr("Wire %1").arg(QString::fromStdString(wire.joint)), mapping);
+    device::JointMapping& mapped = mapping.joints[static_cast<std::size_t>(joint)];
+    mapped.sensor = sensor;
+    mapped.fixed.reset();
+    mapped.left_to_arm = false;
+    change(tr("Wire %1").arg(QString::fromStdString(mapped.joint)), mapping);
   });
   connect(&fitting_, &LatestJob::failed, this, &MappingEditor::failed);
   connect(&fitting_, &LatestJob::ended, this, &MappingEditor::show_fitting);
-  connect(form_, &WireForm::edited, this, &MappingEditor::change_wire);
-  connect(curve_, &CurveView::edited, this, &MappingEditor::change_wire);
+  connect(form_, &JointMappingForm::edited, this, &MappingEditor::change_joint_mapping);
+  connect(curve_, &CurveView::edited, this, &MappingEditor::change_joint_mapping);
   connect(source_, &QLineEdit::editingFinished, this, [this] {
     device::HandMapping mapping = session_.mapping();
     if (source_->isModified()) {
@@ -414,10 +415,10 @@ void MappingEditor::show_samples(const std::vector<GloveSample>& samples) {
   }
   if (session_.mapper() && isVisible()) {
     wires_->show_sample(samples.back(), *session_.mapper());
-    const device::JointWire& wire =
-        session_.mapping().wires[static_cast<std::size_t>(wires_->selected())];
-    if (wire.sensor >= 0) {
-      curve_->show_sensor(samples.back().angles.angles.at(static_cast<std::size_t>(wire.sensor)));
+    const device::JointMapping& mapped =
+        session_.mapping().joints[static_cast<std::size_t>(wires_->selected())];
+    if (mapped.sensor >= 0) {
+      curve_->show_sensor(samples.back().angles.angles.at(static_cast<std::size_t>(mapped.sensor)));
     }
   }
 }
@@ -433,8 +434,8 @@ void MappingEditor::save(const std::filesystem::path& file) const {
 void MappingEditor::clear() {
   device::HandMapping mapping = session_.mapping();
   mapping.source.clear();
-  for (device::JointWire& wire : mapping.wires) {
-    wire = device::JointWire{wire.joint, -1, 1.0, 0.0, {}, {}};
+  for (device::JointMapping& mapped : mapping.joints) {
+    mapped = device::JointMapping{mapped.joint, -1, 1.0, 0.0, {}, {}};
   }
   change(tr("Fix all joints"), mapping);
 }
@@ -504,19 +505,19 @@ void MappingEditor::use(const device::HandMapping& mapping) {
   }
 }
 
-void MappingEditor::change_wire(const device::JointWire& wire) {
+void MappingEditor::change_joint_mapping(const device::JointMapping& mapped) {
   device::HandMapping mapping = session_.mapping();
-  mapping.wires[static_cast<std::size_t>(wires_->selected())] = wire;
-  change(tr("Map %1").arg(QString::fromStdString(wire.joint)), mapping);
+  mapping.joints[static_cast<std::size_t>(wires_->selected())] = mapped;
+  change(tr("Map %1").arg(QString::fromStdString(mapped.joint)), mapping);
 }
 
-void MappingEditor::show_wire(const device::JointWire& wire) {
-  form_->set_wire(wire);
-  const auto variable = model_ ? model_->find_variable(wire.joint) : std::nullopt;
-  curve_->setVisible(variable && wire.sensor >= 0);
+void MappingEditor::show_joint_mapping(const device::JointMapping& mapped) {
+  form_->set_joint_mapping(mapped);
+  const auto variable = model_ ? model_->find_variable(mapped.joint) : std::nullopt;
+  curve_->setVisible(variable && mapped.sensor >= 0);
   if (variable) {
     const geometric::JointLimits& limits = model_->variable(*variable).limits;
-    curve_->set_wire(wire, limits.lower, limits.upper);
+    curve_->set_joint_mapping(mapped, limits.lower, limits.upper);
   }
 }
 
@@ -525,9 +526,9 @@ void MappingEditor::refresh() {
   wires_->set_mapping(mapping);
   source_->setText(QString::fromStdString(mapping.source));
   source_->setCursorPosition(0);
-  form_->setEnabled(!mapping.wires.empty());
-  if (!mapping.wires.empty()) {
-    show_wire(mapping.wires[static_cast<std::size_t>(wires_->selected())]);
+  form_->setEnabled(!mapping.joints.empty());
+  if (!mapping.joints.empty()) {
+    show_joint_mapping(mapping.joints[static_cast<std::size_t>(wires_->selected())]);
   }
 }
 

@@ -76,7 +76,7 @@ class MappingWires : public QWidget {
 };
 
 class CurveView;
-class WireForm;
+class JointMappingForm;
 
 /// Comparison of two mappings of the same motion of a glove.
 struct MappingComparison {
@@ -132,8 +132,8 @@ class MappingEditor : public QWidget {
   /// Takes another mapping, as an edit that can be undone.
   void change(const QString& text, const device::HandMapping& mapping);
   void use(const device::HandMapping& mapping);
-  void change_wire(const device::JointWire& wire);
-  void show_wire(const device::JointWire& wire);
+  void change_joint_mapping(const device::JointMapping& mapped);
+  void show_joint_mapping(const device::JointMapping& mapped);
   void refresh();
   void choose_to_open();
   void choose_to_save();
@@ -150,7 +150,7 @@ class MappingEditor : public QWidget {
   std::deque<device::GloveAngles> motion_;
   int stride_ = 0;
   MappingWires* wires_;
-  WireForm* form_;
+  JointMappingForm* form_;
   CurveView* curve_;
   QLineEdit* source_;
   QLabel* comparison_;

@@ -115,9 +115,9 @@ void SensorBars::clear() {
 
 void SensorBars::set_mapping(const device::HandMapping& mapping) {
   driven_ = {};
-  for (const device::JointWire& wire : mapping.wires) {
-    if (wire.sensor >= 0) {
-      driven_.at(static_cast<std::size_t>(wire.sensor)).push_back(wire.joint);
+  for (const device::JointMapping& mapped : mapping.joints) {
+    if (mapped.sensor >= 0) {
+      driven_.at(static_cast<std::size_t>(mapped.sensor)).push_back(mapped.joint);
     }
   }
   update();

@@ -146,7 +146,7 @@ ProjectionPanel::ProjectionPanel(QWidget* parent)
     connect(axis, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { redraw(false); });
   }
   connect(all, &QToolButton::clicked, this, [this] { plot_->show_all(); });
-  plot_->on_hover([this](std::optional<int> node) { tell(node); });
+  plot_->on_hover([this](std::optional<int> node) { notify(node); });
   plot_->on_pick([this](int node) {
     emit picked(charted_.roadmap->roadmap.nodes[static_cast<std::size_t>(node)].q);
   });
@@ -158,7 +158,7 @@ void ProjectionPanel::show_roadmap(ChartedRoadmap charted) {
   name_axes(charted_.chart->chart);
   pages_->setCurrentIndex(1);
   redraw(!first);
-  tell(std::nullopt);
+  notify(std::nullopt);
 }
 
 void ProjectionPanel::show_nothing() {
@@ -232,7 +232,7 @@ void ProjectionPanel::draw_robot() {
   }
 }
 
-void ProjectionPanel::tell(std::optional<int> node) {
+void ProjectionPanel::notify(std::optional<int> node) {
   if (!charted_.roadmap) {
     note_->clear();
     return;

@@ -78,7 +78,7 @@ class ProjectionPanel : public QWidget {
   void name_axes(const planning::HandArmChart& chart);
   void redraw(bool keeps_view);
   void draw_robot();
-  void tell(std::optional<int> node);
+  void notify(std::optional<int> node);
   [[nodiscard]] QPointF in_plane(const Eigen::VectorXd& coordinates) const;
 
   QComboBox* x_;

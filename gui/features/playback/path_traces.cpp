@@ -82,7 +82,7 @@ void PathTraces::update_trails() {
     return;
   }
   std::vector<std::vector<Eigen::Vector3d>> trails;
-  for (const int link : planning::fingertips(*robot->model, document_.groups().hand)) {
+  for (const int link : planning::fingertips(*robot->model, document_.joints().hand)) {
     trails.push_back(palm_path(*robot, player_.timeline(), link).points);
   }
   view_.set_overlay(Overlay::kTrails, make_trails_node(trails));

@@ -234,7 +234,7 @@ QTreeWidgetItem* JointCurveList::add_group(const std::vector<int>& variables, co
 }
 
 void JointCurveList::set_robot(std::shared_ptr<const geometric::RobotModel> model,
-                               const JointGroups& groups) {
+                               const geometric::JointSelection& joints) {
   if (model == model_) {
     return;
   }
@@ -246,8 +246,8 @@ void JointCurveList::set_robot(std::shared_ptr<const geometric::RobotModel> mode
     return;
   }
   int finger = 0;
-  for (const std::vector<int>& part : moving_parts(*model_, groups)) {
-    if (part == groups.arm) {
+  for (const geometric::JointIndices& part : moving_parts(*model_, joints)) {
+    if (part == joints.arm) {
       QTreeWidgetItem* arm = add_group(part, tr("Arm"));
       arm->setCheckState(kName, Qt::Checked);
       arm->setExpanded(true);
@@ -257,8 +257,8 @@ void JointCurveList::set_robot(std::shared_ptr<const geometric::RobotModel> mode
     const QString name = common_name(*model_, part);
     add_group(part, name.isEmpty() ? tr("Finger %1").arg(finger) : name);
   }
-  if (!groups.other.empty()) {
-    add_group(groups.other, tr("Other"));
+  if (const geometric::JointIndices others = joints.outside_arm_and_hand(); !others.empty()) {
+    add_group(others, tr("Other"));
   }
 }
 
@@ -386,7 +386,7 @@ void PlotsPanel::showEvent(QShowEvent* event) {
 void PlotsPanel::take_analysis() {
   using State = MotionAnalysis::State;
   if (const geometric::RobotInstance* robot = document_.robot()) {
-    joints_->set_robot(robot->model, document_.groups());
+    joints_->set_robot(robot->model, document_.joints());
   }
   switch (analysis_.state()) {
     case State::kNoPath:

@@ -76,7 +76,8 @@ class JointCurveList : public QTreeWidget {
 
   /// Sets the robot. The selection of curves is kept for the same robot; for another one it is the
   /// arm.
-  void set_robot(std::shared_ptr<const geometric::RobotModel> model, const JointGroups& groups);
+  void set_robot(std::shared_ptr<const geometric::RobotModel> model,
+                 const geometric::JointSelection& joints);
   /// Variables that are chosen, in order.
   [[nodiscard]] std::vector<int> chosen() const;
   void choose(const std::vector<int>& variables);

@@ -57,7 +57,7 @@ JointPanel::JointPanel(QWidget* parent)
 }
 
 void JointPanel::set_robot(std::shared_ptr<const geometric::RobotModel> model,
-                           const JointGroups& groups) {
+                           const geometric::JointSelection& joints) {
   model_ = std::move(model);
   rows_.clear();
   while (QLayoutItem* item = layout_->takeAt(0)) {
@@ -66,9 +66,9 @@ void JointPanel::set_robot(std::shared_ptr<const geometric::RobotModel> model,
   }
   if (model_) {
     q_ = model_->neutral();
-    add_group(tr("Arm"), groups.arm);
-    add_group(tr("Hand"), groups.hand);
-    add_group(tr("Other"), groups.other);
+    add_group(tr("Arm"), joints.arm);
+    add_group(tr("Hand"), joints.hand);
+    add_group(tr("Other"), joints.outside_arm_and_hand());
   }
   layout_->addStretch();
 }

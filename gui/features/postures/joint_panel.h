@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/robot/joint_selection.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "model/document/document.h"
@@ -29,7 +30,8 @@ class JointPanel : public QWidget {
   explicit JointPanel(QWidget* parent = nullptr);
 
   /// Sets the robot; null: none.
-  void set_robot(std::shared_ptr<const geometric::RobotModel> model, const JointGroups& groups);
+  void set_robot(std::shared_ptr<const geometric::RobotModel> model,
+                 const geometric::JointSelection& joints);
   /// @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
   /// Brings the slider of the joint that moves this link into sight, and marks it; of a fixed

@@ -159,9 +159,9 @@ void PosturePanels::show_robot() {
   const geometric::RobotInstance* robot = document_.robot();
   const auto model = robot ? robot->model : nullptr;
   postures_->set_scene(document_.scene());
-  swing_->set_arm(model, document_.palm(), document_.groups().arm);
-  joints_->set_robot(model, document_.groups());
-  hand_->set_hand(model, document_.loaded().basis, document_.groups().hand);
+  swing_->set_arm(model, document_.palm(), document_.joints().arm);
+  joints_->set_robot(model, document_.joints());
+  hand_->set_hand(model, document_.loaded().basis, document_.joints().hand);
 }
 
 void PosturePanels::show_item(const SceneItem& item) const {
@@ -180,8 +180,8 @@ constexpr int kLeastWidth = 340;
 
 }  // namespace
 
-KeepPostureDialog::KeepPostureDialog(const JointGroups& groups, const QStringList& taken,
-                                     QWidget* parent)
+KeepPostureDialog::KeepPostureDialog(const geometric::JointSelection& joints,
+                                     const QStringList& taken, QWidget* parent)
     : QDialog(parent),
       taken_(taken),
       name_(named("posture_name", new QLineEdit)),
@@ -191,13 +191,14 @@ KeepPostureDialog::KeepPostureDialog(const JointGroups& groups, const QStringLis
   setWindowTitle(tr("Save posture"));
   setMinimumWidth(scaled(kLeastWidth));
   name_->setPlaceholderText(tr("for example: above the table"));
-  std::vector<int> all = groups.arm;
-  all.insert(all.end(), groups.hand.begin(), groups.hand.end());
-  all.insert(all.end(), groups.other.begin(), groups.other.end());
+  std::vector<int> all = joints.arm;
+  all.insert(all.end(), joints.hand.begin(), joints.hand.end());
+  const geometric::JointIndices others = joints.outside_arm_and_hand();
+  all.insert(all.end(), others.begin(), others.end());
   add_part(tr("The whole robot"), std::move(all));
-  if (!groups.arm.empty() && !groups.hand.empty()) {
-    add_part(tr("The arm"), groups.arm);
-    add_part(tr("The hand"), groups.hand);
+  if (!joints.arm.empty() && !joints.hand.empty()) {
+    add_part(tr("The arm"), joints.arm);
+    add_part(tr("The hand"), joints.hand);
   }
   auto* form = new QFormLayout;
   form->addRow(tr("Name"), name_);
@@ -253,7 +254,7 @@ void KeptPostures::keep_this() {
   for (const geometric::NamedPosture& posture : document_.scene()->postures) {
     taken.push_back(QString::fromStdString(posture.name));
   }
-  KeepPostureDialog dialog(document_.groups(), taken, bar_.window());
+  KeepPostureDialog dialog(document_.joints(), taken, bar_.window());
   if (dialog.exec() != QDialog::Accepted) {
     return;
   }

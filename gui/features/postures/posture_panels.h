@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/robot/joint_selection.h"
 #include "handway/geometric/scene/scene.h"
 #include "model/document/document.h"
 
@@ -91,7 +92,8 @@ class KeepPostureDialog : public QDialog {
 
  public:
   /// @param taken names of postures that are kept already: one of them is kept in its place.
-  KeepPostureDialog(const JointGroups& groups, const QStringList& taken, QWidget* parent = nullptr);
+  KeepPostureDialog(const geometric::JointSelection& joints, const QStringList& taken,
+                    QWidget* parent = nullptr);
 
   [[nodiscard]] QString name() const;
   /// The variables that belong to it.

@@ -95,19 +95,19 @@ QWidget* FollowForm::build_motion() {
   form->addRow(tr("Source turned"), source_yaw_);
   form->addRow(tr("Smoothing"), smoothing_);
   form->addRow(tr("Top speed"), speed_);
-  const auto tell = [this] { emit settings_edited(); };
-  connect(scale_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, tell);
-  connect(turn_, &QCheckBox::toggled, this, tell);
-  connect(source_yaw_, &QuantityField::quantity_edited, this, tell);
-  connect(smoothing_, qOverload<int>(&QSpinBox::valueChanged), this, tell);
-  connect(speed_, &QuantityField::quantity_edited, this, tell);
+  const auto notify = [this] { emit settings_edited(); };
+  connect(scale_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, notify);
+  connect(turn_, &QCheckBox::toggled, this, notify);
+  connect(source_yaw_, &QuantityField::quantity_edited, this, notify);
+  connect(smoothing_, qOverload<int>(&QSpinBox::valueChanged), this, notify);
+  connect(speed_, &QuantityField::quantity_edited, this, notify);
   return part;
 }
 
 QWidget* FollowForm::build_workspace() {
   reach_->setMinimum(1.0);
   reach_->show_quantity(kDefaultReach);
-  const auto tell = [this] { emit settings_edited(); };
+  const auto notify = [this] { emit settings_edited(); };
   auto* grid = new QGridLayout(box_fields_);
   grid->setContentsMargins(22, 0, 0, 0);
   grid->setHorizontalSpacing(6);
@@ -123,8 +123,8 @@ QWidget* FollowForm::build_workspace() {
     grid->addWidget(note(axis), row, 0);
     grid->addWidget(least_.at(i), row, 1);
     grid->addWidget(most_.at(i), row, 2);
-    connect(least_.at(i), &QuantityField::quantity_edited, this, tell);
-    connect(most_.at(i), &QuantityField::quantity_edited, this, tell);
+    connect(least_.at(i), &QuantityField::quantity_edited, this, notify);
+    connect(most_.at(i), &QuantityField::quantity_edited, this, notify);
   }
   centre_box(Eigen::Vector3d(0.5, 0.0, 0.5));
   limits_reach_->setToolTip(tr("Distance of the tool from the origin of the robot's base"));
@@ -133,9 +133,9 @@ QWidget* FollowForm::build_workspace() {
   reach_->setEnabled(false);
   connect(box_, &QCheckBox::toggled, box_fields_, &QWidget::setVisible);
   connect(limits_reach_, &QCheckBox::toggled, reach_, &QWidget::setEnabled);
-  connect(box_, &QCheckBox::toggled, this, tell);
-  connect(limits_reach_, &QCheckBox::toggled, this, tell);
-  connect(reach_, &QuantityField::quantity_edited, this, tell);
+  connect(box_, &QCheckBox::toggled, this, notify);
+  connect(limits_reach_, &QCheckBox::toggled, this, notify);
+  connect(reach_, &QuantityField::quantity_edited, this, notify);
   return boxed(in_column({box_, box_fields_, in_row({{limits_reach_, 1}, reach_})}, 6));
 }
 
@@ -443,7 +443,7 @@ void add_tracker(Workbench& workbench) {
                    [&guard] { guard.withdraw(ContactGuard::Leader::kArm); });
   const auto set_robot = [page, &document] {
     const geometric::RobotInstance* robot = document.robot();
-    page->set_robot(robot ? robot->model : nullptr, document.groups().arm);
+    page->set_robot(robot ? robot->model : nullptr, document.joints().arm);
   };
   QObject::connect(&workbench, &Workbench::scene_shown, page, set_robot);
   QObject::connect(&document, &Document::hand_changed, page, set_robot);

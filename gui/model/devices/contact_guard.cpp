@@ -11,11 +11,11 @@ using geometric::FreeStep;
 using geometric::NamedPosture;
 
 ContactGuard::ContactGuard(QObject* parent) : QObject(parent) {
-  connect(&job_, &LatestJob::failed, this, &ContactGuard::tell);
+  connect(&job_, &LatestJob::failed, this, &ContactGuard::notify);
 }
 
 void ContactGuard::set_robot(std::shared_ptr<const geometric::RobotModel> model,
-                             std::vector<std::vector<int>> groups,
+                             std::vector<geometric::JointIndices> groups,
                              std::shared_ptr<const PreparedProblem> problem) {
   model_ = std::move(model);
   q_ = model_ ? model_->neutral() : geometric::Configuration();
@@ -23,13 +23,13 @@ void ContactGuard::set_robot(std::shared_ptr<const geometric::RobotModel> model,
   job_.cancel();
   groups_ = std::move(groups);
   checker_ = problem ? std::make_shared<OwnChecker>(std::move(problem)) : nullptr;
-  tell({});
+  notify({});
 }
 
 void ContactGuard::set_rule(ContactRule rule) {
   rule_ = rule;
   if (rule == ContactRule::kPass) {
-    tell({});
+    notify({});
   }
 }
 
@@ -76,7 +76,7 @@ void ContactGuard::propose(Leader leader, const NamedPosture& posture) {
 void ContactGuard::withdraw(Leader leader) {
   wanted_.at(static_cast<std::size_t>(leader)).values.clear();
   if (wanted().values.empty()) {
-    tell({});
+    notify({});
   }
 }
 
@@ -92,7 +92,7 @@ void ContactGuard::take(const geometric::Configuration& q,
     text = contact->b.empty() ? tr("At the limit of constraint %1").arg(a)
                               : tr("%1 touches %2").arg(a, QString::fromStdString(contact->b));
   }
-  tell(text);
+  notify(text);
   for (auto& [joint, value] : posture.values) {
     if (const auto variable = geometric::find_variable_of_part(*model_, joint)) {
       value = q[*variable];
@@ -101,7 +101,7 @@ void ContactGuard::take(const geometric::Configuration& q,
   emit passed(posture);
 }
 
-void ContactGuard::tell(const QString& contact) {
+void ContactGuard::notify(const QString& contact) {
   if (holds_ || !contact.isEmpty()) {
     holds_ = !contact.isEmpty();
     emit held(contact);

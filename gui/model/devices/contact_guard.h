@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
-#include "handway/geometric/robot/robot_description.h"
+#include "handway/geometric/robot/joint_selection.h"
 #include "model/document/prepared_problem.h"
 #include "model/jobs/background.h"
 
@@ -38,7 +38,7 @@ class ContactGuard : public QObject {
   /// @param groups variables that go together, such as arm and fingers.
   /// @param problem null: nothing to collide with.
   void set_robot(std::shared_ptr<const geometric::RobotModel> model,
-                 std::vector<std::vector<int>> groups,
+                 std::vector<geometric::JointIndices> groups,
                  std::shared_ptr<const PreparedProblem> problem);
   void set_rule(ContactRule rule);
   [[nodiscard]] ContactRule rule() const { return rule_; }
@@ -57,12 +57,12 @@ class ContactGuard : public QObject {
  private:
   /// A step may be made as far as `q`. @param contact what touches beyond; nothing if all is free.
   void take(const geometric::Configuration& q, const std::optional<geometric::NamedPair>& contact);
-  void tell(const QString& contact);
+  void notify(const QString& contact);
   [[nodiscard]] geometric::NamedPosture wanted() const;
 
   std::shared_ptr<const geometric::RobotModel> model_;
-  std::vector<std::vector<int>> groups_;  ///< For geometric::sliding_step().
-  std::shared_ptr<OwnChecker> checker_;   ///< For the job's thread; null: all is free.
+  std::vector<geometric::JointIndices> groups_;  ///< For geometric::sliding_step().
+  std::shared_ptr<OwnChecker> checker_;          ///< For the job's thread; null: all is free.
   ContactRule rule_ = ContactRule::kPass;
   geometric::Configuration q_;
   std::array<geometric::NamedPosture, 2> wanted_;  ///< By Leader.

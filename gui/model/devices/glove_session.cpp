@@ -207,9 +207,9 @@ std::optional<device::HandMapping> shipped_mapping(const geometric::RobotModel& 
   const auto independent = static_cast<std::size_t>(std::ranges::count_if(
       hand, [&](const std::string& joint) { return model.find_variable(joint).has_value(); }));
   const auto found = std::ranges::find_if(mappings, [&](const device::HandMapping& mapping) {
-    return mapping.wires.size() >= independent &&
-           std::ranges::all_of(mapping.wires, [&](const device::JointWire& wire) {
-             return geometric::find_variable_of_part(model, wire.joint).has_value();
+    return mapping.joints.size() >= independent &&
+           std::ranges::all_of(mapping.joints, [&](const device::JointMapping& mapped) {
+             return geometric::find_variable_of_part(model, mapped.joint).has_value();
            });
   });
   return found == mappings.end() ? std::nullopt : std::optional(*found);

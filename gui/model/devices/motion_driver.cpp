@@ -88,8 +88,8 @@ Eigen::VectorXd ExecutedMotion::following_error(const geometric::RobotModel& mod
   return at_limit;
 }
 
-std::vector<Eigen::Vector3d> ExecutedMotion::way_of(const geometric::RobotInstance& robot,
-                                                    int link) const {
+std::vector<Eigen::Vector3d> ExecutedMotion::link_path(const geometric::RobotInstance& robot,
+                                                       int link) const {
   struct Seen {
     const Device* device;
     const execution::MotionSample* sample;
@@ -146,7 +146,7 @@ struct MotionDriver::Devices {
       : q(shown) {
     QStringList addresses;
     const auto as_shown = [&](const char* kind, auto settings) {
-      const std::vector<int> variables = execution::device_variables(problem, kind);
+      const geometric::JointIndices variables = problem.joints.of_part(kind);
       settings.joints = execution::device_joints(problem.model(), variables);
       settings.position = shown(variables).cwiseMax(settings.joints.lower);
       settings.position = settings.position.cwiseMin(settings.joints.upper);
@@ -195,16 +195,16 @@ class MotionDriver::Recorder final : public execution::MotionObserver {
       return;
     }
     next_ = Clock::now() + kNewsPeriod;
-    driver_.tell([&driver = driver_, time = std::min(time, duration_), duration = duration_,
-                  error = farthest(errors),
-                  q = execution::with_measured(devices_.q, devices_.targets)] {
+    driver_.notify([&driver = driver_, time = std::min(time, duration_), duration = duration_,
+                    error = farthest(errors),
+                    q = execution::with_measured(devices_.q, devices_.targets)] {
       emit driver.measured(q);
       emit driver.progressed(time, duration, error);
     });
   }
 
   void on_held(const std::string& reason) override {
-    driver_.tell(
+    driver_.notify(
         [&driver = driver_, reason = QString::fromStdString(reason)] { emit driver.held(reason); });
   }
 
@@ -229,7 +229,7 @@ MotionDriver::~MotionDriver() {
 }
 
 template <typename F>
-void MotionDriver::tell(F&& news) {
+void MotionDriver::notify(F&& news) {
   QMetaObject::invokeMethod(this, std::forward<F>(news), Qt::QueuedConnection);
 }
 
@@ -250,7 +250,7 @@ void MotionDriver::connect_to(const MotionDevices& devices, Problem problem,
   thread_ = std::jthread(
       [this, devices, problem = std::move(problem), q = std::move(q)](const std::stop_token& stop) {
         work(devices, problem, q, stop);
-        tell([this] {
+        notify([this] {
           requests_.reset();
           set_state(State::kOff);
         });
@@ -334,11 +334,11 @@ void MotionDriver::work(const MotionDevices& wanted, const Problem& problem,
     for (const execution::MotionTarget& target : devices.targets) {
       target.link->connect(stop);
     }
-    tell([this] { set_state(State::kConnected); });
+    notify([this] { set_state(State::kConnected); });
     serve(devices, stop);
   } catch (const std::exception& error) {
     if (!stop.stop_requested()) {
-      tell([this, message = QString::fromUtf8(error.what())] { emit failed(message); });
+      notify([this, message = QString::fromUtf8(error.what())] { emit failed(message); });
     }
   }
 }
@@ -361,7 +361,7 @@ void MotionDriver::serve(Devices& devices, const std::stop_token& stop) {
     for (const execution::MotionTarget& target : devices.targets) {
       target.link->update();
       if (!target.link->fault().empty()) {
-        tell([this, message = QString::fromStdString(target.link->fault())] {
+        notify([this, message = QString::fromStdString(target.link->fault())] {
           emit failed(message);
         });
         return;
@@ -369,7 +369,8 @@ void MotionDriver::serve(Devices& devices, const std::stop_token& stop) {
     }
     if (Clock::now() >= next) {
       next = Clock::now() + kNewsPeriod;
-      tell([this, q = execution::with_measured(devices.q, devices.targets)] { emit measured(q); });
+      notify(
+          [this, q = execution::with_measured(devices.q, devices.targets)] { emit measured(q); });
     }
   }
 }
@@ -386,7 +387,7 @@ bool MotionDriver::carry_out(Devices& devices, const Order& order) {
     const execution::MotionOutcome outcome =
         run_motion(devices.targets, {}, *order.requests, recorder);
     note_end(outcome.done || outcome.at_rest_ms >= 0.0);
-    tell([this, outcome, executed = recorder.executed(), whole = recorder.log_is_whole()] {
+    notify([this, outcome, executed = recorder.executed(), whole = recorder.log_is_whole()] {
       set_state(State::kConnected);
       emit ended(outcome, executed);
       if (!whole) {
@@ -396,7 +397,7 @@ bool MotionDriver::carry_out(Devices& devices, const Order& order) {
     return outcome.fault.empty();
   } catch (const std::exception& error) {
     note_end(true);  // it has not begun
-    tell([this, message = QString::fromUtf8(error.what())] {
+    notify([this, message = QString::fromUtf8(error.what())] {
       set_state(State::kConnected);
       emit failed(message);
     });

@@ -49,8 +49,8 @@ struct ExecutedMotion {
   /// planning::SafetyMargin.
   [[nodiscard]] Eigen::VectorXd following_error(const geometric::RobotModel& model) const;
   /// The path of a link's origin as it was measured (world, m).
-  [[nodiscard]] std::vector<Eigen::Vector3d> way_of(const geometric::RobotInstance& robot,
-                                                    int link) const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> link_path(const geometric::RobotInstance& robot,
+                                                       int link) const;
 };
 
 /// Devices that move the robot: addresses such as "arm://localhost:11000", and emulated ones that
@@ -134,7 +134,7 @@ class MotionDriver : public QObject {
   bool carry_out(Devices& devices, const Order& order);
   /// Runs a function on the GUI thread, later.
   template <typename F>
-  void tell(F&& news);
+  void notify(F&& news);
   void set_state(State state);
 
   /// A motion has ended, or will not begin. @param rested whether all is at rest.

@@ -213,7 +213,7 @@ class DeviceLink : public StreamLink {
            std::function<void(const Items&)> on_items) {
     stop();
     inbox_ = std::make_unique<StreamInbox<Item>>(
-        std::move(on_items), [this](device::StreamState state) { take_state(state); });
+        std::move(on_items), [this](device::StreamState state) { on_state_changed(state); });
     typename Stream::Handlers handlers;
     handlers.on_sample = [push = inbox_->item_slot(), make = std::move(make_item)](
                              const typename Device::Sample& sample) { push(make(sample)); };
@@ -232,7 +232,7 @@ class DeviceLink : public StreamLink {
     std::unique_ptr<Stream> stream;
   };
 
-  void take_state(device::StreamState state) {
+  void on_state_changed(device::StreamState state) {
     const bool broken =
         state == device::StreamState::kLost || state == device::StreamState::kFailed;
     set_state(state, broken ? running_->stream->error() : std::string());

@@ -5,8 +5,8 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/setup/mounting.h"
-#include "handway/geometric/setup/moving_group.h"
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/core/select_joints.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "model/document/new_scene.h"
@@ -22,67 +22,12 @@
 #include <utility>
 
 namespace handway::gui {
-namespace {
 
-bool contains(const std::vector<int>& variables, int variable) {
-  return std::ranges::find(variables, variable) != variables.end();
-}
-
-}  // namespace
-
-JointGroups joint_groups(const geometric::RobotModel& model, const sampling::PmdBasis* basis) {
-  JointGroups groups;
-  if (basis) {
-    for (const std::string& joint : basis->joints) {
-      if (const std::optional<int> variable = geometric::find_variable_of_part(model, joint)) {
-        groups.hand.push_back(*variable);
-      }
-    }
-  } else {
-    groups.hand = model.find_group("hand").value_or(std::vector<int>{});
-  }
-  const std::optional<std::vector<int>> arm = model.find_group("arm");
-  for (int v = 0; v < model.variable_count(); ++v) {
-    if (contains(groups.hand, v)) {
-      continue;
-    }
-    (arm && !contains(*arm, v) ? groups.other : groups.arm).push_back(v);
-  }
-  return groups;
-}
-
-JointGroups moving_groups(const geometric::Scene& scene, const sampling::PmdBasis* basis) {
-  const geometric::RobotModel& model = *scene.robots.front().model;
-  JointGroups groups = joint_groups(model, basis);
-  if (scene.group.empty()) {
-    return groups;
-  }
-  try {
-    groups.hand = planning::hand_variables(scene, basis);
-  } catch (const geometric::InputError&) {  // of another hand: planning says so
-  }
-  const std::vector<int> moving = geometric::moving_variables(scene);
-  std::erase_if(groups.hand, [&](int v) { return !contains(moving, v); });
-  groups.arm = moving;
-  std::erase_if(groups.arm, [&](int v) { return contains(groups.hand, v); });
-  groups.other.clear();
-  for (int v = 0; v < model.variable_count(); ++v) {
-    if (!contains(moving, v)) {
-      groups.other.push_back(v);
-    }
-  }
-  return groups;
-}
-
-int palm_link(const geometric::RobotModel& model, const JointGroups& groups) {
-  return planning::palm_link(model, groups.arm, groups.hand);
-}
-
-std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,
-                                           const JointGroups& groups) {
-  std::vector<std::vector<int>> parts;
-  if (!groups.arm.empty()) {
-    parts.push_back(groups.arm);
+std::vector<geometric::JointIndices> moving_parts(const geometric::RobotModel& model,
+                                                  const geometric::JointSelection& joints) {
+  std::vector<geometric::JointIndices> parts;
+  if (!joints.arm.empty()) {
+    parts.push_back(joints.arm);
   }
   const auto carries = [&model](int variable, int other) {
     int link = model.variable_link(other);
@@ -91,9 +36,9 @@ std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,
     }
     return link >= 0;
   };
-  std::vector<std::vector<int>> fingers;
-  for (const int variable : groups.hand) {
-    const auto finger = std::ranges::find_if(fingers, [&](const std::vector<int>& part) {
+  std::vector<geometric::JointIndices> fingers;
+  for (const int variable : joints.hand) {
+    const auto finger = std::ranges::find_if(fingers, [&](const geometric::JointIndices& part) {
       return std::ranges::any_of(
           part, [&](int other) { return carries(variable, other) || carries(other, variable); });
     });
@@ -321,13 +266,13 @@ void Document::set_scene(planning::LoadedScene scene, const std::filesystem::pat
 }
 
 void Document::take_hand() {
-  groups_ = moving_groups(*loaded_.scene, loaded_.basis.get());
-  palm_ = palm_link(*robot()->model, groups_);
+  joints_ = planning::select_movable_joints(*loaded_.scene, loaded_.basis.get());
+  palm_ = planning::palm_link(*robot()->model, joints_.arm, joints_.hand);
 }
 
 void Document::use_first_robot(const geometric::Configuration& q) {
   problem_.reset();
-  groups_ = {};
+  joints_ = {};
   palm_ = 0;
   q_ = q;
   if (robot()) {

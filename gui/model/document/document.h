@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/robot/joint_selection.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/plan_result.h"
@@ -22,28 +23,9 @@
 
 namespace handway::gui {
 
-/// The variables of arm and hand, by planning::make_problem's rule: the groups
-/// "arm" and "hand", the basis' joints for the hand, the rest for the arm.
-struct JointGroups {
-  std::vector<int> arm;
-  std::vector<int> hand;   ///< In the basis' joint order if there is a basis.
-  std::vector<int> other;  ///< In neither.
-};
-
-/// Returns the groups of the moving joints, by the scene's group; all other joints are `other`.
-/// @param basis may be null.
-[[nodiscard]] JointGroups moving_groups(const geometric::Scene& scene,
-                                        const sampling::PmdBasis* basis);
-[[nodiscard]] JointGroups joint_groups(const geometric::RobotModel& model,
-                                       const sampling::PmdBasis* basis);
-
-/// The link that stands for the hand as a whole: the last that the arm moves, or
-/// the one fixed to it that carries the fingers.
-[[nodiscard]] int palm_link(const geometric::RobotModel& model, const JointGroups& groups);
-
 /// The arm, and each finger by itself: variables of the hand of which one moves the other's link.
-[[nodiscard]] std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,
-                                                         const JointGroups& groups);
+[[nodiscard]] std::vector<geometric::JointIndices> moving_parts(
+    const geometric::RobotModel& model, const geometric::JointSelection& joints);
 
 /// The recorded postures that a hand is compared with: those that its basis names, or those of a
 /// file that a person chose, read in the background.
@@ -162,7 +144,7 @@ class Document : public QObject {
   [[nodiscard]] const std::shared_ptr<const PreparedProblem>& problem() const { return problem_; }
   /// The first robot; nullptr if there is none.
   [[nodiscard]] const geometric::RobotInstance* robot() const;
-  [[nodiscard]] const JointGroups& groups() const { return groups_; }
+  [[nodiscard]] const geometric::JointSelection& joints() const { return joints_; }
   [[nodiscard]] int palm() const { return palm_; }
   [[nodiscard]] const geometric::Configuration& configuration() const { return q_; }
   /// Returns the recorded postures that the hand is compared with.
@@ -226,7 +208,7 @@ class Document : public QObject {
   planning::Revision revision_;
   std::shared_ptr<const PreparedProblem> problem_;
   RecordedHand recorded_hand_;
-  JointGroups groups_;
+  geometric::JointSelection joints_;
   int palm_ = 0;
   geometric::Configuration q_;
   bool shows_measured_ = false;

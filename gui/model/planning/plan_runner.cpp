@@ -42,7 +42,7 @@ class PlanRunner::Reporter : public RoadmapWatch {
     flush();
   }
 
-  void tell() {
+  void notify() {
     QMetaObject::invokeMethod(
         &runner_,
         [&runner = runner_, fraction = fraction_, activity = activity_, roadmap = take()] {
@@ -59,7 +59,7 @@ class PlanRunner::Reporter : public RoadmapWatch {
     }
     clock_.restart();
     if (has_news()) {
-      tell();
+      notify();
       return;
     }
     QMetaObject::invokeMethod(
@@ -93,7 +93,7 @@ void PlanRunner::start(std::shared_ptr<planning::Planner> planner,
     if (const PreparedProblem::Problem prepared = problem->wait(stop)) {
       Reporter reporter(*this, *prepared, palm_link);
       result = planner->plan(*prepared, request, stop, &reporter);
-      reporter.tell();
+      reporter.notify();
     }
     return [this, result = std::move(result)] { emit finished(result); };
   });

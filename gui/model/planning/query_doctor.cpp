@@ -14,7 +14,7 @@ std::vector<std::string> joints_beyond_limits(const planning::PlanningProblem& p
                                               const geometric::Configuration& q) {
   std::vector<std::string> names;
   for (const geometric::LimitViolation& violation :
-       geometric::limit_violations(problem.model(), q, planning::fixed_variables(problem))) {
+       geometric::limit_violations(problem.model(), q, problem.joints.fixed)) {
     names.push_back(violation.joint);
   }
   return names;

@@ -21,8 +21,8 @@ PathMotion motion_of(const planning::PlanningProblem& problem, const planning::P
   auto motion = std::make_shared<planning::Motion>();
   motion->name = "path";
   motion->model = problem.scene->robots.front().model;
-  motion->arm = problem.arm;
-  motion->hand = problem.hand;
+  motion->arm = problem.joints.arm;
+  motion->hand = problem.joints.hand;
   motion->limits = planning::rate_limits(problem.model());
   motion->limits.jerk.resize(0);
   motion->path = path;
@@ -43,7 +43,8 @@ MotionCurves hand_curves(const planning::PlanningProblem& problem,
   if (!problem.basis) {
     return curves;
   }
-  const planning::HumanLikeness likeness(problem.model(), problem.hand, *problem.basis, postures);
+  const planning::HumanLikeness likeness(problem.model(), problem.joints.hand, *problem.basis,
+                                         postures);
   for (const planning::TrajectoryPoint& point : trajectory.points) {
     if (stop.stop_requested()) {
       break;

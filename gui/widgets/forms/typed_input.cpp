@@ -271,7 +271,7 @@ class TypedInput : public QObject {
 
   bool take_return() {
     if (const auto reason = spin_ ? invalid_text_reason(*spin_) : std::nullopt) {
-      tell(*reason);
+      notify(*reason);
       return true;
     }
     begin_entering();
@@ -289,7 +289,7 @@ class TypedInput : public QObject {
       mark(false);  // until the field is entered again
       QTimer::singleShot(
           kAfterClick, this,
-          [this, text = tr("%1 It stays %2.").arg(*why, line_->text())] { tell(text); });
+          [this, text = tr("%1 It stays %2.").arg(*why, line_->text())] { notify(text); });
       return;
     }
     begin_entering();
@@ -330,7 +330,7 @@ class TypedInput : public QObject {
     }
   }
 
-  void tell(const QString& text) const {
+  void notify(const QString& text) const {
     auto* field = static_cast<QWidget*>(parent());
     QToolTip::showText(field->mapToGlobal(QPoint(0, field->height())), text, field);
   }

@@ -41,26 +41,26 @@ std::vector<CurvePoint> read_curve(const YamlElement& element) {
   return curve;
 }
 
-void read_sensor(const YamlElement& item, const YamlElement& sensor, JointWire& wire) {
-  wire.sensor = named_sensor(sensor, sensor.text());
+void read_sensor(const YamlElement& item, const YamlElement& sensor, JointMapping& mapped) {
+  mapped.sensor = named_sensor(sensor, sensor.text());
   if (const std::optional<YamlElement> curve = item.find("curve")) {
     if (item.find("gain") || item.find("offset")) {
       curve->refuse("a curve beside gain or offset", "one or the other");
     }
-    wire.curve = read_curve(*curve);
+    mapped.curve = read_curve(*curve);
   }
-  wire.gain = item.number_or("gain", 1.0);
-  wire.offset = item.number_or("offset", 0.0);
+  mapped.gain = item.number_or("gain", 1.0);
+  mapped.offset = item.number_or("offset", 0.0);
 }
 
-JointWire read_wire(const YamlElement& item) {
+JointMapping read_joint_mapping(const YamlElement& item) {
   item.allow_keys({"joint", "sensor", "gain", "offset", "curve", "fixed", "arm"});
-  JointWire wire;
-  wire.joint = item.need("joint").text();
+  JointMapping mapped;
+  mapped.joint = item.need("joint").text();
   if (const std::optional<YamlElement> arm = item.find("arm"); arm && arm->flag()) {
     item.allow_keys({"joint", "arm"});
-    wire.left_to_arm = true;
-    return wire;
+    mapped.left_to_arm = true;
+    return mapped;
   }
   const std::optional<YamlElement> sensor = item.find("sensor");
   const std::optional<YamlElement> fixed = item.find("fixed");
@@ -68,31 +68,32 @@ JointWire read_wire(const YamlElement& item) {
     item.refuse(sensor ? "sensor and fixed" : "neither sensor nor fixed", "one of them");
   }
   if (sensor) {
-    read_sensor(item, *sensor, wire);
-    return wire;
+    read_sensor(item, *sensor, mapped);
+    return mapped;
   }
   item.allow_keys({"joint", "fixed"});
   if (fixed->text() != "middle") {
-    wire.fixed = fixed->number();
+    mapped.fixed = fixed->number();
   }
-  return wire;
+  return mapped;
 }
 
-std::string wire_text(const JointWire& wire) {
-  std::string text = fmt::format("  - {{joint: {}", wire.joint);
-  if (wire.left_to_arm) {
+std::string mapping_text(const JointMapping& mapped) {
+  std::string text = fmt::format("  - {{joint: {}", mapped.joint);
+  if (mapped.left_to_arm) {
     return text + ", arm: true}\n";
   }
-  if (wire.sensor < 0) {
-    return text + (wire.fixed ? fmt::format(", fixed: {}}}\n", *wire.fixed) : ", fixed: middle}\n");
+  if (mapped.sensor < 0) {
+    return text +
+           (mapped.fixed ? fmt::format(", fixed: {}}}\n", *mapped.fixed) : ", fixed: middle}\n");
   }
-  text +=
-      fmt::format(", sensor: {}", cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name);
-  if (wire.curve.empty()) {
-    return text + fmt::format(", gain: {}, offset: {}}}\n", wire.gain, wire.offset);
+  text += fmt::format(", sensor: {}",
+                      cyberglove_sensors()[static_cast<std::size_t>(mapped.sensor)].name);
+  if (mapped.curve.empty()) {
+    return text + fmt::format(", gain: {}, offset: {}}}\n", mapped.gain, mapped.offset);
   }
   std::string points;
-  for (const CurvePoint& point : wire.curve) {
+  for (const CurvePoint& point : mapped.curve) {
     points += fmt::format("{}[{}, {}]", points.empty() ? "" : ", ", point.angle, point.joint);
   }
   return text + fmt::format(", curve: [{}]}}\n", points);
@@ -101,22 +102,23 @@ std::string wire_text(const JointWire& wire) {
 }  // namespace
 
 HandMapping table1_mapping() {
-  const auto wire = [](const char* joint, std::string_view letter, double gain,
-                       double offset = 0.0) {
-    return JointWire{joint, find_sensor(letter).value_or(-1), gain, offset, {}, {}};
+  const auto mapped = [](const char* joint, std::string_view letter, double gain,
+                         double offset = 0.0) {
+    return JointMapping{joint, find_sensor(letter).value_or(-1), gain, offset, {}, {}};
   };
   // The thumb base turns 90° and the joint after it 30° around 0 over the same roll.
   const double sixth = 15.0 * geometric::kDegree;
-  return {"sah_right",
-          "Rosell, Suarez, Rosales and Perez (2011), Table 1; c drives both thumb joints over the "
-          "same part of their ranges",
-          {wire("thumb_base", "c", -1.0), wire("thumb_abduction", "c", -1.0 / 3.0, sixth),
-           wire("thumb_proximal", "e", -1.0), wire("thumb_medial", "f", -1.0),
-           wire("index_abduction", "j", -1.0), wire("index_proximal", "g", -1.0),
-           wire("index_medial", "h", -1.0), JointWire{"middle_abduction", -1, 1.0, 0.0, {}, {}},
-           wire("middle_proximal", "k", -1.0), wire("middle_medial", "l", -1.0),
-           wire("ring_abduction", "n", 1.0), wire("ring_proximal", "o", -1.0),
-           wire("ring_medial", "p", -1.0)}};
+  return {
+      "sah_right",
+      "Rosell, Suarez, Rosales and Perez (2011), Table 1; c drives both thumb joints over the "
+      "same part of their ranges",
+      {mapped("thumb_base", "c", -1.0), mapped("thumb_abduction", "c", -1.0 / 3.0, sixth),
+       mapped("thumb_proximal", "e", -1.0), mapped("thumb_medial", "f", -1.0),
+       mapped("index_abduction", "j", -1.0), mapped("index_proximal", "g", -1.0),
+       mapped("index_medial", "h", -1.0), JointMapping{"middle_abduction", -1, 1.0, 0.0, {}, {}},
+       mapped("middle_proximal", "k", -1.0), mapped("middle_medial", "l", -1.0),
+       mapped("ring_abduction", "n", 1.0), mapped("ring_proximal", "o", -1.0),
+       mapped("ring_medial", "p", -1.0)}};
 }
 
 HandMapping read_mapping(const std::filesystem::path& file) {
@@ -126,13 +128,13 @@ HandMapping read_mapping(const std::filesystem::path& file) {
   mapping.hand = top.need("hand").text();
   mapping.source = top.text_or("source", "");
   for (const YamlElement& item : top.need("joints").items()) {
-    JointWire wire = read_wire(item);
-    if (std::ranges::count(mapping.wires, wire.joint, &JointWire::joint) > 0) {
-      item.refuse("joint " + wire.joint + " for the second time", "every joint once");
+    JointMapping mapped = read_joint_mapping(item);
+    if (std::ranges::count(mapping.joints, mapped.joint, &JointMapping::joint) > 0) {
+      item.refuse("joint " + mapped.joint + " for the second time", "every joint once");
     }
-    mapping.wires.push_back(std::move(wire));
+    mapping.joints.push_back(std::move(mapped));
   }
-  if (mapping.wires.empty()) {
+  if (mapping.joints.empty()) {
     top.need("joints").refuse("no joints", "those of the hand");
   }
   return mapping;
@@ -141,8 +143,8 @@ HandMapping read_mapping(const std::filesystem::path& file) {
 void write_mapping(const HandMapping& mapping, const std::filesystem::path& file) {
   std::string text =
       fmt::format("hand: {}\n", mapping.hand) + text_field("source", mapping.source) + "joints:\n";
-  for (const JointWire& wire : mapping.wires) {
-    text += wire_text(wire);
+  for (const JointMapping& mapped : mapping.joints) {
+    text += mapping_text(mapped);
   }
   geometric::replace_file(file, text);
 }
@@ -166,17 +168,17 @@ double on_curve(const std::vector<CurvePoint>& curve, double angle) {
   return std::lerp(below.joint, above->joint, (angle - below.angle) / (above->angle - below.angle));
 }
 
-int variable_of(const RobotModel& hand, const JointWire& wire, const HandMapping& mapping) {
-  const std::optional<int> variable = geometric::find_variable_of_part(hand, wire.joint);
+int variable_of(const RobotModel& hand, const JointMapping& mapped, const HandMapping& mapping) {
+  const std::optional<int> variable = geometric::find_variable_of_part(hand, mapped.joint);
   if (!variable) {
     std::vector<std::string> names;
     names.reserve(static_cast<std::size_t>(hand.variable_count()));
     for (int i = 0; i < hand.variable_count(); ++i) {
       names.push_back(hand.variable(i).name);
     }
-    throw InputError({"mapping for " + mapping.hand, "joint " + wire.joint,
+    throw InputError({"mapping for " + mapping.hand, "joint " + mapped.joint,
                       "no independent joint of " + hand.name(), "one of its joints",
-                      geometric::advise_name(wire.joint, names)});
+                      geometric::advise_name(mapped.joint, names)});
   }
   return *variable;
 }
@@ -187,7 +189,7 @@ void check_complete(const RobotModel& hand, const HandMapping& mapping) {
     if (hand.upper()[i] - hand.lower()[i] < kLeastRange) {
       continue;  // it can't move, as if it were fixed
     }
-    if (std::ranges::find(mapping.wires, name, &JointWire::joint) == mapping.wires.end()) {
+    if (std::ranges::find(mapping.joints, name, &JointMapping::joint) == mapping.joints.end()) {
       throw InputError({"mapping for " + mapping.hand, "", "nothing for joint " + name,
                         "a sensor for it, or \"fixed: middle\"", ""});
     }
@@ -202,11 +204,11 @@ HandMapper::HandMapper(const HandMapping& mapping, const RobotModel& hand, bool 
   if (is_hand || hand.name() == mapping.hand) {
     check_complete(hand, mapping);
   }
-  std::map<int, const JointWire*> by_variable;
-  for (const JointWire& wire : mapping.wires) {
-    const int variable = variable_of(hand, wire, mapping);
-    if (!wire.left_to_arm) {
-      by_variable[variable] = &wire;
+  std::map<int, const JointMapping*> by_variable;
+  for (const JointMapping& mapped : mapping.joints) {
+    const int variable = variable_of(hand, mapped, mapping);
+    if (!mapped.left_to_arm) {
+      by_variable[variable] = &mapped;
     }
   }
   if (by_variable.empty()) {
@@ -216,35 +218,36 @@ HandMapper::HandMapper(const HandMapping& mapping, const RobotModel& hand, bool 
   const auto count = static_cast<Eigen::Index>(by_variable.size());
   lower_.resize(count);
   upper_.resize(count);
-  for (const auto& [variable, wire] : by_variable) {
+  for (const auto& [variable, mapped] : by_variable) {
     const auto i = static_cast<Eigen::Index>(joints_.size());
     lower_[i] = hand.lower()[variable];
     upper_[i] = hand.upper()[variable];
-    joints_.push_back(wire->joint);
-    wires_.push_back(*wire);
+    joints_.push_back(mapped->joint);
+    mappings_.push_back(*mapped);
   }
 }
 
 std::vector<bool> HandMapper::driven() const {
   std::vector<bool> result;
-  result.reserve(wires_.size());
-  for (const JointWire& wire : wires_) {
-    result.push_back(wire.sensor >= 0);
+  result.reserve(mappings_.size());
+  for (const JointMapping& mapped : mappings_) {
+    result.push_back(mapped.sensor >= 0);
   }
   return result;
 }
 
 double HandMapper::value(Eigen::Index joint, double angle) const {
-  const JointWire& wire = wires_[static_cast<std::size_t>(joint)];
+  const JointMapping& mapped = mappings_[static_cast<std::size_t>(joint)];
   const double middle = 0.5 * (lower_[joint] + upper_[joint]);
-  if (wire.sensor < 0) {
-    return wire.fixed.value_or(middle);
+  if (mapped.sensor < 0) {
+    return mapped.fixed.value_or(middle);
   }
   if (!std::isfinite(angle)) {
     return middle;
   }
-  const double typical = typical_angle(ranges_, wire.sensor, angle);
-  return wire.curve.empty() ? wire.gain * typical + wire.offset : on_curve(wire.curve, typical);
+  const double typical = typical_angle(ranges_, mapped.sensor, angle);
+  return mapped.curve.empty() ? mapped.gain * typical + mapped.offset
+                              : on_curve(mapped.curve, typical);
 }
 
 Eigen::VectorXd HandMapper::posture(const GloveAngles& angles) const {
@@ -254,7 +257,7 @@ Eigen::VectorXd HandMapper::posture(const GloveAngles& angles) const {
 Eigen::VectorXd HandMapper::unclamped(const GloveAngles& angles) const {
   Eigen::VectorXd result(lower_.size());
   for (Eigen::Index j = 0; j < result.size(); ++j) {
-    const int sensor = wires_[static_cast<std::size_t>(j)].sensor;
+    const int sensor = mappings_[static_cast<std::size_t>(j)].sensor;
     const double angle = sensor < 0 ? 0.0 : angles.angles.at(static_cast<std::size_t>(sensor));
     result[j] = value(j, angle);
   }
@@ -280,13 +283,13 @@ MappedPostures HandMapper::map_recording(const Recording& recording,
   }
   Eigen::MatrixXd unclamped(recording.values.rows(), lower_.size());
   for (Eigen::Index j = 0; j < lower_.size(); ++j) {
-    const JointWire& wire = wires_[static_cast<std::size_t>(j)];
-    const int column = wire.sensor < 0 ? -1 : column_of(recording.header, wire.sensor);
-    if (wire.sensor >= 0 && column < 0 && is_of_fingers(wire.sensor)) {
-      const auto sensor = static_cast<std::size_t>(wire.sensor);
+    const JointMapping& mapped = mappings_[static_cast<std::size_t>(j)];
+    const int column = mapped.sensor < 0 ? -1 : column_of(recording.header, mapped.sensor);
+    if (mapped.sensor >= 0 && column < 0 && is_of_fingers(mapped.sensor)) {
+      const auto sensor = static_cast<std::size_t>(mapped.sensor);
       throw InputError({"recording", "",
                         fmt::format("no sensor {}", cyberglove_sensors()[sensor].name),
-                        "it, to drive joint " + wire.joint,
+                        "it, to drive joint " + mapped.joint,
                         "Wire the joint to another sensor in the mapping, or fix it there"});
     }
     for (Eigen::Index row = 0; row < recording.values.rows(); ++row) {

@@ -187,7 +187,7 @@ class HandAtRest {
   std::vector<Pose> X_BL_;
 };
 
-/// Makes the wires of one hand.
+/// Makes the joint mappings of one hand.
 class MappingProposer {
  public:
   explicit MappingProposer(const RobotModel& model) : model_(model), rest_(model) {}
@@ -214,44 +214,44 @@ class MappingProposer {
     for (int v = 0; v < model_.variable_count(); ++v) {
       moving += joint_moves(model_, model_.variable_link(v)) ? 1 : 0;
     }
-    const bool is_whole = std::ssize(wires_) == moving;
+    const bool is_whole = std::ssize(mappings_) == moving;
     mapping.hand = is_whole ? model_.name() : model_.name() + "_hand";
     mapping.source = "proposed from the joints' order and axes";
-    for (auto& [variable, wire] : wires_) {
-      mapping.wires.push_back(std::move(wire));
+    for (auto& [variable, mapped] : mappings_) {
+      mapping.joints.push_back(std::move(mapped));
     }
     return mapping;
   }
 
  private:
-  void add(int variable, JointWire wire) {
-    wire.joint = model_.variable(variable).name;
-    wires_.insert_or_assign(variable, std::move(wire));
+  void add(int variable, JointMapping mapped) {
+    mapped.joint = model_.variable(variable).name;
+    mappings_.insert_or_assign(variable, std::move(mapped));
   }
 
   void add_fixed(int variable) {
-    JointWire wire;
-    wire.fixed = rest_.at_rest(variable);
-    add(variable, wire);
+    JointMapping mapped;
+    mapped.fixed = rest_.at_rest(variable);
+    add(variable, mapped);
   }
 
   /// Maps one for one, from `zero` of the joint.
   void add_turning(int variable, const std::string& sensor, double sign, double zero) {
-    JointWire wire;
-    wire.sensor = sensor_called(sensor);
-    wire.gain = sign;
-    wire.offset = zero;
-    add(variable, wire);
+    JointMapping mapped;
+    mapped.sensor = sensor_called(sensor);
+    mapped.gain = sign;
+    mapped.offset = zero;
+    add(variable, mapped);
   }
 
   /// Maps the sensor's typical range to the joint's whole range.
   void add_spanning(int variable, const std::string& sensor, double sign) {
-    JointWire wire;
-    wire.sensor = sensor_called(sensor);
-    const auto& [least, most] = typical_angle_ranges().at(static_cast<std::size_t>(wire.sensor));
-    wire.gain = sign * (rest_.upper(variable) - rest_.lower(variable)) / (most - least);
-    wire.offset = rest_.middle(variable) - wire.gain * 0.5 * (least + most);
-    add(variable, wire);
+    JointMapping mapped;
+    mapped.sensor = sensor_called(sensor);
+    const auto& [least, most] = typical_angle_ranges().at(static_cast<std::size_t>(mapped.sensor));
+    mapped.gain = sign * (rest_.upper(variable) - rest_.lower(variable)) / (most - least);
+    mapped.offset = rest_.middle(variable) - mapped.gain * 0.5 * (least + most);
+    add(variable, mapped);
   }
 
   void add_wrist(int variable) {
@@ -266,12 +266,12 @@ class MappingProposer {
   /// Maps a person's open hand to the joint's value `open`, a closed one to its limit in that
   /// direction.
   void add_closing(int variable, const std::string& sensor, double sign, double open) {
-    JointWire wire;
-    wire.sensor = sensor_called(sensor);
-    const double most = typical_angle_ranges().at(static_cast<std::size_t>(wire.sensor)).second;
-    wire.gain = ((sign > 0.0 ? rest_.upper(variable) : rest_.lower(variable)) - open) / most;
-    wire.offset = open;
-    add(variable, wire);
+    JointMapping mapped;
+    mapped.sensor = sensor_called(sensor);
+    const double most = typical_angle_ranges().at(static_cast<std::size_t>(mapped.sensor)).second;
+    mapped.gain = ((sign > 0.0 ? rest_.upper(variable) : rest_.lower(variable)) - open) / most;
+    mapped.offset = open;
+    add(variable, mapped);
   }
 
   /// The only joint of a finger closes the hand.
@@ -467,7 +467,7 @@ class MappingProposer {
 
   const RobotModel& model_;
   HandAtRest rest_;
-  std::map<int, JointWire> wires_;  ///< By variable.
+  std::map<int, JointMapping> mappings_;  ///< By variable.
 };
 
 }  // namespace
@@ -485,7 +485,7 @@ namespace {
 
 constexpr double kLeastSpan = 5.0 * geometric::kDegree;
 constexpr double kReversed = -0.5;          // correlation with the other fingers' flexion
-constexpr std::size_t kMostLookedAt = 400;  // rows while wires are tried
+constexpr std::size_t kMostLookedAt = 400;  // rows while mappings are tried
 constexpr std::array<double, 4> kFitShares{0.25, 0.5, 0.75, 1.0};  // shares of the fit to try
 constexpr std::size_t kLeastFlexions = 3;  // to know which of them is reversed
 
@@ -542,28 +542,29 @@ bool is_reversed(const Recording& recording, int sensor) {
          standardised(others).dot(standardised(recording.values.col(own))) < kReversed;
 }
 
-void lay(double from_angle, double to_angle, double from, double to, JointWire& wire) {
-  wire.gain = (to - from) / (to_angle - from_angle);
-  wire.offset = from - wire.gain * from_angle;
+void lay(double from_angle, double to_angle, double from, double to, JointMapping& mapped) {
+  mapped.gain = (to - from) / (to_angle - from_angle);
+  mapped.offset = from - mapped.gain * from_angle;
 }
 
-void fit_wire(const Span& span, bool reversed, double lower, double upper, JointWire& wire) {
-  const bool rises = wire.gain >= 0.0;
-  const double zero = std::clamp(wire.offset, lower, upper);
-  switch (kind_of(wire.sensor)) {
+void fit_joint_mapping(const Span& span, bool reversed, double lower, double upper,
+                       JointMapping& mapped) {
+  const bool rises = mapped.gain >= 0.0;
+  const double zero = std::clamp(mapped.offset, lower, upper);
+  switch (kind_of(mapped.sensor)) {
     case SensorKind::kFlexion:
       lay(reversed ? span.most : span.least, reversed ? span.least : span.most, zero,
-          rises ? upper : lower, wire);
+          rises ? upper : lower, mapped);
       break;
     case SensorKind::kAbduction: {
       const double above = (rises ? upper - zero : zero - lower) / (span.most - span.middle);
       const double below = (rises ? zero - lower : upper - zero) / (span.middle - span.least);
-      wire.gain = (rises ? 1.0 : -1.0) * std::min(above, below);
-      wire.offset = zero - wire.gain * span.middle;
+      mapped.gain = (rises ? 1.0 : -1.0) * std::min(above, below);
+      mapped.offset = zero - mapped.gain * span.middle;
       break;
     }
     case SensorKind::kSpanning:
-      lay(span.least, span.most, rises ? lower : upper, rises ? upper : lower, wire);
+      lay(span.least, span.most, rises ? lower : upper, rises ? upper : lower, mapped);
       break;
   }
 }
@@ -615,12 +616,12 @@ class FingertipMeasure {
   std::vector<GloveAngles> truth_;
 };
 
-/// Interpolates from one wire towards another.
-JointWire between(const JointWire& from, const JointWire& to, double share) {
-  JointWire wire = from;
-  wire.gain = std::lerp(from.gain, to.gain, share);
-  wire.offset = std::lerp(from.offset, to.offset, share);
-  return wire;
+/// Interpolates from one mapping towards another.
+JointMapping between(const JointMapping& from, const JointMapping& to, double share) {
+  JointMapping mapped = from;
+  mapped.gain = std::lerp(from.gain, to.gain, share);
+  mapped.offset = std::lerp(from.offset, to.offset, share);
+  return mapped;
 }
 
 }  // namespace
@@ -634,35 +635,36 @@ MappingFit fit_mapping(const HandMapping& mapping, const RobotModel& model,
   const HandMapper checked(mapping, model);
   MappingFit fit{mapping, {}};
   Recording truth = recording;
-  std::vector<std::pair<std::size_t, JointWire>> proposed;
-  for (std::size_t w = 0; w < mapping.wires.size(); ++w) {
-    JointWire wire = mapping.wires[w];
-    if (wire.sensor < 0 || wire.left_to_arm || !wire.curve.empty()) {
+  std::vector<std::pair<std::size_t, JointMapping>> proposed;
+  for (std::size_t w = 0; w < mapping.joints.size(); ++w) {
+    JointMapping mapped = mapping.joints[w];
+    if (mapped.sensor < 0 || mapped.left_to_arm || !mapped.curve.empty()) {
       continue;
     }
-    const auto name = cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name;
-    const int column = column_of(recording.header, wire.sensor);
+    const auto name = cyberglove_sensors()[static_cast<std::size_t>(mapped.sensor)].name;
+    const int column = column_of(recording.header, mapped.sensor);
     if (column < 0 || recording.values.rows() == 0) {
       fit.warnings.push_back(
-          fmt::format("{} was not recorded: {} stays as it was", name, wire.joint));
+          fmt::format("{} was not recorded: {} stays as it was", name, mapped.joint));
       continue;
     }
     const Span span = span_of(recording.values.col(column).unaryExpr(
-        [&](double angle) { return typical_angle(person.ranges, wire.sensor, angle); }));
+        [&](double angle) { return typical_angle(person.ranges, mapped.sensor, angle); }));
     if (span.most - span.least < kLeastSpan || span.most <= span.middle ||
         span.middle <= span.least) {
-      fit.warnings.push_back(fmt::format("{} hardly moved: {} stays as it was", name, wire.joint));
+      fit.warnings.push_back(
+          fmt::format("{} hardly moved: {} stays as it was", name, mapped.joint));
       continue;
     }
-    const bool reversed = is_reversed(recording, wire.sensor);
+    const bool reversed = is_reversed(recording, mapped.sensor);
     if (reversed) {
-      fit.warnings.push_back(fmt::format("{} is reversed: turned for {}", name, wire.joint));
+      fit.warnings.push_back(fmt::format("{} is reversed: turned for {}", name, mapped.joint));
       truth.values.col(column) = -recording.values.col(column);
-      fit.mapping.wires[w].gain *= -1.0;
+      fit.mapping.joints[w].gain *= -1.0;
     }
-    const int variable = geometric::find_variable_of_part(model, wire.joint).value();
-    fit_wire(span, reversed, model.lower()[variable], model.upper()[variable], wire);
-    proposed.emplace_back(w, wire);
+    const int variable = geometric::find_variable_of_part(model, mapped.joint).value();
+    fit_joint_mapping(span, reversed, model.lower()[variable], model.upper()[variable], mapped);
+    proposed.emplace_back(w, mapped);
   }
   if (proposed.empty()) {
     return fit;
@@ -670,17 +672,17 @@ MappingFit fit_mapping(const HandMapping& mapping, const RobotModel& model,
   const FingertipMeasure measure(model, recording, truth, person);
   const HandMapping unfitted = fit.mapping;
   double error = measure.mean_error(fit.mapping, kMostLookedAt);
-  for (const auto& [w, wire] : proposed) {
-    const JointWire before = fit.mapping.wires[w];
-    JointWire best = before;
+  for (const auto& [w, mapped] : proposed) {
+    const JointMapping before = fit.mapping.joints[w];
+    JointMapping best = before;
     for (const double share : kFitShares) {
-      fit.mapping.wires[w] = between(before, wire, share);
+      fit.mapping.joints[w] = between(before, mapped, share);
       if (const double tried = measure.mean_error(fit.mapping, kMostLookedAt); tried < error) {
         error = tried;
-        best = fit.mapping.wires[w];
+        best = fit.mapping.joints[w];
       }
     }
-    fit.mapping.wires[w] = best;
+    fit.mapping.joints[w] = best;
   }
   if (measure.mean_error(fit.mapping) > measure.mean_error(unfitted)) {
     fit.mapping = unfitted;  // what was looked at was not like the rest

@@ -85,7 +85,7 @@ MotionAddress parse_motion_address(const std::string& text) {
 
 MotionTarget parse_target(const std::string& text, const planning::PlanningProblem& problem) {
   const MotionAddress address = parse_motion_address(text);
-  MotionTarget target{address.part, device_variables(problem, address.part), nullptr};
+  MotionTarget target{address.part, problem.joints.of_part(address.part), nullptr};
   if (target.variables.empty()) {
     throw geometric::InputError(
         {"--to", "", text, "a device that the robot has",
@@ -112,19 +112,6 @@ bool share_joints(const MotionTarget& one, const MotionTarget& other) {
 }
 
 }  // namespace
-
-std::vector<int> device_variables(const planning::PlanningProblem& problem,
-                                  const std::string& kind) {
-  std::vector<int> variables;
-  if (kind != "hand") {
-    variables = problem.arm;
-  }
-  if (kind != "arm") {
-    variables.insert(variables.end(), problem.hand.begin(), problem.hand.end());
-  }
-  std::ranges::sort(variables);
-  return variables;
-}
 
 device::JointRanges device_joints(const geometric::RobotModel& model,
                                   const std::vector<int>& variables) {

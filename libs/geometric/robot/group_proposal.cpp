@@ -332,7 +332,7 @@ void add_groups(const GroupProposal& proposal, RobotDescription& robot) {
 
 namespace {
 
-std::vector<int> hand_variables(const RobotModel& robot) {
+std::vector<int> hand_joints(const RobotModel& robot) {
   if (auto hand = robot.find_group("hand"); hand && !hand->empty()) {
     return *std::move(hand);
   }
@@ -357,7 +357,7 @@ int common_ancestor(const RobotModel& robot, int a, int b) {
 }  // namespace
 
 std::shared_ptr<const RobotModel> hand_alone(const std::shared_ptr<const RobotModel>& robot) {
-  const std::vector<int> hand = hand_variables(*robot);
+  const std::vector<int> hand = hand_joints(*robot);
   if (hand.empty()) {
     return robot;
   }

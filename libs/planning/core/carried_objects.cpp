@@ -1,8 +1,6 @@
 #include "handway/planning/core/carried_objects.h"
 
 #include "handway/geometric/robot/inverse_kinematics.h"
-#include "handway/planning/core/limbs.h"
-#include "handway/planning/core/planning_problem.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -78,18 +76,18 @@ bool holds(const RobotModel& model, const Grip& grip, const geometric::Attachmen
 
 std::vector<Grip> grips_of(const geometric::Scene& scene) {
   const RobotModel& model = *scene.robots.front().model;
-  const std::vector<int> hand = hand_variables(scene, nullptr);
+  const geometric::JointSelection joints = geometric::JointSelection::of_groups(model);
   std::vector<Grip> grips;
-  if (hand.empty()) {
+  if (joints.hand.empty()) {
     return grips;
   }
-  for (const Limb& limb : limbs(model, arm_variables(model, hand), hand)) {
+  for (const geometric::Limb& limb : limbs(model, joints)) {
     if (!limb.hand.empty()) {
       grips.push_back(grip_of(model, limb.hand));
     }
   }
   if (grips.empty()) {  // a hand without an arm
-    grips.push_back(grip_of(model, hand));
+    grips.push_back(grip_of(model, joints.hand));
   }
   return grips;
 }
@@ -122,19 +120,6 @@ std::vector<CarriedObject> carried_objects(const geometric::Scene& scene) {
     }
   }
   return carried;
-}
-
-std::vector<int> holding_variables(const geometric::Scene& scene) {
-  std::vector<int> holding;
-  if (!scene.group.empty()) {
-    return holding;
-  }
-  for (const CarriedObject& object : carried_objects(scene)) {
-    std::ranges::copy(object.holding, std::back_inserter(holding));
-  }
-  std::ranges::sort(holding);
-  holding.erase(std::unique(holding.begin(), holding.end()), holding.end());
-  return holding;
 }
 
 std::vector<std::string> holding_warnings(const geometric::Scene& scene,

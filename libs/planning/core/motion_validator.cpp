@@ -62,7 +62,7 @@ std::vector<int> arm_pairs(const PlanningProblem& problem) {
     if (!world.is_self_pair(pair)) {
       continue;
     }
-    const bool moved_by_hand = std::ranges::any_of(problem.hand, [&](int v) {
+    const bool moved_by_hand = std::ranges::any_of(problem.joints.hand, [&](int v) {
       return world.model().moves_between(v, world.body(pair.a).link, world.body(pair.b).link);
     });
     if (!moved_by_hand) {
@@ -113,13 +113,13 @@ MotionValidator::MotionValidator(const PlanningProblem& problem, const PlanReque
 
 MotionValidator::~MotionValidator() = default;
 
-std::string MotionValidator::objection(std::size_t end) {
+std::string MotionValidator::invalid_end_reason(std::size_t end) {
   const geometric::RobotModel& model = problem_.model();
   const Configuration& q = end == 0 ? problem_.start : problem_.goal;
   if (std::string fault = geometric::configuration_fault(model, q); !fault.empty()) {
     return fault;
   }
-  if (const auto violations = geometric::limit_violations(model, q, fixed_variables(problem_));
+  if (const auto violations = geometric::limit_violations(model, q, problem_.joints.fixed);
       !violations.empty()) {
     return "is out of limits: " + to_string(violations.front());
   }

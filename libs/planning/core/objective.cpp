@@ -169,7 +169,7 @@ Objective::Objective(const PlanningProblem& problem, const ObjectiveWeights& wei
 Objective::Point Objective::point_at(Configuration q, Eigen::VectorXd joints) const {
   Eigen::VectorXd outside;
   if (subspace_) {
-    outside = subspace_->outside(joints(problem_.hand));
+    outside = subspace_->outside(joints(problem_.joints.hand));
   }
   return {std::move(q), std::move(joints), std::move(outside)};
 }
@@ -235,23 +235,23 @@ double Objective::cost(const Path& path) {
 
 Objective::Point Objective::towards_subspace(const Point& at, double share) const {
   Eigen::VectorXd joints = at.joints;
-  const Eigen::VectorXd hand = at.joints(problem_.hand);
-  joints(problem_.hand) = hand + share * (subspace_->closest(hand) - hand);
+  const Eigen::VectorXd hand = at.joints(problem_.joints.hand);
+  joints(problem_.joints.hand) = hand + share * (subspace_->closest(hand) - hand);
   return point_of_joints(std::move(joints));
 }
 
 Objective::Point Objective::moved_along_subspace(const Point& at,
                                                  const Eigen::VectorXd& step) const {
   Eigen::VectorXd joints = at.joints;
-  joints(problem_.hand) =
-      (at.joints(problem_.hand) + axes_ * step).cwiseMax(0.0).cwiseMin(1.0).eval();
+  joints(problem_.joints.hand) =
+      (at.joints(problem_.joints.hand) + axes_ * step).cwiseMax(0.0).cwiseMin(1.0).eval();
   return point_of_joints(std::move(joints));
 }
 
 Objective::Point Objective::with_hand(const Point& at, const Point& hand) const {
   Point point = at;
-  point.q(problem_.hand) = hand.q(problem_.hand);
-  point.joints(problem_.hand) = hand.joints(problem_.hand);
+  point.q(problem_.joints.hand) = hand.q(problem_.joints.hand);
+  point.joints(problem_.joints.hand) = hand.joints(problem_.joints.hand);
   point.outside = hand.outside;
   return point;
 }
@@ -273,7 +273,7 @@ PathQuality path_quality(const PlanningProblem& problem, const Path& path) {
     clearance.add(clearance_at(*checker, at.q), length);
     if (problem.basis) {
       distance.add(at.distance(), length);
-      mahalanobis.add(recorded_distance(*problem.basis, at.joints(problem.hand)), length);
+      mahalanobis.add(recorded_distance(*problem.basis, at.joints(problem.joints.hand)), length);
     }
   };
   PathQuality quality;

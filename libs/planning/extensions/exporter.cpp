@@ -41,8 +41,8 @@ void check_limits(const Motion& motion) {
   }
 }
 
-// Fixed joints that belong neither to the arm nor to the hand.
-std::vector<int> fixed_variables(const Motion& motion) {
+// Returns the joints outside of arm and hand that the path does not move.
+std::vector<int> resting_joints(const Motion& motion) {
   std::vector<int> fixed;
   const auto& waypoints = motion.path.waypoints;
   for (int v = 0; v < motion.model->variable_count(); ++v) {
@@ -99,7 +99,7 @@ void check_motion(const Motion& motion) {
   }
   check_limits(motion);
   check_groups(motion);
-  const std::vector<int> fixed = fixed_variables(motion);
+  const std::vector<int> fixed = resting_joints(motion);
   check_waypoints(motion, fixed);
   const auto faults = check_trajectory(*motion.model, motion.trajectory, motion.limits, fixed);
   if (!faults.empty()) {

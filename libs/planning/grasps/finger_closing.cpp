@@ -89,7 +89,8 @@ std::vector<FingerClosing::MovedCheck> FingerClosing::checks_of(
     Eigen::Index& joint = last[static_cast<std::size_t>(link)];
     joint = last[static_cast<std::size_t>(model.parent(link))];
     for (std::size_t k = 0; k < finger.joints.size(); ++k) {
-      if (problem_.hand[static_cast<std::size_t>(finger.joints[k])] == model.drive(link).variable) {
+      if (problem_.joints.hand[static_cast<std::size_t>(finger.joints[k])] ==
+          model.drive(link).variable) {
         joint = std::max(joint, static_cast<Eigen::Index>(k));
       }
     }

@@ -174,7 +174,7 @@ Configuration GraspMeasurement::squeezed(const Configuration& closed,
     torques += jacobians.back().topRows<3>().transpose() * force_B;
   }
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(model.variable_count());
-  for (const int variable : of_.problem.hand) {
+  for (const int variable : of_.problem.joints.hand) {
     direction[variable] = torques[variable];
   }
   double depth = 0.0;  // of the farthest contact, along it

@@ -65,15 +65,15 @@ std::span<const HandClosing::Preshape> HandClosing::opened_to(double width) cons
 
 Configuration HandClosing::with_hand(Configuration q, const Eigen::VectorXd& posture) const {
   const RobotModel& model = problem_.model();
-  const Eigen::VectorXd lower = model.lower()(problem_.hand);
-  const Eigen::VectorXd upper = model.upper()(problem_.hand);
+  const Eigen::VectorXd lower = model.lower()(problem_.joints.hand);
+  const Eigen::VectorXd upper = model.upper()(problem_.joints.hand);
   const Eigen::VectorXd share = posture.cwiseMax(0.0).cwiseMin(1.0);
-  q(problem_.hand) = (lower + share.cwiseProduct(upper - lower)).cwiseMin(upper);
+  q(problem_.joints.hand) = (lower + share.cwiseProduct(upper - lower)).cwiseMin(upper);
   return q;
 }
 
 Eigen::VectorXd HandClosing::hand_of(const Configuration& q) const {
-  return geometric::normalised(problem_.model(), q)(problem_.hand);
+  return geometric::normalised(problem_.model(), q)(problem_.joints.hand);
 }
 
 Eigen::VectorXd HandClosing::towards(const Finger& finger, const Eigen::VectorXd& posture,
@@ -85,8 +85,9 @@ Eigen::VectorXd HandClosing::towards(const Finger& finger, const Eigen::VectorXd
   const Vector3d direction_B = X_BO.linear() * (nearest_in(box, tip_O) - tip_O).normalized();
   const geometric::Jacobian J =
       geometric::point_jacobian(model, X_BL, finger.links.back(), finger.p_LTip);
-  const Eigen::VectorXd of_hand = (J.topRows<3>().transpose() * direction_B)
-                                      .cwiseProduct(model.upper() - model.lower())(problem_.hand);
+  const Eigen::VectorXd of_hand =
+      (J.topRows<3>().transpose() * direction_B)
+          .cwiseProduct(model.upper() - model.lower())(problem_.joints.hand);
   const Eigen::VectorXd rates = of_hand(finger.joints);
   return rates.norm() > 1e-9 ? rates.normalized() : Eigen::VectorXd::Zero(rates.size());
 }
@@ -94,7 +95,7 @@ Eigen::VectorXd HandClosing::towards(const Finger& finger, const Eigen::VectorXd
 void HandClosing::find_fingers() {
   const RobotModel& model = problem_.model();
   std::vector<int> tips_below(static_cast<std::size_t>(model.link_count()), 0);
-  for (const int tip : fingertips(model, problem_.hand)) {
+  for (const int tip : fingertips(model, problem_.joints.hand)) {
     for (int link = tip; link >= 0; link = model.parent(link)) {
       ++tips_below[static_cast<std::size_t>(link)];
     }
@@ -119,11 +120,11 @@ void HandClosing::find_fingers() {
     return below == palm_ ? link : -1;
   };
   for (int link = 1; link < model.link_count(); ++link) {  // those of coupled joints too
-    const auto joint = std::ranges::find(problem_.hand, model.drive(link).variable);
+    const auto joint = std::ranges::find(problem_.joints.hand, model.drive(link).variable);
     const int root = root_of(link);
-    if (joint != problem_.hand.end() && root >= 0) {
+    if (joint != problem_.joints.hand.end() && root >= 0) {
       std::vector<int>& joints = by_root[root].joints;
-      const auto j = static_cast<int>(joint - problem_.hand.begin());
+      const auto j = static_cast<int>(joint - problem_.joints.hand.begin());
       if (std::ranges::count(joints, j) == 0) {
         joints.push_back(j);
       }

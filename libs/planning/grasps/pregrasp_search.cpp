@@ -9,7 +9,6 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/carried_objects.h"
-#include "handway/planning/core/limbs.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
 
@@ -85,12 +84,12 @@ const geometric::SceneObject& needed_object(const PlanningProblem& problem, std:
         {file, "object " + std::string(name), "no triangles", "an object with a surface", ""});
   }
   if (const std::vector<CarriedObject> carried = carried_objects(*problem.scene);
-      problem.hand.empty() && !carried.empty()) {
+      problem.joints.hand.empty() && !carried.empty()) {
     throw geometric::InputError({file, "object", std::string(name),
                                  "a hand that is free: it carries " + carried.front().name,
                                  "Detach what it carries first"});
   }
-  if (problem.hand.empty()) {
+  if (problem.joints.hand.empty()) {
     throw geometric::InputError({file, "robot " + problem.scene->robots.front().name,
                                  "no joints of a hand", "a robot with a hand",
                                  "Mount a hand, or name its group \"hand\" in the SRDF"});
@@ -116,18 +115,17 @@ PlanningProblem with_nearest_hand(const PlanningProblem& problem,
                                   const geometric::SceneObject& object) {
   PlanningProblem of_one = problem;
   if (problem.scene->group.empty() && !problem.basis) {  // a goal is no choice of a hand
-    of_one.hand = hand_variables(*problem.scene, nullptr);
-    of_one.arm = arm_variables(problem.model(), of_one.hand);
+    of_one.joints = geometric::JointSelection::of_groups(problem.model());
   }
-  std::vector<Limb> found = limbs(problem.model(), of_one.arm, of_one.hand);
-  std::erase_if(found, [](const Limb& limb) { return limb.hand.empty(); });
+  std::vector<geometric::Limb> found = limbs(problem.model(), of_one.joints);
+  std::erase_if(found, [](const geometric::Limb& limb) { return limb.hand.empty(); });
   if (found.size() < 2) {
     return problem;
   }
   const geometric::RobotInstance& robot = problem.scene->robots.front();
   std::vector<Pose> X_BL(static_cast<std::size_t>(problem.model().link_count()));
   problem.model().forward_kinematics(problem.start, X_BL);
-  const auto distance = [&](const Limb& limb) {
+  const auto distance = [&](const geometric::Limb& limb) {
     const int palm = palm_link(problem.model(), limb.arm, limb.hand);
     const Pose X_WP = robot.X_WB * X_BL[static_cast<std::size_t>(palm)];
     return (X_WP.translation() - object.X_PO.translation()).norm();
@@ -135,11 +133,13 @@ PlanningProblem with_nearest_hand(const PlanningProblem& problem,
   const auto nearest = std::ranges::min_element(found, {}, distance);
   for (auto other = found.begin(); other != found.end(); ++other) {
     if (other != nearest) {
-      std::erase_if(of_one.arm, [&](int v) { return std::ranges::count(other->arm, v) > 0; });
-      std::erase_if(of_one.hand, [&](int v) { return std::ranges::count(other->hand, v) > 0; });
+      std::erase_if(of_one.joints.arm,
+                    [&](int v) { return std::ranges::count(other->arm, v) > 0; });
+      std::erase_if(of_one.joints.hand,
+                    [&](int v) { return std::ranges::count(other->hand, v) > 0; });
     }
   }
-  if (problem.basis && of_one.hand.size() < problem.hand.size()) {
+  if (problem.basis && of_one.joints.hand.size() < problem.joints.hand.size()) {
     of_one.basis = nullptr;  // its directions are of both
   }
   return of_one;
@@ -147,7 +147,7 @@ PlanningProblem with_nearest_hand(const PlanningProblem& problem,
 
 /// Points of a link's surface, in its frame, `spacing` (m) apart or a little more.
 std::vector<Vector3d> surface_points(const geometric::Link& link, double spacing) {
-  constexpr int kMostSteps = 40;
+  constexpr int kMostSegments = 40;
   const geometric::TriangleMesh mesh = geometric::collision_mesh(link);
   std::vector<Vector3d> points;
   for (const auto& triangle : mesh.triangles) {
@@ -155,7 +155,7 @@ std::vector<Vector3d> surface_points(const geometric::Link& link, double spacing
     const Vector3d u = mesh.vertices[static_cast<std::size_t>(triangle[1])] - a;
     const Vector3d v = mesh.vertices[static_cast<std::size_t>(triangle[2])] - a;
     const double longest = std::max({u.norm(), v.norm(), (u - v).norm()});
-    const int steps = std::clamp(static_cast<int>(longest / spacing), 1, kMostSteps);
+    const int steps = std::clamp(static_cast<int>(longest / spacing), 1, kMostSegments);
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; i + j <= steps; ++j) {
         points.emplace_back(a + (u * i + v * j) / steps);
@@ -271,7 +271,8 @@ class PregraspSearch {
         stop_(stop),
         checker_(problem.checker->clone()),
         ik_(problem.scene->robots.front().model,
-            palm_link(problem.model(), problem.arm, problem.hand), problem.arm),
+            palm_link(problem.model(), problem.joints.arm, problem.joints.hand),
+            problem.joints.arm),
         hand_(problem, ik_.palm()),
         box_(geometric::bounding_box(*geometric::tessellate(object.shape))),
         chords_(*geometric::tessellate(object.shape)),
@@ -308,7 +309,7 @@ class PregraspSearch {
   }
 
   /// Why there is nothing to try; empty if there is.
-  [[nodiscard]] std::string objection() const {
+  [[nodiscard]] std::string invalid_problem_reason() const {
     if (is_too_large_) {
       return fmt::format(
           "{} is too large to be grasped: two of its sides are longer than {:.0f} mm. Choose "
@@ -493,7 +494,7 @@ class PregraspSearch {
 
   /// `q` with the hand of another one.
   [[nodiscard]] Configuration hand_in(Configuration q, const Configuration& other) const {
-    q(problem_.hand) = other(problem_.hand);
+    q(problem_.joints.hand) = other(problem_.joints.hand);
     return q;
   }
 
@@ -649,7 +650,7 @@ class PregraspSearch {
         has_directions(problem_) ? sampling::distance_to_subspace(*problem_.basis, hand_.hand_of(q))
                                  : 0.0;
     Configuration arm_only = problem_.start;
-    arm_only(problem_.arm) = q(problem_.arm);
+    arm_only(problem_.joints.arm) = q(problem_.joints.arm);
     grasp.arm_travel = normalised_distance(problem_.model(), problem_.start, arm_only);
     const double promise = this->promise(grasp, imbalance(sides));
     return Candidate{std::move(grasp), place, promise, ik_.pose(q)};
@@ -858,8 +859,8 @@ Pregrasps find_pregrasps(const PlanningProblem& problem, std::string_view object
   const geometric::SceneObject& needed = needed_object(problem, object);
   const PlanningProblem of_hand = with_nearest_hand(problem, needed);
   SampleRunner runner(of_hand, needed, options, stop);
-  if (std::string objection = runner.search().objection(); !objection.empty()) {
-    return {{}, std::move(objection), runner.search().palm()};
+  if (std::string reason = runner.search().invalid_problem_reason(); !reason.empty()) {
+    return {{}, std::move(reason), runner.search().palm()};
   }
   Pregrasps grasps;
   grasps.palm = runner.search().palm();

@@ -63,7 +63,7 @@ bool check_shape(const geometric::RobotModel& model, const Path& path, PathCheck
 }
 
 void check_limits(const PlanningProblem& problem, const Path& path, PathCheckResult& result) {
-  const std::vector<int> fixed = fixed_variables(problem);
+  const geometric::JointIndices& fixed = problem.joints.fixed;
   for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
     for (const geometric::LimitViolation& violation :
          geometric::limit_violations(problem.model(), path.waypoints[w], fixed)) {
@@ -79,7 +79,7 @@ void check_group(const PlanningProblem& problem, const Path& path, PathCheckResu
     const auto moved = std::ranges::find_if(path.waypoints, [&](const Configuration& q) {
       return std::abs(q[v] - path.waypoints.front()[v]) > kNoMotion;
     });
-    if (moved != path.waypoints.end() && !std::ranges::binary_search(problem.moving, v)) {
+    if (moved != path.waypoints.end() && !std::ranges::binary_search(problem.joints.moving, v)) {
       result.faults.push_back(fmt::format("Waypoint {}: joint {} moves, which is not of the group.",
                                           moved - path.waypoints.begin() + 1,
                                           problem.model().variable(v).name));

@@ -40,7 +40,7 @@ PathOptimizer::PathOptimizer(PlanningContext& context, const ObjectiveWeights& w
                              const Path& path, std::uint64_t seed, int patience)
     : context_(context),
       objective_(context.problem(), weights),
-      planned_(planned_variables(context.problem())),
+      planned_(context.problem().planned_joints()),
       draw_(seed),
       patience_(patience) {
   std::vector<Point> points;
@@ -235,7 +235,7 @@ std::vector<Objective::Point> PathOptimizer::draw_inner(const Place& from, const
     return inner;
   }
   // A straight motion of some joints; the others move as before.
-  std::vector<int> joints = draw_.uniform() < 0.5 ? problem.arm : problem.hand;
+  std::vector<int> joints = draw_.uniform() < 0.5 ? problem.joints.arm : problem.joints.hand;
   if (joints.empty() || draw_.uniform() < 0.5) {
     const std::size_t count = planned_.size();
     const auto drawn = static_cast<std::size_t>(draw_.uniform() * static_cast<double>(count));
@@ -282,10 +282,10 @@ std::optional<PathOptimizer::Replacement> PathOptimizer::draw_waypoint_move() {
         before, after,
         {objective_.moved_along_subspace(objective_.towards_subspace(point, 1.0), step)});
   }
-  if (part < 0.5 && !problem.hand.empty()) {
-    direction(problem.hand).setZero();
-  } else if (part < 0.7 && !problem.arm.empty()) {
-    direction(problem.arm).setZero();
+  if (part < 0.5 && !problem.joints.hand.empty()) {
+    direction(problem.joints.hand).setZero();
+  } else if (part < 0.7 && !problem.joints.arm.empty()) {
+    direction(problem.joints.arm).setZero();
   }
   Eigen::VectorXd joints = geometric::clamped_to_range(
       problem.model(), points_[waypoint].joints + size * direction.normalized());

@@ -81,7 +81,7 @@ std::vector<Configuration> subspace_entry(PlanningContext& context, const Object
     return {end};
   }
   Configuration back = end;
-  back(context.problem().arm) = other(context.problem().arm);
+  back(context.problem().joints.arm) = other(context.problem().joints.arm);
   const double length = objective.point(back).distance_to(at);
   for (const double retreat : kRetreats) {
     if (retreat > length) {

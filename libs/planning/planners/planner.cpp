@@ -381,10 +381,10 @@ PlanResult Planner::plan_to_goal(const PlanningProblem& problem, const PlanReque
   PlanningContext context(problem, request, stop, recorder);
   context.set_sampler(static_cast<sampling::SamplerKind>(sampler_));
   PlanResult result;
-  if (const std::string start = context.validator().objection(0); !start.empty()) {
+  if (const std::string start = context.validator().invalid_end_reason(0); !start.empty()) {
     result.status = PlanStatus::kStartInvalid;
     result.reason = "The start " + start + ".";
-  } else if (const std::string goal = context.validator().objection(1); !goal.empty()) {
+  } else if (const std::string goal = context.validator().invalid_end_reason(1); !goal.empty()) {
     result.status = PlanStatus::kGoalInvalid;
     result.reason = "The goal " + goal + ".";
   } else if (problem.start == problem.goal) {

@@ -280,7 +280,7 @@ class RoadmapSearch {
     const auto& constraints = context_.problem().checker->world().constraints();
     return q && !constraints.empty()
                ? geometric::project_onto_constraints(context_.problem().model(), constraints,
-                                                     context_.problem().arm, *q)
+                                                     context_.problem().joints.arm, *q)
                : q;
   }
   [[nodiscard]] Configuration with_hand(const Eigen::VectorXd& u) const {

@@ -7,8 +7,9 @@ namespace handway::planning {
 HandArmChart::HandArmChart(const PlanningProblem& problem)
     : problem_(problem),
       axes_{{Axis::Kind::kArmWay, {}}, {Axis::Kind::kArmDistance, {}}},
-      arm_start_(geometric::normalised(problem.model(), problem.start)(problem.arm)),
-      arm_motion_(geometric::normalised(problem.model(), problem.goal)(problem.arm) - arm_start_) {
+      arm_start_(geometric::normalised(problem.model(), problem.start)(problem.joints.arm)),
+      arm_motion_(geometric::normalised(problem.model(), problem.goal)(problem.joints.arm) -
+                  arm_start_) {
   if (!problem_.basis) {
     return;
   }
@@ -25,13 +26,13 @@ HandArmChart::HandArmChart(const PlanningProblem& problem)
 
 Eigen::VectorXd HandArmChart::at(const Configuration& q) const {
   const Eigen::VectorXd joints = geometric::normalised(problem_.model(), q);
-  const Eigen::VectorXd arm = joints(problem_.arm) - arm_start_;
+  const Eigen::VectorXd arm = joints(problem_.joints.arm) - arm_start_;
   const double length = arm_motion_.squaredNorm();
   Eigen::VectorXd result(static_cast<Eigen::Index>(axes_.size()));
   result[0] = length > 0.0 ? arm.dot(arm_motion_) / length : 0.0;
   result[1] = (arm - result[0] * arm_motion_).norm();
   if (subspace_) {
-    const Eigen::VectorXd hand = joints(problem_.hand);
+    const Eigen::VectorXd hand = joints(problem_.joints.hand);
     result.segment(2, problem_.basis->dimension()) = sampling::project(*problem_.basis, hand);
     result[result.size() - 1] = subspace_->distance(hand);
   }

@@ -26,14 +26,15 @@ class NearestFreeSearch {
                     const std::stop_token& stop)
       : model_(problem.model()),
         checker_(problem.checker->clone()),
-        moving_(problem.moving),
+        moving_(problem.joints.moving),
         from_(std::move(from)),
         options_(options),
         clearance_(clearance),
         stop_(stop),
         random_(options.seed),
         checks_(checks_so_far) {
-    for (const std::vector<int>& group : {problem.hand, problem.arm, problem.moving}) {
+    for (const std::vector<int>& group :
+         {problem.joints.hand, problem.joints.arm, problem.joints.moving}) {
       if (!group.empty()) {
         groups_.push_back(group);
       }

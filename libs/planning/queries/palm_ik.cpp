@@ -209,7 +209,8 @@ std::optional<ReachFigures> reach_figures(const RobotModel& model, int link,
                       ball.radius > 0.0 ? (p_B - ball.centre).norm() / ball.radius : 0.0};
 }
 
-int palm_link(const RobotModel& model, const std::vector<int>& arm, const std::vector<int>& hand) {
+int palm_link(const RobotModel& model, const geometric::JointIndices& arm,
+              const geometric::JointIndices& hand) {
   if (!hand.empty()) {
     const auto arm_below = [&](const std::vector<int>& chain) {
       return chain.empty() ? 0 : std::ssize(that_move(model, chain.front(), arm));

@@ -142,7 +142,7 @@ RegionDraws draw_region(const PlanningProblem& problem, int palm, const Sampling
                        ? hand_arm.basis().dimension()
                        : std::min(hand_arm.basis().dimension(), free_joints + region.pmds);
   std::map<int, Eigen::Vector3d> tips;  // middles of their shapes, by link
-  for (const int link : fingertips(problem.model(), problem.hand)) {
+  for (const int link : fingertips(problem.model(), problem.joints.hand)) {
     tips[link] = middle_of(problem.model().link(link));
   }
   std::vector<double> distances;

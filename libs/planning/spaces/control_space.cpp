@@ -57,7 +57,7 @@ class ControlSpace final : public StateSpace {
   [[nodiscard]] Eigen::VectorXd coordinates(const Configuration& q) const override {
     Eigen::VectorXd x(frame_.cols() + axes_.cols());
     x << frame_.transpose() * (joints_of(q, arm()) - arm_start_),
-        hand_coordinates(joints_of(q, problem().hand));
+        hand_coordinates(joints_of(q, problem().joints.hand));
     return x.cwiseMax(lower()).cwiseMin(upper());
   }
 
@@ -65,7 +65,7 @@ class ControlSpace final : public StateSpace {
       const Eigen::VectorXd& x, const Configuration& reference) const override {
     Eigen::VectorXd joints = geometric::normalised(problem().model(), reference);
     joints(arm()) = arm_start_ + frame_ * x.head(frame_.cols());
-    joints(problem().hand) = centre_ + axes_ * x.tail(axes_.cols());
+    joints(problem().joints.hand) = centre_ + axes_ * x.tail(axes_.cols());
     return geometric::denormalised(problem().model(),
                                    geometric::clamped_to_range(problem().model(), joints));
   }
@@ -106,7 +106,7 @@ class ControlSpace final : public StateSpace {
   double add_deviation(const sampling::PmdBasis& basis, const Eigen::VectorXd& half_sides,
                        int end) {
     const Eigen::VectorXd posture =
-        joints_of(end == 0 ? problem().start : problem().goal, problem().hand);
+        joints_of(end == 0 ? problem().start : problem().goal, problem().joints.hand);
     const Eigen::VectorXd nearest =
         sampling::project(basis, posture).cwiseMax(-half_sides).cwiseMin(half_sides);
     const Eigen::VectorXd deviation =

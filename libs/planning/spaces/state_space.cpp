@@ -5,7 +5,6 @@
 #include "handway/geometric/robot/arm_inverse_kinematics.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/robot/robot_state.h"
-#include "handway/planning/core/carried_objects.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -64,10 +63,10 @@ class JointSpace final : public CorridorSpace {
 }
 
 int last_arm_link(const PlanningProblem& problem) {
-  if (problem.arm.empty()) {
+  if (problem.joints.arm.empty()) {
     refuse(problem, "no arm: all its joints are of the hand");
   }
-  return problem.model().variable_link(*std::ranges::max_element(problem.arm));
+  return problem.model().variable_link(*std::ranges::max_element(problem.joints.arm));
 }
 
 // Iterations from the arm's present posture: for nodes that are near to each other.
@@ -91,13 +90,13 @@ class ToolSpace final : public CorridorSpace {
       : CorridorSpace(problem),
         link_(last_arm_link(problem)),
         ik_(geometric::make_arm_inverse_kinematics(problem.scene->robots.front().model, link_,
-                                                   problem.arm, tracking())),
+                                                   problem.joints.arm, tracking())),
         p_BS_(tool_pose(problem.start).translation()),
         p_BG_(tool_pose(problem.goal).translation()),
         q_BS_(tool_pose(problem.start).linear()),
         q_BG_(tool_pose(problem.goal).linear()),
         q_BM_(q_BS_.slerp(0.5, q_BG_)) {
-    std::vector<int> arm = problem.arm;
+    std::vector<int> arm = problem.joints.arm;
     std::ranges::sort(arm);
     if (ik_->variables() != arm) {
       refuse(problem, "an arm of other joints than those before its last link");
@@ -172,7 +171,7 @@ class ToolSpace final : public CorridorSpace {
 }  // namespace
 
 void require_directions(const PlanningProblem& problem, const std::string& user) {
-  if (problem.basis || !holding_variables(*problem.scene).empty()) {
+  if (problem.basis || !problem.joints.holding.empty()) {
     return;
   }
   throw geometric::InputError(
@@ -187,16 +186,17 @@ sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space) {
     return *problem.basis;
   }
   std::vector<std::string> joints;
-  joints.reserve(problem.hand.size());
-  for (const int v : problem.hand) {
+  joints.reserve(problem.joints.hand.size());
+  for (const int v : problem.joints.hand) {
     joints.push_back(problem.model().variable(v).name);
   }
   return sampling::full_joint_basis(problem.model().name(), std::move(joints));
 }
 
-StateSpace::StateSpace(const PlanningProblem& problem) : problem_(problem), arm_(problem.arm) {
-  for (const int v : planned_variables(problem)) {
-    if (std::ranges::count(arm_, v) + std::ranges::count(problem.hand, v) == 0) {
+StateSpace::StateSpace(const PlanningProblem& problem)
+    : problem_(problem), arm_(problem.joints.arm) {
+  for (const int v : problem.planned_joints()) {
+    if (std::ranges::count(arm_, v) + std::ranges::count(problem.joints.hand, v) == 0) {
       arm_.push_back(v);
     }
   }
@@ -211,15 +211,14 @@ void StateSpace::set_bounds(Eigen::VectorXd lower, Eigen::VectorXd upper,
   periods_ = std::move(periods);
 }
 
-void CorridorSpace::set_arm_coordinates(const std::vector<int>& arm_variables) {
-  std::vector<int> variables = arm_variables;
-  variables.insert(variables.end(), problem().hand.begin(), problem().hand.end());
-  const auto size = static_cast<Eigen::Index>(variables.size());
+void CorridorSpace::set_arm_coordinates(geometric::JointIndices joints) {
+  joints.insert(joints.end(), problem().joints.hand.begin(), problem().joints.hand.end());
+  const auto size = static_cast<Eigen::Index>(joints.size());
   Eigen::VectorXd lower = Eigen::VectorXd::Zero(size);
   Eigen::VectorXd upper = Eigen::VectorXd::Ones(size);
   Eigen::VectorXd periods = Eigen::VectorXd::Zero(size);
   for (Eigen::Index i = 0; i < size; ++i) {
-    const int v = variables[static_cast<std::size_t>(i)];
+    const int v = joints[static_cast<std::size_t>(i)];
     periods[i] = v >= 0 && problem().model().is_continuous(v) ? 1.0 : 0.0;
     if (v < 0 || periods[i] > 0.0) {
       lower[i] = -std::numeric_limits<double>::infinity();
@@ -240,23 +239,23 @@ int CorridorSpace::steps(double rho) const {
 
 Eigen::VectorXd CorridorSpace::coordinates(const Configuration& q) const {
   const Eigen::VectorXd arm = arm_coordinates(q);
-  Eigen::VectorXd x(arm.size() + static_cast<Eigen::Index>(problem().hand.size()));
-  x << arm, geometric::normalised(problem().model(), q)(problem().hand);
+  Eigen::VectorXd x(arm.size() + static_cast<Eigen::Index>(problem().joints.hand.size()));
+  x << arm, geometric::normalised(problem().model(), q)(problem().joints.hand);
   return x;
 }
 
 std::optional<Configuration> CorridorSpace::configuration(const Eigen::VectorXd& x,
                                                           const Configuration& reference) const {
-  const auto hand_size = static_cast<Eigen::Index>(problem().hand.size());
+  const auto hand_size = static_cast<Eigen::Index>(problem().joints.hand.size());
   Eigen::VectorXd joints = geometric::normalised(problem().model(), reference);
-  joints(problem().hand) = x.tail(hand_size);
+  joints(problem().joints.hand) = x.tail(hand_size);
   return with_arm(geometric::denormalised(problem().model(), joints), x.head(x.size() - hand_size));
 }
 
 bool has_closed_form_kinematics(const PlanningProblem& problem) {
-  return !problem.arm.empty() &&
+  return !problem.joints.arm.empty() &&
          geometric::closed_form_inverse_kinematics(problem.scene->robots.front().model,
-                                                   last_arm_link(problem), problem.arm);
+                                                   last_arm_link(problem), problem.joints.arm);
 }
 
 std::unique_ptr<CorridorSpace> make_corridor_space(const PlanningProblem& problem,
@@ -275,10 +274,10 @@ HandArmRegion::HandArmRegion(const PlanningProblem& problem, HandSpace hand, Cor
 std::optional<Configuration> HandArmRegion::arm_at(double step, double rho,
                                                    const Eigen::VectorXd& u) const {
   Configuration on_segment = problem_.start;
-  on_segment(problem_.arm) += step * (problem_.goal - problem_.start)(problem_.arm);
+  on_segment(problem_.joints.arm) += step * (problem_.goal - problem_.start)(problem_.joints.arm);
   const Eigen::VectorXd arm = space_->corridor_point(step, rho, u);
   const Eigen::VectorXd hand =
-      geometric::normalised(problem_.model(), problem_.start)(problem_.hand);
+      geometric::normalised(problem_.model(), problem_.start)(problem_.joints.hand);
   Eigen::VectorXd x(arm.size() + hand.size());
   x << arm, hand;
   return space_->configuration(x, on_segment);
@@ -286,9 +285,9 @@ std::optional<Configuration> HandArmRegion::arm_at(double step, double rho,
 
 Configuration HandArmRegion::with_hand(Configuration q, const Eigen::VectorXd& u) const {
   const geometric::RobotModel& model = problem_.model();
-  const Eigen::VectorXd range = (model.upper() - model.lower())(problem_.hand);
-  q(problem_.hand) =
-      model.lower()(problem_.hand) + sampling::map_to_posture(basis_, u).cwiseProduct(range);
+  const Eigen::VectorXd range = (model.upper() - model.lower())(problem_.joints.hand);
+  q(problem_.joints.hand) =
+      model.lower()(problem_.joints.hand) + sampling::map_to_posture(basis_, u).cwiseProduct(range);
   return q;
 }
 

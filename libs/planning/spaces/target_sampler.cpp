@@ -31,17 +31,12 @@ TargetSampler::TargetSampler(PlanningContext& context, const TargetRegion& regio
       settings_(region),
       in_regions_(hand == HandSpace::kPrincipalDirections),
       region_(problem_, hand, static_cast<CorridorForm>(region.corridor)),
+      planned_(problem_.planned_joints()),
       stream_(seed) {
   constexpr int kChoices = 3;  // of corridor or end, where in it, and whether the hand moves
   const int dimension = in_regions_
                             ? kChoices + space().corridor_dimension() + region_.basis().dimension()
                             : space().dimension();
-  for (int v = 0; v < problem_.model().variable_count(); ++v) {
-    if (std::ranges::count(problem_.arm, v) + std::ranges::count(problem_.hand, v) > 0 ||
-        problem_.start[v] != problem_.goal[v]) {
-      variables_.push_back(v);
-    }
-  }
   points_ = context.make_sampler(dimension, seed, [this, &context](const Eigen::VectorXd& u) {
     Eigen::VectorXd x = target(u).coordinates;
     const std::optional<Configuration> q =
@@ -60,7 +55,7 @@ std::optional<Configuration> TargetSampler::configuration(Eigen::VectorXd& x,
     return q;
   }
   std::optional<Configuration> kept =
-      geometric::project_onto_constraints(problem_.model(), constraints, variables_, *q);
+      geometric::project_onto_constraints(problem_.model(), constraints, planned_, *q);
   if (kept && *kept != *q) {
     x = space().coordinates(*kept);
   }
@@ -122,7 +117,7 @@ TargetSampler::Target TargetSampler::near_end(const Eigen::VectorXd& u) const {
   const bool hand_moves = u[2] < 0.5;
   const int arm_size = space().corridor_dimension();
   Eigen::VectorXd posture = geometric::normalised(
-      problem_.model(), draw_.end == 0 ? problem_.start : problem_.goal)(problem_.hand);
+      problem_.model(), draw_.end == 0 ? problem_.start : problem_.goal)(problem_.joints.hand);
   if (hand_moves) {
     posture +=
         std::min(1.0, rho / kLargestBall) *
@@ -135,7 +130,7 @@ TargetSampler::Target TargetSampler::near_end(const Eigen::VectorXd& u) const {
 
 // Unit vector that moves the arm alone or the hand alone.
 Eigen::VectorXd TargetSampler::direction(Eigen::Index size, sampling::RandomStream& draw) const {
-  const auto hand_size = static_cast<Eigen::Index>(problem_.hand.size());
+  const auto hand_size = static_cast<Eigen::Index>(problem_.joints.hand.size());
   const Eigen::Index arm_size = size - hand_size;
   const bool moves_arm = hand_size == 0 || (arm_size > 0 && draw.uniform() < 0.5);
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(size);
@@ -172,7 +167,7 @@ Eigen::VectorXd TargetSampler::held(Eigen::VectorXd target, const Eigen::VectorX
     return target;
   }
   const double u = stream_.fork(sample).fork(1).uniform();
-  const auto hand_size = static_cast<Eigen::Index>(problem_.hand.size());
+  const auto hand_size = static_cast<Eigen::Index>(problem_.joints.hand.size());
   const Eigen::Index arm_size = target.size() - hand_size;
   if (u < 0.5 * share) {
     target.tail(hand_size) = from.tail(hand_size);

@@ -220,7 +220,7 @@ constexpr double kLeastAdvance = 0.05;    // share of an arc's clearance that ha
 
 void check_waypoints(const PlanningProblem& problem, const Path& path) {
   const geometric::RobotModel& model = problem.model();
-  const std::vector<int> fixed = fixed_variables(problem);
+  const geometric::JointIndices& fixed = problem.joints.fixed;
   if (path.empty()) {
     throw geometric::InputError({"the path", "", "no waypoints", "at least one", ""});
   }

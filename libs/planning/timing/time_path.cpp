@@ -141,12 +141,12 @@ nlohmann::ordered_json to_object(const LimitShare& share) {
   return {{"joint", share.joint}, {"time_s", share.time}, {"share", share.share}};
 }
 
-/// The hand's variables, with those that hold an object and so are not planned: devices have to
-/// hold them, too.
+/// Returns the hand's joints with those that hold an object and are not planned: devices hold them,
+/// too.
 std::vector<int> with_holding(const PlanningProblem& problem) {
-  std::vector<int> hand = problem.hand;
-  for (const int v : holding_variables(*problem.scene)) {
-    if (std::ranges::count(hand, v) + std::ranges::count(problem.arm, v) == 0) {
+  std::vector<int> hand = problem.joints.hand;
+  for (const int v : problem.joints.holding) {
+    if (std::ranges::count(hand, v) + std::ranges::count(problem.joints.arm, v) == 0) {
       hand.push_back(v);
     }
   }
@@ -170,7 +170,7 @@ PreflightReport preflight(const PlanningProblem& problem, const Trajectory& traj
   report.duration = trajectory.duration();
   report.assumed = options.limits.assumed;
   report.faults =
-      check_trajectory(problem.model(), trajectory, options.limits, fixed_variables(problem));
+      check_trajectory(problem.model(), trajectory, options.limits, problem.joints.fixed);
   if (!report.cleared()) {
     return report;
   }
@@ -287,7 +287,7 @@ TimedPath time_path(const PlanningProblem& problem, const Path& path, const std:
   timed.motion = {
       name,
       problem.scene->robots.front().model,
-      problem.arm,
+      problem.joints.arm,
       with_holding(problem),
       options.limits.velocity.size() > 0 ? options.limits : rate_limits(problem.model()),
       options.speed,

@@ -71,11 +71,11 @@ TEST_F(MappingFile, OfTable1IsTheOneThatShips) {
 
 TEST_F(MappingFile, OfTable1UsesElevenSensorsAsPrinted) {
   std::vector<std::string> letters;
-  for (const JointWire& wire : table1_mapping().wires) {
+  for (const JointMapping& mapped : table1_mapping().joints) {
     letters.push_back(
-        wire.sensor < 0
+        mapped.sensor < 0
             ? "-"
-            : std::string(1, cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].letter));
+            : std::string(1, cyberglove_sensors()[static_cast<std::size_t>(mapped.sensor)].letter));
   }
   EXPECT_THAT(letters,
               ElementsAre("c", "c", "e", "f", "j", "g", "h", "-", "k", "l", "n", "o", "p"));
@@ -84,19 +84,19 @@ TEST_F(MappingFile, OfTable1UsesElevenSensorsAsPrinted) {
 TEST_F(MappingFile, KeepsCurvesAndFixedValues) {
   HandMapping mapping;
   mapping.hand = "claw";
-  mapping.wires = {{"a", 5, 1.0, 0.0, {{-0.1, 0.2}, {0.7, 1.5}}, {}},
-                   {"b", -1, 1.0, 0.0, {}, 0.25}};
+  mapping.joints = {{"a", 5, 1.0, 0.0, {{-0.1, 0.2}, {0.7, 1.5}}, {}},
+                    {"b", -1, 1.0, 0.0, {}, 0.25}};
   write_mapping(mapping, file());
   const HandMapping read = read_mapping(file());
-  ASSERT_EQ(read.wires.size(), 2U);
-  ASSERT_EQ(read.wires[0].curve.size(), 2U);
-  EXPECT_EQ(read.wires[0].curve[1].joint, 1.5);
-  EXPECT_EQ(read.wires[1].fixed, 0.25);
+  ASSERT_EQ(read.joints.size(), 2U);
+  ASSERT_EQ(read.joints[0].curve.size(), 2U);
+  EXPECT_EQ(read.joints[0].curve[1].joint, 1.5);
+  EXPECT_EQ(read.joints[1].fixed, 0.25);
 }
 
 TEST_F(MappingFile, KeepsJointsThatAreLeftToTheArm) {
   HandMapping mapping = table1_mapping();
-  mapping.wires[0] = {"thumb_base", -1, 1.0, 0.0, {}, {}, true};
+  mapping.joints[0] = {"thumb_base", -1, 1.0, 0.0, {}, {}, true};
   write_mapping(mapping, file());
   EXPECT_THAT(content(file()), HasSubstr("{joint: thumb_base, arm: true}"));
   const HandMapper mapper(read_mapping(file()), *sah());
@@ -173,7 +173,7 @@ TEST(HandMapper, ClampsToTheLimitsAndCounts) {
 
 TEST(HandMapper, FollowsCurvesAndHoldsTheirEnds) {
   HandMapping mapping = table1_mapping();
-  mapping.wires[5].curve = {{0.0, -0.1}, {1.0, -0.5}, {2.0, -1.2}};
+  mapping.joints[5].curve = {{0.0, -0.1}, {1.0, -0.5}, {2.0, -1.2}};
   const HandMapper mapper(mapping, *sah());
   EXPECT_DOUBLE_EQ(mapper.posture(angles({{"g", -1.0}}))[5], -0.1);
   EXPECT_DOUBLE_EQ(mapper.posture(angles({{"g", 0.5}}))[5], -0.3);
@@ -189,10 +189,10 @@ TEST(HandMapper, HoldsTheMiddleWhereASensorIsMissing) {
 
 TEST(HandMapper, RefusesMappingsForOtherHandsAndRecordingsWithoutASensor) {
   HandMapping mapping = table1_mapping();
-  mapping.wires[3].joint = "thumb_medal";
+  mapping.joints[3].joint = "thumb_medal";
   EXPECT_THROW(HandMapper(mapping, *sah()), InputError);
   mapping = table1_mapping();
-  mapping.wires.pop_back();
+  mapping.joints.pop_back();
   EXPECT_THROW(HandMapper(mapping, *sah()), InputError);
   Recording recording;
   recording.header = {RecordingKind::kAngles, "", "", "", {0, 1}};

@@ -32,15 +32,15 @@ std::shared_ptr<const RobotModel> library_hand(const std::string& robot) {
       geometric::find_resource(geometric::ResourceKind::kRobot, robot, test::source_dir()));
 }
 
-const JointWire& wire_of(const HandMapping& mapping, const std::string& joint) {
-  return *std::ranges::find(mapping.wires, joint, &JointWire::joint);
+const JointMapping& mapping_of(const HandMapping& mapping, const std::string& joint) {
+  return *std::ranges::find(mapping.joints, joint, &JointMapping::joint);
 }
 
 std::string sensor_of(const HandMapping& mapping, const std::string& joint) {
-  const JointWire& wire = wire_of(mapping, joint);
-  return wire.sensor < 0
+  const JointMapping& mapped = mapping_of(mapping, joint);
+  return mapped.sensor < 0
              ? "fixed"
-             : std::string(cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name);
+             : std::string(cyberglove_sensors()[static_cast<std::size_t>(mapped.sensor)].name);
 }
 
 void set(GloveAngles& angles, const std::string& sensor, double degrees) {
@@ -122,14 +122,14 @@ TEST(ProposedMapping, IsThatOfThePaperOnTheSahHand) {
   const auto hand = library_hand("sah_right");
   const HandMapping proposed = propose_mapping(*hand);
   EXPECT_EQ(proposed.hand, "sah_right");
-  for (const JointWire& wire : table1_mapping().wires) {
-    if (wire.joint == "thumb_abduction") {  // the paper lets roll drive it, too
-      EXPECT_EQ(sensor_of(proposed, wire.joint), "ThumbAbduct");
+  for (const JointMapping& mapped : table1_mapping().joints) {
+    if (mapped.joint == "thumb_abduction") {  // the paper lets roll drive it, too
+      EXPECT_EQ(sensor_of(proposed, mapped.joint), "ThumbAbduct");
       continue;
     }
-    const JointWire& own = wire_of(proposed, wire.joint);
-    EXPECT_EQ(own.sensor, wire.sensor) << wire.joint;
-    EXPECT_EQ(own.gain > 0.0, wire.gain > 0.0) << wire.joint;
+    const JointMapping& own = mapping_of(proposed, mapped.joint);
+    EXPECT_EQ(own.sensor, mapped.sensor) << mapped.joint;
+    EXPECT_EQ(own.gain > 0.0, mapped.gain > 0.0) << mapped.joint;
   }
   expect_moves_like_a_person(*hand);
 }
@@ -137,7 +137,7 @@ TEST(ProposedMapping, IsThatOfThePaperOnTheSahHand) {
 TEST(ProposedMapping, LeavesTheArmOfAnArmWithAHandOut) {
   const auto robot = library_hand("tx90_sah");
   const HandMapping mapping = propose_mapping(*robot);
-  EXPECT_EQ(mapping.wires.size(), 13U);
+  EXPECT_EQ(mapping.joints.size(), 13U);
   expect_moves_like_a_person(*robot);
 }
 
@@ -189,7 +189,7 @@ RobotModel folding_hand(const Eigen::Vector3d& thumb_base = Eigen::Vector3d::Uni
 
 TEST(ProposedMapping, MovesFingersOnAPartOfThePalmThatMoves) {
   const HandMapping mapping = propose_mapping(folding_hand());
-  EXPECT_EQ(mapping.wires.size(), 10U);
+  EXPECT_EQ(mapping.joints.size(), 10U);
   EXPECT_EQ(sensor_of(mapping, "ring_outer_joint"), "RingPIJ");
   EXPECT_EQ(sensor_of(mapping, "little_outer_joint"), "PinkiePIJ");
   EXPECT_EQ(sensor_of(mapping, "thumb_joint"), "ThumbRotate") << "not the ring's";
@@ -262,12 +262,12 @@ TEST(FittedMapping, TakesWiresOfTooSmallAGainToWhereThePersonsFingertipsAre) {
   const auto hand = library_hand("sah_right");
   const Recording motion = open_and_fist(80.0);
   HandMapping lazy = propose_mapping(*hand);
-  for (JointWire& wire : lazy.wires) {
-    wire.gain *= 0.2;
+  for (JointMapping& mapped : lazy.joints) {
+    mapped.gain *= 0.2;
   }
   const MappingFit fit = fit_mapping(lazy, *hand, motion);
-  EXPECT_GT(std::abs(wire_of(fit.mapping, "index_proximal").gain),
-            2.0 * std::abs(wire_of(lazy, "index_proximal").gain));
+  EXPECT_GT(std::abs(mapping_of(fit.mapping, "index_proximal").gain),
+            2.0 * std::abs(mapping_of(lazy, "index_proximal").gain));
   EXPECT_THAT(fit.warnings, testing::Contains(HasSubstr("IndexPIJ was not recorded")));
 }
 
@@ -311,8 +311,8 @@ INSTANTIATE_TEST_SUITE_P(AllHands, FittedMappings, testing::ValuesIn(fit_cases()
 TEST(FittedMapping, TurnsASensorThatFallsWhileTheOtherFingersBend) {
   const auto hand = library_hand("sah_right");
   const MappingFit fit = fit_mapping(propose_mapping(*hand), *hand, open_and_fist(-60.0));
-  EXPECT_GT(wire_of(fit.mapping, "index_proximal").gain, 0.0);
-  EXPECT_LT(wire_of(fit.mapping, "middle_proximal").gain, 0.0);
+  EXPECT_GT(mapping_of(fit.mapping, "index_proximal").gain, 0.0);
+  EXPECT_LT(mapping_of(fit.mapping, "middle_proximal").gain, 0.0);
   EXPECT_THAT(fit.warnings, testing::Contains(HasSubstr("IndexMPJ is reversed")));
 }
 
@@ -320,7 +320,8 @@ TEST(FittedMapping, KeepsTheWireOfASensorThatHardlyMoved) {
   const auto hand = library_hand("sah_right");
   const HandMapping proposed = propose_mapping(*hand);
   const MappingFit fit = fit_mapping(proposed, *hand, open_and_fist(2.0));
-  EXPECT_EQ(wire_of(fit.mapping, "index_proximal").gain, wire_of(proposed, "index_proximal").gain);
+  EXPECT_EQ(mapping_of(fit.mapping, "index_proximal").gain,
+            mapping_of(proposed, "index_proximal").gain);
   EXPECT_THAT(fit.warnings, testing::Contains(HasSubstr("IndexMPJ hardly moved")));
 }
 

@@ -129,11 +129,11 @@ std::shared_ptr<const RobotModel> six_drives(JointType of_tips) {
   return hand.model();
 }
 
-bool is_flexion(const JointWire& wire) {
-  if (wire.sensor < 0) {
+bool is_flexion(const JointMapping& mapped) {
+  if (mapped.sensor < 0) {
     return false;
   }
-  const std::string name(cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name);
+  const std::string name(cyberglove_sensors()[static_cast<std::size_t>(mapped.sensor)].name);
   return name.ends_with("MPJ") || name.ends_with("IJ");
 }
 
@@ -159,9 +159,9 @@ TEST(HandsOfOtherMakers, BendToTheThumbWhereverTheirKnucklesHaveTheirAxes) {
         EXPECT_EQ(fingers.left, side > 0.0);
         EXPECT_GT(fingers.R_PH.col(0).z(), 0.95) << "straight fingers point along z";
         const HandMapping mapping = propose_mapping(*model);
-        for (const JointWire& wire : mapping.wires) {
-          EXPECT_TRUE(!is_flexion(wire) || wire.gain == 1.0) << wire.joint;
-          EXPECT_TRUE(!is_flexion(wire) || wire.offset == 0.0) << wire.joint;
+        for (const JointMapping& mapped : mapping.joints) {
+          EXPECT_TRUE(!is_flexion(mapped) || mapped.gain == 1.0) << mapped.joint;
+          EXPECT_TRUE(!is_flexion(mapped) || mapped.offset == 0.0) << mapped.joint;
         }
         EXPECT_THAT(mapping_doubts(mapping, *model), IsEmpty());
       }
@@ -173,13 +173,13 @@ TEST(HandsOfOtherMakers, TakeJointsWithoutRoomForFixedOnes) {
   const auto no_room = six_drives(JointType::kRevolute);
   const HandMapping mapping = propose_mapping(*no_room);
   const HandMapping fixed = propose_mapping(*six_drives(JointType::kFixed));
-  ASSERT_EQ(mapping.wires.size(), 6U);
-  ASSERT_EQ(fixed.wires.size(), 6U);
-  for (std::size_t w = 0; w < mapping.wires.size(); ++w) {
-    EXPECT_EQ(mapping.wires[w].joint, fixed.wires[w].joint);
-    EXPECT_EQ(mapping.wires[w].sensor, fixed.wires[w].sensor) << mapping.wires[w].joint;
-    EXPECT_NEAR(mapping.wires[w].gain, fixed.wires[w].gain, 1e-12) << mapping.wires[w].joint;
-    EXPECT_NEAR(mapping.wires[w].offset, fixed.wires[w].offset, 1e-12) << mapping.wires[w].joint;
+  ASSERT_EQ(mapping.joints.size(), 6U);
+  ASSERT_EQ(fixed.joints.size(), 6U);
+  for (std::size_t w = 0; w < mapping.joints.size(); ++w) {
+    EXPECT_EQ(mapping.joints[w].joint, fixed.joints[w].joint);
+    EXPECT_EQ(mapping.joints[w].sensor, fixed.joints[w].sensor) << mapping.joints[w].joint;
+    EXPECT_NEAR(mapping.joints[w].gain, fixed.joints[w].gain, 1e-12) << mapping.joints[w].joint;
+    EXPECT_NEAR(mapping.joints[w].offset, fixed.joints[w].offset, 1e-12) << mapping.joints[w].joint;
   }
   const HandMapper mapper(mapping, *no_room, true);
   const Eigen::VectorXd open = mapper.posture(closed(0.0));
@@ -188,8 +188,8 @@ TEST(HandsOfOtherMakers, TakeJointsWithoutRoomForFixedOnes) {
       EXPECT_EQ(open[static_cast<Eigen::Index>(j)], 0.0) << mapper.joints()[j];
     }
   }
-  for (const JointWire& wire : mapping.wires) {
-    EXPECT_TRUE(!is_flexion(wire) || wire.gain > 0.0) << wire.joint;
+  for (const JointMapping& mapped : mapping.joints) {
+    EXPECT_TRUE(!is_flexion(mapped) || mapped.gain > 0.0) << mapped.joint;
   }
 }
 
@@ -252,18 +252,18 @@ RobotDescription with_other_zeros(RobotDescription robot, double angle) {
 
 void expect_same_but_for_signs(const HandMapping& other, const HandMapping& mapping,
                                const std::map<std::string, double>& signs) {
-  ASSERT_EQ(other.wires.size(), mapping.wires.size());
-  for (const JointWire& wire : mapping.wires) {
-    const auto found = std::ranges::find(other.wires, wire.joint, &JointWire::joint);
-    ASSERT_NE(found, other.wires.end()) << wire.joint;
-    const double sign = signs.empty() ? 1.0 : signs.at(wire.joint);
-    EXPECT_EQ(found->sensor, wire.sensor) << wire.joint;
-    if (wire.sensor < 0) {
-      EXPECT_NEAR(found->fixed.value(), sign * wire.fixed.value(), 1e-6) << wire.joint;
+  ASSERT_EQ(other.joints.size(), mapping.joints.size());
+  for (const JointMapping& mapped : mapping.joints) {
+    const auto found = std::ranges::find(other.joints, mapped.joint, &JointMapping::joint);
+    ASSERT_NE(found, other.joints.end()) << mapped.joint;
+    const double sign = signs.empty() ? 1.0 : signs.at(mapped.joint);
+    EXPECT_EQ(found->sensor, mapped.sensor) << mapped.joint;
+    if (mapped.sensor < 0) {
+      EXPECT_NEAR(found->fixed.value(), sign * mapped.fixed.value(), 1e-6) << mapped.joint;
       continue;
     }
-    EXPECT_NEAR(found->gain, sign * wire.gain, 1e-6) << wire.joint;
-    EXPECT_NEAR(found->offset, sign * wire.offset, 1e-6) << wire.joint;
+    EXPECT_NEAR(found->gain, sign * mapped.gain, 1e-6) << mapped.joint;
+    EXPECT_NEAR(found->offset, sign * mapped.offset, 1e-6) << mapped.joint;
   }
 }
 
@@ -398,8 +398,9 @@ TEST(HandsOfOtherMakers, AreDoubtedWhereNothingTellsToWhichSideTheyClose) {
 TEST(HandsOfOtherMakers, AreDoubtedIfTheyOpenWhenThePersonCloses) {
   const auto model = offset_hand(0.011, -1.0, 1.57).model();
   HandMapping mapping = propose_mapping(*model);
-  for (JointWire& wire : mapping.wires) {
-    wire.gain = wire.joint.starts_with("ring") && is_flexion(wire) ? -wire.gain : wire.gain;
+  for (JointMapping& mapped : mapping.joints) {
+    mapped.gain =
+        mapped.joint.starts_with("ring") && is_flexion(mapped) ? -mapped.gain : mapped.gain;
   }
   EXPECT_THAT(mapping_doubts(mapping, *model),
               testing::Contains(HasSubstr("ring finger does not bend to the palm")));

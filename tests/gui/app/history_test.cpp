@@ -64,16 +64,16 @@ TEST_F(History, HoldsScenePlannerAndMapping) {
   editor().set_goal(geometric::Configuration::Constant(4, 0.1));
   auto& mapping = tool<gui::GlovePanel>().mapping_editor();
   auto& wires = *mapping.findChild<gui::MappingWires*>();
-  const auto& wire = [&]() -> const device::JointWire& {
-    return tool<gui::GlovePanel>().session().mapping().wires[2];
+  const auto& mapped = [&]() -> const device::JointMapping& {
+    return tool<gui::GlovePanel>().session().mapping().joints[2];
   };
-  const int sensor = wire().sensor;
+  const int sensor = mapped().sensor;
   emit wires.connected(2, sensor + 1);
   EXPECT_EQ(entries(),
             (QStringList{"Move post", "Plan with pmd-prm", "Set k of pmd-prm", "Set seed",
-                         "Set goal", "Wire " + QString::fromStdString(wire().joint)}));
+                         "Set goal", "Wire " + QString::fromStdString(mapped().joint)}));
   undo();
-  EXPECT_EQ(wire().sensor, sensor);
+  EXPECT_EQ(mapped().sensor, sensor);
   undo();
   EXPECT_DOUBLE_EQ((*scene().goal)[0], 1.5);
   undo();

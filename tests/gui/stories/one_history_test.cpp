@@ -37,8 +37,8 @@ class OneHistory : public HandsOn {
     for (const auto& [key, value] : choices.planner.settings) {
       all << ' ' << key << '=' << value;
     }
-    for (const device::JointWire& wire : glove().session().mapping().wires) {
-      all << ' ' << wire.joint << '=' << wire.sensor << '*' << wire.gain;
+    for (const device::JointMapping& mapped : glove().session().mapping().joints) {
+      all << ' ' << mapped.joint << '=' << mapped.sensor << '*' << mapped.gain;
     }
     return all.str();
   }

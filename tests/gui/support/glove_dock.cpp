@@ -9,12 +9,12 @@ namespace handway::test {
 device::HandMapping pincers_mapping() {
   device::HandMapping mapping;
   mapping.hand = "pincers";
-  mapping.wires.resize(2);
-  mapping.wires[0].joint = "left";
-  mapping.wires[0].sensor = device::find_sensor("IndexMPJ").value();
-  mapping.wires[1].joint = "right";
-  mapping.wires[1].sensor = device::find_sensor("MiddleMPJ").value();
-  mapping.wires[1].gain = -1.0;
+  mapping.joints.resize(2);
+  mapping.joints[0].joint = "left";
+  mapping.joints[0].sensor = device::find_sensor("IndexMPJ").value();
+  mapping.joints[1].joint = "right";
+  mapping.joints[1].sensor = device::find_sensor("MiddleMPJ").value();
+  mapping.joints[1].gain = -1.0;
   return mapping;
 }
 

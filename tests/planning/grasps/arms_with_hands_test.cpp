@@ -63,7 +63,7 @@ class ArmsWithHands : public testing::TestWithParam<const char*> {
                                  : name == "panda" ? test::panda_arm()
                                                    : test::iiwa14();
     const PlanningProblem shipped = can_on_table();
-    const int palm = palm_link(shipped.model(), shipped.arm, shipped.hand);
+    const int palm = palm_link(shipped.model(), shipped.joints.arm, shipped.joints.hand);
     geometric::Scene scene = *shipped.scene;
     geometric::RobotInstance& robot = scene.robots.front();
     robot.model = std::make_shared<const RobotModel>(with_hand(arm, shipped.model(), palm));
@@ -75,7 +75,7 @@ class ArmsWithHands : public testing::TestWithParam<const char*> {
     set("joint_3", name == "ur5e" ? 1.6 : 0.0);
     set("joint_4", name == "panda" ? -2.0 : 1.2);
     set("joint_5", name == "ur5e" ? 1.3 : 0.2);
-    for (const int v : shipped.hand) {
+    for (const int v : shipped.joints.hand) {
       set(shipped.model().variable(v).name.c_str(), shipped.start[v]);
     }
     robot.configuration = q;

@@ -75,7 +75,7 @@ TEST_F(PregraspSearch, ClosesTheHandUpToContact) {
       *geometric::tessellate(geometric::find_object(*problem.scene, "can")->shape));
   for (const Pregrasp& grasp : grasps.found) {
     EXPECT_FALSE(checker->first_collision(grasp.closed)) << "contacts are not in each other";
-    EXPECT_EQ(grasp.closed(problem.arm), grasp.q(problem.arm));
+    EXPECT_EQ(grasp.closed(problem.joints.arm), grasp.q(problem.joints.arm));
     EXPECT_TRUE((grasp.squeezed.array() >= problem.model().lower().array()).all());
     EXPECT_TRUE((grasp.squeezed.array() <= problem.model().upper().array()).all());
     EXPECT_NE(grasp.squeezed, grasp.closed);

@@ -39,12 +39,13 @@ TEST_F(HandArmChartOfTheFlatArm, GoesFromStartToGoalAlongTheArmsMotion) {
 
 TEST_F(HandArmChartOfTheFlatArm, MeasuresWhatIsBesideTheMotion) {
   Configuration beside = problem_.start;
-  Eigen::VectorXd motion = (geometric::normalised(problem_.model(), problem_.goal) -
-                            geometric::normalised(problem_.model(), problem_.start))(problem_.arm);
+  Eigen::VectorXd motion =
+      (geometric::normalised(problem_.model(), problem_.goal) -
+       geometric::normalised(problem_.model(), problem_.start))(problem_.joints.arm);
   ASSERT_EQ(motion.size(), 2);
   Eigen::VectorXd joints = geometric::normalised(problem_.model(), problem_.start);
   const Eigen::Vector2d across = Eigen::Vector2d(-motion[1], motion[0]).normalized() * 0.02;
-  joints(problem_.arm) += across;
+  joints(problem_.joints.arm) += across;
   beside = geometric::denormalised(problem_.model(), joints);
   EXPECT_NEAR(chart_.at(beside)[0], 0.0, 1e-9);
   EXPECT_NEAR(chart_.at(beside)[1], 0.02, 1e-9);
@@ -52,7 +53,7 @@ TEST_F(HandArmChartOfTheFlatArm, MeasuresWhatIsBesideTheMotion) {
 
 TEST_F(HandArmChartOfTheFlatArm, GivesTheCoordinatesOfTheBasis) {
   Eigen::VectorXd joints = geometric::normalised(problem_.model(), problem_.goal);
-  joints(problem_.hand) =
+  joints(problem_.joints.hand) =
       sampling::map_to_posture(*problem_.basis, Eigen::Vector3d(0.5, 0.75, 0.5));
   const Eigen::VectorXd at = chart_.at(geometric::denormalised(problem_.model(), joints));
   EXPECT_NEAR(at[2], 0.0, 1e-9);
@@ -63,7 +64,7 @@ TEST_F(HandArmChartOfTheFlatArm, GivesTheCoordinatesOfTheBasis) {
 
 TEST_F(HandArmChartOfTheFlatArm, AgreesWithTheProjection) {
   const Eigen::VectorXd hand =
-      geometric::normalised(problem_.model(), problem_.goal)(problem_.hand);
+      geometric::normalised(problem_.model(), problem_.goal)(problem_.joints.hand);
   const Eigen::VectorXd at = chart_.at(problem_.goal);
   EXPECT_TRUE(at.segment(2, problem_.basis->dimension())
                   .isApprox(sampling::project(*problem_.basis, hand), 1e-9) ||

@@ -34,11 +34,11 @@ class HumanLikenessOfTheFlatArm : public testing::Test {
   }
   [[nodiscard]] Configuration with_hand(const Eigen::VectorXd& posture) const {
     Configuration p = geometric::normalised(problem_.model(), problem_.start);
-    p(problem_.hand) = posture;
+    p(problem_.joints.hand) = posture;
     return geometric::denormalised(problem_.model(), p);
   }
   [[nodiscard]] HumanLikeness likeness() const {
-    return {problem_.model(), problem_.hand, basis_, postures_};
+    return {problem_.model(), problem_.joints.hand, basis_, postures_};
   }
 
   PlanningProblem problem_ = test::open_problem();
@@ -56,7 +56,7 @@ TEST_F(HumanLikenessOfTheFlatArm, IsZeroInARecordedPostureOfTheBasis) {
 TEST_F(HumanLikenessOfTheFlatArm, IsWhatTheSamplingLibrarySays) {
   sampling::RandomStream draw(5);
   for (int i = 0; i < 20; ++i) {
-    const Eigen::VectorXd posture = draw.uniform(static_cast<int>(problem_.hand.size()));
+    const Eigen::VectorXd posture = draw.uniform(static_cast<int>(problem_.joints.hand.size()));
     const HandLikeness here = likeness().at(with_hand(posture));
     EXPECT_NEAR(here.to_subspace, sampling::distance_to_subspace(basis_, posture), 1e-9);
     EXPECT_NEAR(*here.to_recorded, postures_->nearest(posture).distance, 1e-9);
@@ -65,15 +65,15 @@ TEST_F(HumanLikenessOfTheFlatArm, IsWhatTheSamplingLibrarySays) {
 
 TEST_F(HumanLikenessOfTheFlatArm, TakesTheHandToTheNearestRecordedPosture) {
   const Configuration q =
-      with_hand(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem_.hand.size())));
+      with_hand(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem_.joints.hand.size())));
   const std::optional<Configuration> nearest = likeness().nearest_recorded(q);
   ASSERT_TRUE(nearest);
   EXPECT_NEAR(*likeness().at(*nearest).to_recorded, 0.0, 1e-9);
-  EXPECT_EQ((*nearest)(problem_.arm), q(problem_.arm)) << "the arm stays";
+  EXPECT_EQ((*nearest)(problem_.joints.arm), q(problem_.joints.arm)) << "the arm stays";
 }
 
 TEST_F(HumanLikenessOfTheFlatArm, DoesWithoutRecordedPostures) {
-  const HumanLikeness alone(problem_.model(), problem_.hand, basis_, nullptr);
+  const HumanLikeness alone(problem_.model(), problem_.joints.hand, basis_, nullptr);
   EXPECT_FALSE(alone.at(problem_.start).to_recorded);
   EXPECT_FALSE(alone.nearest_recorded(problem_.start));
   EXPECT_FALSE(
@@ -107,7 +107,7 @@ TEST_F(HumanLikenessOfTheFlatArm, LooksOnceAtAPathThatStands) {
 }
 
 TEST_F(HumanLikenessOfTheFlatArm, WantsTheHandOfTheBasis) {
-  EXPECT_THROW(HumanLikeness(problem_.model(), problem_.arm, basis_, nullptr),
+  EXPECT_THROW(HumanLikeness(problem_.model(), problem_.joints.arm, basis_, nullptr),
                std::invalid_argument);
 }
 

@@ -16,15 +16,16 @@ using test::turning;
 
 PalmIk palm_ik(const PlanningProblem& problem) {
   const geometric::RobotModel& model = problem.model();
-  return {problem.scene->robots.front().model, palm_link(model, problem.arm, problem.hand),
-          problem.arm};
+  return {problem.scene->robots.front().model,
+          palm_link(model, problem.joints.arm, problem.joints.hand), problem.joints.arm};
 }
 
 TEST(PalmIk, TakesTheLinkThatCarriesAllFingers) {
   const PlanningProblem problem = test::tx90_sah_problem();
   const geometric::RobotModel& model = problem.model();
-  EXPECT_EQ(model.link(palm_link(model, problem.arm, problem.hand)).name, "Palm");
-  EXPECT_EQ(palm_link(model, problem.arm, {}), model.variable_link(problem.arm.back()));
+  EXPECT_EQ(model.link(palm_link(model, problem.joints.arm, problem.joints.hand)).name, "Palm");
+  EXPECT_EQ(palm_link(model, problem.joints.arm, {}),
+            model.variable_link(problem.joints.arm.back()));
 }
 
 TEST(PalmIk, TakesThePalmBeyondAWristThatCountsToTheHand) {
@@ -66,7 +67,7 @@ TEST(PalmIk, BringsThePalmThereAndLeavesTheFingersAlone) {
   const PalmMove move = ik.moved(q, X_BP);
   ASSERT_TRUE(move.reached);
   EXPECT_TRUE(ik.pose(move.q).isApprox(X_BP, 1e-9));
-  EXPECT_EQ(move.q(problem.hand), q(problem.hand));
+  EXPECT_EQ(move.q(problem.joints.hand), q(problem.joints.hand));
   EXPECT_LT((move.q - q).cwiseAbs().maxCoeff(), 0.3) << "near to where it was";
 }
 
@@ -152,7 +153,7 @@ TEST(ReachFigures, FallToNothingInASingularPostureAndRiseToTheReach) {
 TEST(PalmIk, RefusesALinkThatTheArmDoesNotMove) {
   const PlanningProblem problem = test::open_problem();
   EXPECT_NE(test::refusal_of([&] {
-              static_cast<void>(PalmIk(problem.scene->robots.front().model, 0, problem.arm));
+              static_cast<void>(PalmIk(problem.scene->robots.front().model, 0, problem.joints.arm));
             }),
             "");
 }

@@ -28,7 +28,8 @@ class RegionDrawsOfTheFlatArm : public testing::Test {
 TEST_F(RegionDrawsOfTheFlatArm, AreOnTheStraightMotionForANarrowCorridor) {
   const RegionDraws draws = draw({.rho_a = 1e-5}, 50);
   EXPECT_THAT(draws.palms, SizeIs(50));
-  EXPECT_THAT(draws.fingertips, SizeIs(50 * fingertips(problem_.model(), problem_.hand).size()));
+  EXPECT_THAT(draws.fingertips,
+              SizeIs(50 * fingertips(problem_.model(), problem_.joints.hand).size()));
   EXPECT_LT(draws.palm_reach, 1e-3);
   EXPECT_GT((draws.motion.back() - draws.motion.front()).norm(), 0.1);
 }

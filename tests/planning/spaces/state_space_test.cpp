@@ -75,7 +75,7 @@ TEST(ControlSpace, HasTheArmsTheFreeJointsTheDirectionsAndTheEndsDeviations) {
   const PlanningProblem problem = test::open_problem();
   const auto space = make_control_space(problem, 4, 0.4);
   EXPECT_EQ(space->dimension(),
-            static_cast<int>(problem.arm.size()) + problem.basis->dimension() + 2);
+            static_cast<int>(problem.joints.arm.size()) + problem.basis->dimension() + 2);
 }
 
 TEST(ControlSpace, ReachesStartAndGoalOutsideOfTheSubspace) {
@@ -101,7 +101,7 @@ TEST(ControlSpace, MovesStraightInTheJointsWhereItMovesStraight) {
 TEST(ControlSpace, TakesAnArmThatStaysWhereItIs) {
   PlanningProblem problem = test::open_problem();
   problem.goal = problem.start;
-  problem.goal(problem.hand).array() += 0.1;
+  problem.goal(problem.joints.hand).array() += 0.1;
   const auto space = make_control_space(problem, 4, 0.4);
   EXPECT_TRUE(there_and_back(*space, problem.goal).isApprox(problem.goal, 1e-9));
 }
@@ -128,17 +128,18 @@ TEST_F(TargetsOfTheFlatArm, HaveTheHandInItsSubspaceAndTheArmInItsCorridor) {
   sampling::PmdBasis basis = *problem_.basis;
   basis.directions.resize(1);
   const Eigen::VectorXd start =
-      geometric::normalised(problem_.model(), problem_.start)(problem_.arm);
-  const Eigen::VectorXd goal = geometric::normalised(problem_.model(), problem_.goal)(problem_.arm);
+      geometric::normalised(problem_.model(), problem_.start)(problem_.joints.arm);
+  const Eigen::VectorXd goal =
+      geometric::normalised(problem_.model(), problem_.goal)(problem_.joints.arm);
   const Eigen::VectorXd along = (goal - start).normalized();
   for (std::uint64_t i = 0; i < kDraws; ++i) {
     const Eigen::VectorXd joints = geometric::normalised(problem_.model(), draw(targets, i));
-    const Eigen::VectorXd posture = joints(problem_.hand);
+    const Eigen::VectorXd posture = joints(problem_.joints.hand);
     const bool at_a_limit = (posture.array() < 1e-9 || posture.array() > 1.0 - 1e-9).any();
     EXPECT_TRUE(at_a_limit || sampling::distance_to_subspace(basis, posture) < 1e-9);
-    const Eigen::VectorXd off = joints(problem_.arm) - start;
+    const Eigen::VectorXd off = joints(problem_.joints.arm) - start;
     EXPECT_LE((off - off.dot(along) * along).norm(),
-              rho * std::sqrt(static_cast<double>(problem_.arm.size())) + 1e-9);
+              rho * std::sqrt(static_cast<double>(problem_.joints.arm.size())) + 1e-9);
   }
 }
 
@@ -150,7 +151,9 @@ TEST_F(TargetsOfTheFlatArm, KeepThePosturesOfTheEndsInHalfOfTheDrawsAroundThem) 
   int as_at_start = 0;
   for (std::uint64_t i = 0; i < kDraws; ++i) {
     as_at_start +=
-        draw(targets, i)(problem_.hand).isApprox(problem_.start(problem_.hand), 1e-9) ? 1 : 0;
+        draw(targets, i)(problem_.joints.hand).isApprox(problem_.start(problem_.joints.hand), 1e-9)
+            ? 1
+            : 0;
   }
   EXPECT_NEAR(as_at_start, kDraws / 4.0, 50.0);
 }
@@ -169,7 +172,7 @@ TEST_F(TargetsOfTheFlatArm, AreAnywhereOnceTheCorridorWasWidenedInVain) {
     for (std::uint64_t i = first; i < first + kDraws; ++i) {
       const Configuration q = draw(targets, i);
       const auto arm = [&](const Configuration& c) -> Eigen::VectorXd {
-        return geometric::normalised(problem_.model(), c)(problem_.arm);
+        return geometric::normalised(problem_.model(), c)(problem_.joints.arm);
       };
       const Eigen::VectorXd along = (arm(problem_.goal) - arm(problem_.start)).normalized();
       const Eigen::VectorXd off = arm(q) - arm(problem_.start);

@@ -115,8 +115,8 @@ TEST_F(LoadScene, MakesAProblemOfAReferenceFile) {
   const LoadedScene loaded =
       load_scene(reference / "auro/TX90_RHand_ICRA10_5PMD_TwoCanb_new.xml", plugins_);
   const PlanningProblem problem = make_problem(loaded.scene, loaded.basis);
-  EXPECT_EQ(problem.arm.size(), 6U);
-  EXPECT_EQ(problem.hand.size(), 13U);
+  EXPECT_EQ(problem.joints.arm.size(), 6U);
+  EXPECT_EQ(problem.joints.hand.size(), 13U);
 }
 
 }  // namespace

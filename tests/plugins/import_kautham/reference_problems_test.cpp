@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(Auro, ReferenceProblem, testing::ValuesIn(kProblems),
 struct RobotFile {
   std::string name;
   std::vector<std::string> coupled;
-  std::size_t hand_variables;
+  std::size_t hand_joints;
 };
 
 class ReferenceRobot : public testing::TestWithParam<RobotFile> {};
@@ -210,7 +210,7 @@ TEST_P(ReferenceRobot, MovesAsItsModifiedDhParametersSay) {
   const RobotModel& model = *loaded.scene->robots.front().model;
   EXPECT_EQ(model.link_count(), 25);
   EXPECT_EQ(model.find_group("arm")->size(), 6U);
-  EXPECT_EQ(model.find_group("hand")->size(), GetParam().hand_variables);
+  EXPECT_EQ(model.find_group("hand")->size(), GetParam().hand_joints);
   expect_same_kinematics(model, ModifiedDhRobot(file));
 }
 

@@ -64,11 +64,11 @@ TEST(StateMap, LeavesOutCoordinatesWithoutExtent) {
   PlanningProblem problem = test::open_problem();
   Eigen::VectorXd joints = planning::make_corridor_space(problem, planning::CorridorForm::kJoint)
                                ->coordinates(problem.start);
-  joints.tail(static_cast<Eigen::Index>(problem.hand.size())) = sampling::map_to_posture(
+  joints.tail(static_cast<Eigen::Index>(problem.joints.hand.size())) = sampling::map_to_posture(
       *problem.basis, Eigen::VectorXd::Constant(problem.basis->dimension(), 0.5));
   problem.start = *planning::make_corridor_space(problem, planning::CorridorForm::kJoint)
                        ->configuration(joints, problem.start);
-  problem.goal(problem.hand) = problem.start(problem.hand);
+  problem.goal(problem.joints.hand) = problem.start(problem.joints.hand);
   const int all = planning::make_control_space(problem, 13, 0.4)->dimension();
   const StateMap map(planning::make_control_space(problem, 13, 0.4));
   EXPECT_EQ(map.space()->getDimension(), static_cast<unsigned int>(all - 2))

@@ -14,9 +14,9 @@ using ::testing::Not;
 class CaptureHints : public ::testing::Test {
  protected:
   CaptureHints() {
-    for (const device::JointWire& wire : mapping_.wires) {
-      joints_.push_back(wire.joint);
-      driven_.push_back(wire.sensor >= 0);
+    for (const device::JointMapping& mapped : mapping_.joints) {
+      joints_.push_back(mapped.joint);
+      driven_.push_back(mapped.sensor >= 0);
     }
     coverage_.restart(joints_, driven_);
   }

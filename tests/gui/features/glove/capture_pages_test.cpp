@@ -37,8 +37,8 @@ class CapturePages : public GloveDock {
   [[nodiscard]] std::filesystem::path recording() const {
     device::Recording recording;
     recording.header.kind = device::RecordingKind::kAngles;
-    for (const auto& wire : pincers_mapping().wires) {
-      recording.header.sensors.push_back(wire.sensor);
+    for (const auto& mapped : pincers_mapping().joints) {
+      recording.header.sensors.push_back(mapped.sensor);
     }
     recording.times = Eigen::VectorXd::LinSpaced(600, 0.0, 6.0);
     recording.values.resize(600, 2);

@@ -1,6 +1,6 @@
 #include "features/glove/mapping_editor.h"
 
-#include "features/glove/wire_form.h"
+#include "features/glove/joint_mapping_form.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording.h"
@@ -68,7 +68,7 @@ class MappingEditor : public ::testing::Test {
 
 TEST_F(MappingEditor, RebuildsTable1ByteForByte) {
   editor_->clear();
-  EXPECT_EQ(session_->mapping().wires[0].sensor, -1);
+  EXPECT_EQ(session_->mapping().joints[0].sensor, -1);
   const char* const letters[] = {"c", "c", "e", "f", "j", "g", "h", "", "k", "l", "n", "o", "p"};
   for (int joint = 0; joint < 13; ++joint) {
     if (*letters[joint] == '\0') {
@@ -92,10 +92,10 @@ TEST_F(MappingEditor, RebuildsTable1ByteForByte) {
 TEST_F(MappingEditor, TakesACurveInPlaceOfGainAndOffset) {
   drag("h", 6);
   type("wire_curve", "0:-4, 45:-52, 97:-75");
-  const device::JointWire& wire = session_->mapping().wires[6];
-  ASSERT_EQ(wire.curve.size(), 3U);
-  EXPECT_NEAR(wire.curve[1].angle, 45.0 * geometric::kDegree, 1e-12);
-  EXPECT_NEAR(wire.curve[2].joint, -75.0 * geometric::kDegree, 1e-12);
+  const device::JointMapping& mapped = session_->mapping().joints[6];
+  ASSERT_EQ(mapped.curve.size(), 3U);
+  EXPECT_NEAR(mapped.curve[1].angle, 45.0 * geometric::kDegree, 1e-12);
+  EXPECT_NEAR(mapped.curve[2].joint, -75.0 * geometric::kDegree, 1e-12);
 }
 
 TEST_F(MappingEditor, DrawsACurveWithTheMouse) {
@@ -109,7 +109,7 @@ TEST_F(MappingEditor, DrawsACurveWithTheMouse) {
   const auto at = [&](double sensor, double joint) {
     return view->place_of(sensor * geometric::kDegree, joint * geometric::kDegree).toPoint();
   };
-  const auto curve = [&] { return session_->mapping().wires[6].curve; };
+  const auto curve = [&] { return session_->mapping().joints[6].curve; };
   QTest::mousePress(view, Qt::LeftButton, {}, at(40, -30));
   ASSERT_EQ(curve().size(), 3U) << "both ends of the straight wire, and the point";
   move_pressed_mouse(*view, at(60, -20));
@@ -119,7 +119,7 @@ TEST_F(MappingEditor, DrawsACurveWithTheMouse) {
   EXPECT_NEAR(curve()[1].joint, -20.0 * geometric::kDegree, 1.5 * geometric::kDegree);
   const ScratchFolder folder;
   editor_->save(folder.path() / "curve.yaml");
-  EXPECT_EQ(device::read_mapping(folder.path() / "curve.yaml").wires[6].curve.size(), 3U);
+  EXPECT_EQ(device::read_mapping(folder.path() / "curve.yaml").joints[6].curve.size(), 3U);
   QTest::mouseClick(view, Qt::RightButton, {}, at(60, -20));
   ASSERT_EQ(curve().size(), 2U);
   QTest::mouseClick(view, Qt::RightButton, {},
@@ -130,7 +130,7 @@ TEST_F(MappingEditor, DrawsACurveWithTheMouse) {
 TEST_F(MappingEditor, KeepsTheWireIfANumberIsNone) {
   drag("h", 6);
   type("wire_gain", "much");
-  EXPECT_EQ(session_->mapping().wires[6].gain, -1.0);
+  EXPECT_EQ(session_->mapping().joints[6].gain, -1.0);
 }
 
 TEST_F(MappingEditor, OpensWhatItSaved) {
@@ -139,7 +139,7 @@ TEST_F(MappingEditor, OpensWhatItSaved) {
   editor_->save(folder.path() / "d.yaml");
   editor_->clear();
   editor_->open(folder.path() / "d.yaml");
-  EXPECT_EQ(session_->mapping().wires[1].sensor, device::find_sensor("d").value());
+  EXPECT_EQ(session_->mapping().joints[1].sensor, device::find_sensor("d").value());
 }
 
 TEST_F(MappingEditor, AsksForMotionBeforeItCompares) {

@@ -33,15 +33,15 @@ TEST_F(MovingGroup, IsChosenAndUndone) {
   choose("arm");
   EXPECT_EQ(scene().group, std::vector<std::string>{"arm"});
   EXPECT_EQ(button().text(), "arm");
-  EXPECT_EQ(window().document().groups().arm.size(), geometric::moving_variables(scene()).size());
-  EXPECT_TRUE(window().document().groups().hand.empty());
+  EXPECT_EQ(window().document().joints().arm.size(), geometric::moving_variables(scene()).size());
+  EXPECT_TRUE(window().document().joints().hand.empty());
   choose("arm");
   EXPECT_TRUE(scene().group.empty()) << "the last one taken away: all";
   editor().undo_stack().undo();
   editor().undo_stack().undo();
   EXPECT_TRUE(scene().group.empty());
   EXPECT_EQ(button().text(), "All joints");
-  EXPECT_FALSE(window().document().groups().hand.empty());
+  EXPECT_FALSE(window().document().joints().hand.empty());
 }
 
 TEST_F(MovingGroup, KeepsTheGoalOfWhatDoesNotMoveAtTheStart) {

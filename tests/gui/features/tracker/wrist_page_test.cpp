@@ -87,7 +87,7 @@ class WristPage : public WindowTest {
     const geometric::RobotInstance& robot = *window().document().robot();
     geometric::RobotState state(robot.model);
     state.set_configuration(window().document().configuration());
-    const int last = window().document().groups().arm.back();
+    const int last = window().document().joints().arm.back();
     return state.link_pose(robot.model->variable_link(last)).translation();
   }
 

@@ -33,8 +33,8 @@ struct CurvePoint {
   double joint;
 };
 
-/// Source of the value of one joint of the hand.
-struct JointWire {
+/// Mapping from a glove sensor, or a fixed value, to one joint of the hand.
+struct JointMapping {
   std::string joint;
   int sensor = -1;      ///< Index into cyberglove_sensors(); -1: the joint is fixed.
   double gain = 1.0;    ///< joint = gain · angle + offset, without a curve.
@@ -46,11 +46,11 @@ struct JointWire {
   bool left_to_arm = false;
 };
 
-/// The wires of a whole hand.
+/// The joint mappings of a whole hand.
 struct HandMapping {
   std::string hand;    ///< Robot that the joints belong to, a file as seen from the mapping's.
   std::string source;  ///< May be empty.
-  std::vector<JointWire> wires;
+  std::vector<JointMapping> joints;
 };
 
 /// The paper's Table 1 for the SAH hand (`sah_right`): 13 joints by 11 of the 22 sensors.
@@ -103,7 +103,7 @@ class HANDWAY_DEVICE_EXPORT HandMapper : public PostureSource {
  private:
   [[nodiscard]] double value(Eigen::Index joint, double angle) const;
 
-  std::vector<JointWire> wires_;  ///< In the order of joints().
+  std::vector<JointMapping> mappings_;  ///< In the order of joints().
   PersonRanges ranges_;
 };
 

@@ -39,7 +39,7 @@ struct MappingFit {
   std::vector<std::string> warnings;
 };
 
-/// Fits gains and offsets to the range of a person's hand (open, fist, thumb moves): of each wire
+/// Fits gains and offsets to the range of a person's hand (open, fist, thumb moves): of each joint
 /// with a sensor but no curve, between the 2nd and the 98th percentile of its angles.
 ///
 ///   - Flexion goes from the joint's value at angle 0 to its limit in the direction of the gain.
@@ -47,9 +47,9 @@ struct MappingFit {
 ///   - Abduction keeps its middle, and is scaled until one side reaches its limit.
 ///   - Thumb roll and abduction, palm arch and wrist go over the joint's whole range.
 ///
-/// Each wire goes towards that only as far as it reduces the distance of the fingertips from the
+/// Each mapping goes towards that only as far as it reduces the distance of the fingertips from the
 /// person's, over the whole recording (fingertip_errors(), the mean): fitting never makes this
-/// error larger. A sensor that moved by less than 5° keeps its wire, with a warning.
+/// error larger. A sensor that moved by less than 5° keeps its mapping, with a warning.
 /// @param person whose ranges and bones are taken.
 /// @throws geometric::InputError if the recording holds counts, or the robot lacks a joint.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT MappingFit fit_mapping(const HandMapping& mapping,

@@ -51,7 +51,7 @@ class HANDWAY_EXECUTION_EXPORT PathToolCurve {
 /// Returns the name of the link that a haptic device guides: the arm's last, or the robot's last
 /// without an arm. @param arm variables of the arm.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT std::string tool_link(const geometric::RobotModel& model,
-                                                             const std::vector<int>& arm);
+                                                             const geometric::JointIndices& arm);
 
 /// Moves along a path towards a guided place, forwards and backwards, within the velocity limits of
 /// the joints. The motion never leaves the path, so everything certified for the path holds.

@@ -16,20 +16,16 @@ inline constexpr const char* kWholeRobot = "robot";
 
 /// A device that runs a part of a motion.
 struct MotionTarget {
-  std::string kind;            ///< "arm", "hand" or kWholeRobot
-  std::vector<int> variables;  ///< Robot variables that the device moves, in the device's order.
+  std::string kind;  ///< "arm", "hand" or kWholeRobot
+  /// Joints of the robot that the device moves, in the device's order.
+  geometric::JointIndices variables;
   std::unique_ptr<device::TrajectoryClient> link;
 };
-
-/// Returns the variables of the robot's arm, hand or both, ascending.
-/// @param kind "arm", "hand" or kWholeRobot.
-[[nodiscard]] HANDWAY_EXECUTION_EXPORT std::vector<int> device_variables(
-    const planning::PlanningProblem& problem, const std::string& kind);
 
 /// Returns the ranges and nominal velocities of these variables from the robot's file.
 /// @throws InputError if one has no velocity limit: devices move at fractions of it.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT device::JointRanges device_joints(
-    const geometric::RobotModel& model, const std::vector<int>& variables);
+    const geometric::RobotModel& model, const geometric::JointIndices& variables);
 
 /// Reads "arm://HOST[:PORT]", "hand://HOST[:PORT]", "ros://HOST[:PORT][/CONTROLLER][#arm|#hand]" or
 /// "ros2://" with the same parts; several are separated by commas. Connects nothing.
@@ -51,6 +47,6 @@ HANDWAY_EXECUTION_EXPORT void check_that_the_rest_stands(const geometric::RobotM
 /// Returns the part of a trajectory that a device runs, with times from 0.
 /// @param variables robot variables that the device moves.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT device::JointTrajectory part_of(
-    const planning::Trajectory& trajectory, const std::vector<int>& variables);
+    const planning::Trajectory& trajectory, const geometric::JointIndices& variables);
 
 }  // namespace handway::execution

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/robot/joint_selection.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/export.h"
 
@@ -15,18 +15,13 @@ struct CarriedObject {
   std::string name;
   /// The joints that hold it, as variables, ascending: joints of the hand that move its links
   /// against each other; a wrist does not.
-  std::vector<int> holding;
+  geometric::JointIndices holding;
 };
 
 /// The objects that hands of the first robot hold: attached to a palm or to objects held by it, or
 /// allowed to touch a link that a finger's joint moves. Objects attached elsewhere, as a tool at
 /// the flange or a camera at the forearm, are not included.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<CarriedObject> carried_objects(
-    const geometric::Scene& scene);
-
-/// Variables that stay because they hold an object, ascending: the holding joints of all
-/// carried_objects(); empty in a scene with a group, which selects the moving joints itself.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> holding_variables(
     const geometric::Scene& scene);
 
 /// Warns about joints that move on a path while they hold an object: an attached object keeps its

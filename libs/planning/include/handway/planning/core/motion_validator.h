@@ -47,7 +47,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   [[nodiscard]] const std::vector<geometric::EdgeEnd>& ends() const { return ends_; }
   /// Describes why the start (0) or the goal (1) can't be an end of a path, as "is out of limits:
   /// …"; empty if it can.
-  [[nodiscard]] std::string objection(std::size_t end);
+  [[nodiscard]] std::string invalid_end_reason(std::size_t end);
 
   /// The pair that touches in `q`, if any.
   [[nodiscard]] std::optional<int> collision(const Configuration& q);

@@ -4,6 +4,7 @@
 #include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/math/pose.h"
+#include "handway/geometric/robot/joint_selection.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/pose_goals.h"
 #include "handway/planning/export.h"
@@ -30,13 +31,9 @@ using geometric::Configuration;
 struct PlanningProblem {
   std::shared_ptr<const geometric::Scene> scene;
   std::shared_ptr<const sampling::PmdBasis> basis;  ///< Basis of the hand; null: none.
-  /// Variables that may move, ascending (geometric::Scene::group). The others are in neither arm
-  /// nor hand, and planners keep them at the start's values.
-  std::vector<int> moving;
-  std::vector<int> arm;   ///< Variables of the arm, in order.
-  std::vector<int> hand;  ///< Variables of the hand, in the basis' joint order.
-  Configuration start;    ///< c_ini
-  Configuration goal;     ///< c_goal
+  geometric::JointSelection joints;  ///< Its arm, hand, moving and fixed joints: select_joints().
+  Configuration start;               ///< c_ini
+  Configuration goal;                ///< c_goal
   /// Configurations that reach a goal pose of the scene. `goal` is the first, and planners may take
   /// any of them. Empty: `goal` is the only goal.
   std::vector<GoalCandidate> goals;
@@ -51,38 +48,15 @@ struct PlanningProblem {
   [[nodiscard]] const geometric::RobotModel& model() const { return *scene->robots.front().model; }
   /// Returns whether the goal is given by poses.
   [[nodiscard]] bool has_pose_goals() const { return !goals.empty() || !goal_fault.empty(); }
+  /// Returns the joints that a plan of this problem moves, ascending: those of arm and hand, and
+  /// others that may move and whose goal differs from the start.
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::JointIndices planned_joints() const;
   /// Makes `q` the only goal, instead of the scene's.
   HANDWAY_PLANNING_EXPORT void set_goal(Configuration q);
 };
 
-/// Returns the variables that stay at the start's values, ascending: those not in `moving`.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> fixed_variables(
-    const PlanningProblem& problem);
-
 /// Returns a sentence that names the fixed joints that the goal moves; empty if it moves none.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string group_fault(const PlanningProblem& problem);
-
-/// Returns the variables that planners move, ascending: those of arm and hand, and others in
-/// `moving` whose goal differs from the start.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> planned_variables(
-    const PlanningProblem& problem);
-
-/// Returns the variables of limbs() that planners keep at rest, ascending: those of the limbs that
-/// the goal does not move. Empty if the scene has a group, or if the goal moves no limb. A path
-/// that moves them is still valid.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> resting_variables(
-    const geometric::Scene& scene);
-
-/// Returns the hand's variables: those of the basis' joints, in its order, or without a basis those
-/// of the robot's group "hand". If several parts have such joints, the basis is for the hand that
-/// the scene's group or the goal moves.
-/// @param basis may be null. @throws InputError if it names a joint that the robot lacks.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> hand_variables(
-    const geometric::Scene& scene, const sampling::PmdBasis* basis);
-
-/// Returns the arm's variables: the group "arm" or, if it has none, all, each without the hand's.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> arm_variables(
-    const geometric::RobotModel& model, const std::vector<int>& hand);
 
 /// Requirement that a scene has a goal for its robot.
 enum class GoalNeed {
@@ -90,10 +64,8 @@ enum class GoalNeed {
   kOptional,  ///< Suffices for checking and timing a given path; see PlanningProblem::has_goal.
 };
 
-/// Builds a problem from hand_variables() and arm_variables(), either of which may be empty. With
-/// a group in the scene, the arm is the group without the hand, and a hand of which only some
-/// joints move has no basis. Both exclude resting_variables() and holding_variables(): a hand that
-/// holds an object keeps its posture, except for joints that the goal moves. Start and goal are
+/// Builds a problem of the joints of select_joints(); arm and hand may be empty. If some joints of
+/// the hand are fixed or hold an object, the problem has no basis. Start and goal are
 /// the scene's; the default start is the robot's configuration. Continuous joints of the goal are
 /// within half a turn of the start. A joint of start or goal that exceeds a limit by at most 1e-5
 /// rad or m is set to the limit. Goal poses are solved by solve_pose_goals().

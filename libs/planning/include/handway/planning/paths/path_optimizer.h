@@ -122,7 +122,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
 
   PlanningContext& context_;
   Objective objective_;
-  std::vector<int> planned_;  ///< The joints of planned_variables().
+  geometric::JointIndices planned_;  ///< PlanningProblem::planned_joints().
   sampling::RandomStream draw_;
   std::vector<Point> points_;
   std::vector<MotionSums> motions_;  ///< Between them.

@@ -23,7 +23,7 @@ class HANDWAY_PLANNING_EXPORT HumanLikeness {
  public:
   /// @param model outlives this. @param hand variables of the basis' joints, in its order.
   /// @param postures may be null. @throws std::invalid_argument for another number of variables.
-  HumanLikeness(const geometric::RobotModel& model, std::vector<int> hand,
+  HumanLikeness(const geometric::RobotModel& model, geometric::JointIndices hand,
                 const sampling::PmdBasis& basis,
                 std::shared_ptr<const sampling::RecordedPostures> postures);
 
@@ -34,7 +34,7 @@ class HANDWAY_PLANNING_EXPORT HumanLikeness {
 
  private:
   const geometric::RobotModel& model_;
-  std::vector<int> hand_;
+  geometric::JointIndices hand_;
   sampling::PostureSubspace subspace_;
   std::shared_ptr<const sampling::RecordedPostures> postures_;
 };

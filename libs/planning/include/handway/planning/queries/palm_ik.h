@@ -26,7 +26,8 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
  public:
   /// @param palm a link that the arm moves. @param arm its variables, at least one.
   /// @throws InputError if none of them moves the palm.
-  PalmIk(std::shared_ptr<const geometric::RobotModel> model, int palm, const std::vector<int>& arm);
+  PalmIk(std::shared_ptr<const geometric::RobotModel> model, int palm,
+         const geometric::JointIndices& arm);
   ~PalmIk();
   PalmIk(PalmIk&&) noexcept;
 
@@ -65,7 +66,7 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
 
   std::shared_ptr<const geometric::RobotModel> model_;
   int palm_;
-  std::vector<int> arm_;
+  geometric::JointIndices arm_;
   std::unique_ptr<geometric::InverseKinematics> closed_form_;       ///< Null: not available.
   std::unique_ptr<geometric::NumericInverseKinematics> iterative_;  ///< Starts at the posture.
   std::unique_ptr<geometric::NumericInverseKinematics> searching_;  ///< From other starts, too.
@@ -83,20 +84,20 @@ struct ReachFigures {
 
 /// @param arm variables. Nothing if none of them moves the link.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<ReachFigures> reach_figures(
-    const geometric::RobotModel& model, int link, const std::vector<int>& arm,
+    const geometric::RobotModel& model, int link, const geometric::JointIndices& arm,
     const Configuration& q);
 
 /// The link that represents a whole hand: the closest that carries all of its fingers, also where a
 /// wrist below it counts to the hand; without fingers the last that the arm moves. With several
 /// hands on arms: the first.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT int palm_link(const geometric::RobotModel& model,
-                                                    const std::vector<int>& arm,
-                                                    const std::vector<int>& hand);
+                                                    const geometric::JointIndices& arm,
+                                                    const geometric::JointIndices& hand);
 
 /// The outermost link of each finger: links that the hand's joints move and that carry no other
 /// one. @param hand its variables.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> fingertips(
-    const geometric::RobotModel& model, const std::vector<int>& hand);
+    const geometric::RobotModel& model, const geometric::JointIndices& hand);
 
 /// The middle of a link's shape, in its frame, m; its origin if it has none.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Eigen::Vector3d middle_of(const geometric::Link& link);

@@ -41,16 +41,16 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
   /// @param problem must outlive this object.
   explicit StateSpace(const PlanningProblem& problem);
 
-  /// Variables of the arm, and those of neither arm nor hand whose values at start and goal differ:
+  /// Joints of the arm, and those of neither arm nor hand whose values at start and goal differ:
   /// they have to move, too.
-  [[nodiscard]] const std::vector<int>& arm() const { return arm_; }
+  [[nodiscard]] const geometric::JointIndices& arm() const { return arm_; }
 
   /// To be called by the derived constructor.
   void set_bounds(Eigen::VectorXd lower, Eigen::VectorXd upper, geometric::Periods periods = {});
 
  private:
   const PlanningProblem& problem_;
-  std::vector<int> arm_;
+  geometric::JointIndices arm_;
   Eigen::VectorXd lower_;
   Eigen::VectorXd upper_;
   geometric::Periods periods_;
@@ -85,9 +85,9 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
  protected:
   using StateSpace::StateSpace;
 
-  /// To be called by the derived constructor. @param arm_variables whose normalised joints are the
+  /// To be called by the derived constructor. @param joints whose normalised joints are the
   /// arm's coordinates; -1 for a coordinate without limits.
-  void set_arm_coordinates(const std::vector<int>& arm_variables);
+  void set_arm_coordinates(geometric::JointIndices joints);
 
   /// Length of the straight motion, in the arm's coordinates.
   [[nodiscard]] virtual double corridor_length() const = 0;

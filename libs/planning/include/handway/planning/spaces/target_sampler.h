@@ -94,7 +94,7 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
   const TargetRegion& settings_;
   bool in_regions_;
   HandArmRegion region_;
-  std::vector<int> variables_;  ///< The moving variables.
+  geometric::JointIndices planned_;  ///< PlanningProblem::planned_joints().
   sampling::RandomStream stream_;
   Draw draw_;
   std::unique_ptr<sampling::Sampler> points_;

@@ -19,8 +19,8 @@ namespace handway::planning {
 struct Motion {
   std::string name;  ///< Letters, digits and "_"; the first a letter: for files and programs.
   std::shared_ptr<const geometric::RobotModel> model;
-  std::vector<int> arm;                ///< Variables of the arm, in order.
-  std::vector<int> hand;               ///< Variables of the hand, in order.
+  geometric::JointIndices arm;         ///< Joints of the arm, in order.
+  geometric::JointIndices hand;        ///< Joints of the hand, in order.
   JointKinematicLimits limits;         ///< The robot's, at full speed.
   double speed = 1.0;                  ///< Share of full speed in (0, 1] of the timing.
   Path path;                           ///< The waypoints, …

@@ -27,7 +27,7 @@ class CurveView : public QWidget {
   explicit CurveView(QWidget* parent = nullptr);
 
   /// @param lower, upper limits of the joint, rad.
-  void set_wire(const device::JointWire& wire, double lower, double upper);
+  void set_joint_mapping(const device::JointMapping& mapped, double lower, double upper);
   /// Shows the present angle of the sensor, rad; NaN: unknown.
   void show_sensor(double angle);
 
@@ -37,7 +37,7 @@ class CurveView : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {240, 132}; }
 
  signals:
-  void edited(const handway::device::JointWire& wire);
+  void edited(const handway::device::JointMapping& mapped);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -53,9 +53,9 @@ class CurveView : public QWidget {
   [[nodiscard]] std::optional<std::size_t> point_near(const QPointF& place) const;
   [[nodiscard]] std::size_t add_point(const device::CurvePoint& point);
   void paint_axes(QPainter& painter) const;
-  void tell();
+  void notify();
 
-  device::JointWire wire_;
+  device::JointMapping mapped_;
   double lower_ = 0.0;
   double upper_ = 1.0;
   double sensor_;
@@ -74,24 +74,24 @@ class CurveView : public QWidget {
 /// range.
 [[nodiscard]] QString sensor_tip(int sensor);
 
-/// One wire of a mapping: sensor, gain, offset or curve, or where a joint without sensor is.
-class WireForm : public QWidget {
+/// Form of one joint mapping: sensor, gain, offset or curve, or where a joint without sensor is.
+class JointMappingForm : public QWidget {
   Q_OBJECT
 
  public:
-  explicit WireForm(QWidget* parent = nullptr);
+  explicit JointMappingForm(QWidget* parent = nullptr);
 
-  void set_wire(const device::JointWire& wire);
+  void set_joint_mapping(const device::JointMapping& mapped);
 
  signals:
-  void edited(const handway::device::JointWire& wire);
+  void edited(const handway::device::JointMapping& mapped);
 
  private:
   void take();
   void show_parts();
   void mark(QLineEdit& field, bool good);
 
-  device::JointWire wire_;
+  device::JointMapping mapped_;
   QLabel* joint_;
   QComboBox* sensor_;
   QLineEdit* gain_;

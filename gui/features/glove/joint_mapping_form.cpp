@@ -1,4 +1,4 @@
-#include "features/glove/wire_form.h"
+#include "features/glove/joint_mapping_form.h"
 
 #include "features/glove/capture_coach.h"
 #include "handway/device/glove/calibration_fit.h"
@@ -50,9 +50,9 @@ CurveView::CurveView(QWidget* parent)
          "it away"));
 }
 
-void CurveView::set_wire(const device::JointWire& wire, double lower, double upper) {
-  const bool same = wire.joint == wire_.joint && wire.curve.size() == wire_.curve.size();
-  wire_ = wire;
+void CurveView::set_joint_mapping(const device::JointMapping& mapped, double lower, double upper) {
+  const bool same = mapped.joint == mapped_.joint && mapped.curve.size() == mapped_.curve.size();
+  mapped_ = mapped;
   lower_ = lower;
   upper_ = std::max(upper, lower + kApart);
   if (!same) {
@@ -90,9 +90,9 @@ CurvePoint CurveView::point_at(const QPointF& place) const {
 }
 
 double CurveView::joint_at(double angle) const {
-  const std::vector<CurvePoint>& curve = wire_.curve;
+  const std::vector<CurvePoint>& curve = mapped_.curve;
   if (curve.empty()) {
-    return wire_.gain * angle + wire_.offset;
+    return mapped_.gain * angle + mapped_.offset;
   }
   const auto after = std::ranges::upper_bound(curve, angle, std::less<>{},
                                               [](const CurvePoint& p) { return p.angle; });
@@ -105,8 +105,8 @@ double CurveView::joint_at(double angle) const {
 }
 
 std::optional<std::size_t> CurveView::point_near(const QPointF& place) const {
-  for (std::size_t i = 0; i < wire_.curve.size(); ++i) {
-    const QPointF offset = place_of(wire_.curve[i].angle, wire_.curve[i].joint) - place;
+  for (std::size_t i = 0; i < mapped_.curve.size(); ++i) {
+    const QPointF offset = place_of(mapped_.curve[i].angle, mapped_.curve[i].joint) - place;
     if (std::hypot(offset.x(), offset.y()) < kNear) {
       return i;
     }
@@ -114,15 +114,15 @@ std::optional<std::size_t> CurveView::point_near(const QPointF& place) const {
   return std::nullopt;
 }
 
-// A straight wire becomes a curve that is the same as far as the joint goes.
+// A straight mapping becomes a curve that is the same as far as the joint goes.
 std::size_t CurveView::add_point(const CurvePoint& point) {
-  std::vector<CurvePoint>& curve = wire_.curve;
+  std::vector<CurvePoint>& curve = mapped_.curve;
   if (curve.empty()) {
     double first = kLeastSensor;
     double last = kMostSensor;
-    if (wire_.gain != 0.0) {
-      const double at_lower = (lower_ - wire_.offset) / wire_.gain;
-      const double at_upper = (upper_ - wire_.offset) / wire_.gain;
+    if (mapped_.gain != 0.0) {
+      const double at_lower = (lower_ - mapped_.offset) / mapped_.gain;
+      const double at_upper = (upper_ - mapped_.offset) / mapped_.gain;
       first = std::clamp(std::min(at_lower, at_upper), kLeastSensor, kMostSensor - kApart);
       last = std::clamp(std::max(at_lower, at_upper), first + kApart, kMostSensor);
     }
@@ -141,34 +141,34 @@ std::size_t CurveView::add_point(const CurvePoint& point) {
   return index;
 }
 
-void CurveView::tell() {
+void CurveView::notify() {
   update();
-  emit edited(wire_);
+  emit edited(mapped_);
 }
 
 void CurveView::mousePressEvent(QMouseEvent* event) {
   const QPointF place = event->localPos();
   const std::optional<std::size_t> near = point_near(place);
   if (event->button() == Qt::RightButton && near) {
-    if (wire_.curve.size() <= 2) {
-      wire_.curve.clear();
+    if (mapped_.curve.size() <= 2) {
+      mapped_.curve.clear();
     } else {
-      wire_.curve.erase(wire_.curve.begin() + static_cast<std::ptrdiff_t>(*near));
+      mapped_.curve.erase(mapped_.curve.begin() + static_cast<std::ptrdiff_t>(*near));
     }
-    tell();
+    notify();
   } else if (event->button() == Qt::LeftButton) {
     dragged_ = near ? *near : add_point(point_at(place));
     if (!near) {
-      tell();
+      notify();
     }
   }
 }
 
 void CurveView::mouseMoveEvent(QMouseEvent* event) {
-  if (!dragged_ || !(event->buttons() & Qt::LeftButton) || *dragged_ >= wire_.curve.size()) {
+  if (!dragged_ || !(event->buttons() & Qt::LeftButton) || *dragged_ >= mapped_.curve.size()) {
     return;
   }
-  std::vector<CurvePoint>& curve = wire_.curve;
+  std::vector<CurvePoint>& curve = mapped_.curve;
   CurvePoint point = point_at(event->localPos());
   if (*dragged_ > 0) {
     point.angle = std::max(point.angle, curve[*dragged_ - 1].angle + kApart);
@@ -177,7 +177,7 @@ void CurveView::mouseMoveEvent(QMouseEvent* event) {
     point.angle = std::min(point.angle, curve[*dragged_ + 1].angle - kApart);
   }
   curve[*dragged_] = point;
-  tell();
+  notify();
 }
 
 void CurveView::mouseReleaseEvent(QMouseEvent* /*event*/) { dragged_.reset(); }
@@ -216,7 +216,7 @@ void CurveView::paintEvent(QPaintEvent* /*event*/) {
       area().adjusted(-kCurveDot - 1, -kCurveDot - 1, kCurveDot + 1, kCurveDot + 1));
   QPolygonF line;
   line << place_of(kLeastSensor, joint_at(kLeastSensor));
-  for (const CurvePoint& point : wire_.curve) {
+  for (const CurvePoint& point : mapped_.curve) {
     line << place_of(point.angle, point.joint);
   }
   line << place_of(kMostSensor, joint_at(kMostSensor));
@@ -224,7 +224,7 @@ void CurveView::paintEvent(QPaintEvent* /*event*/) {
   painter.setBrush(Qt::NoBrush);
   painter.drawPolyline(line);
   painter.setBrush(colors.surface);
-  for (const CurvePoint& point : wire_.curve) {
+  for (const CurvePoint& point : mapped_.curve) {
     painter.drawEllipse(place_of(point.angle, point.joint), kCurveDot, kCurveDot);
   }
   if (std::isfinite(sensor_)) {
@@ -316,7 +316,7 @@ QString sensor_tip(int sensor) {
       .arg(most / kDegree, 0, 'f', 0);
 }
 
-WireForm::WireForm(QWidget* parent)
+JointMappingForm::JointMappingForm(QWidget* parent)
     : QWidget(parent),
       joint_(new QLabel),
       sensor_(named("wire_sensor", new QComboBox)),
@@ -353,7 +353,7 @@ WireForm::WireForm(QWidget* parent)
   curve_part_ = row({new QLabel(tr("Curve")), curve_});
   fixed_part_ = row({new QLabel(tr("At °")), fixed_});
   lay_out(*this, in_column({row({joint_, sensor_}), line_part_, curve_part_, fixed_part_}, 6));
-  connect(sensor_, qOverload<int>(&QComboBox::currentIndexChanged), this, &WireForm::take);
+  connect(sensor_, qOverload<int>(&QComboBox::currentIndexChanged), this, &JointMappingForm::take);
   for (QLineEdit* edit : {gain_, offset_, curve_, fixed_}) {
     connect(edit, &QLineEdit::editingFinished, this, [this, edit] {
       if (edit->isModified()) {
@@ -364,31 +364,31 @@ WireForm::WireForm(QWidget* parent)
   show_parts();
 }
 
-void WireForm::set_wire(const device::JointWire& wire) {
-  wire_ = wire;
+void JointMappingForm::set_joint_mapping(const device::JointMapping& mapped) {
+  mapped_ = mapped;
   const QSignalBlocker quiet(sensor_);
-  joint_->setText(QStringLiteral("<b>%1</b>").arg(joint_label(wire.joint).toHtmlEscaped()));
-  sensor_->setCurrentIndex(sensor_->findData(wire.left_to_arm ? kOfArm : wire.sensor));
+  joint_->setText(QStringLiteral("<b>%1</b>").arg(joint_label(mapped.joint).toHtmlEscaped()));
+  sensor_->setCurrentIndex(sensor_->findData(mapped.left_to_arm ? kOfArm : mapped.sensor));
   sensor_->setToolTip(sensor_->currentData(Qt::ToolTipRole).toString());
-  show_text(*gain_, shown_number(wire.gain));
-  show_text(*offset_, shown_number(wire.offset / geometric::kDegree));
-  show_text(*curve_, curve_text(wire.curve));
-  show_text(*fixed_, wire.fixed ? shown_number(*wire.fixed / geometric::kDegree) : QString());
+  show_text(*gain_, shown_number(mapped.gain));
+  show_text(*offset_, shown_number(mapped.offset / geometric::kDegree));
+  show_text(*curve_, curve_text(mapped.curve));
+  show_text(*fixed_, mapped.fixed ? shown_number(*mapped.fixed / geometric::kDegree) : QString());
   for (QLineEdit* edit : {gain_, offset_, curve_, fixed_}) {
     mark(*edit, true);
   }
   show_parts();
 }
 
-void WireForm::mark(QLineEdit& field, bool good) {
+void JointMappingForm::mark(QLineEdit& field, bool good) {
   field.setStyleSheet(
       good ? QString()
            : QStringLiteral("border-color: %1;").arg(html(colors_of(current_theme()).bad)));
 }
 
 // Takes only values that were typed: the others keep all their digits.
-void WireForm::take() {
-  device::JointWire wire = wire_;
+void JointMappingForm::take() {
+  device::JointMapping mapped = mapped_;
   bool good = true;
   const auto take_field = [this, &good](QLineEdit& field, const auto& use) {
     if (field.isModified()) {
@@ -398,45 +398,45 @@ void WireForm::take() {
     }
   };
   const int chosen = sensor_->currentData().toInt();
-  wire.sensor = std::max(chosen, kFixed);
-  wire.left_to_arm = chosen == kOfArm;
+  mapped.sensor = std::max(chosen, kFixed);
+  mapped.left_to_arm = chosen == kOfArm;
   take_field(*gain_, [&](const QString& text) {
     const auto value = parse_ratio(text);
-    wire.gain = value.value_or(wire.gain);
+    mapped.gain = value.value_or(mapped.gain);
     return value.has_value();
   });
   take_field(*offset_, [&](const QString& text) {
     const auto value = parse_ratio(text);
-    wire.offset = value ? *value * geometric::kDegree : wire.offset;
+    mapped.offset = value ? *value * geometric::kDegree : mapped.offset;
     return value.has_value();
   });
   take_field(*curve_, [&](const QString& text) {
     const auto curve = parse_curve(text);
-    wire.curve = curve.value_or(std::vector<device::CurvePoint>{});
+    mapped.curve = curve.value_or(std::vector<device::CurvePoint>{});
     return curve.has_value() || text.isEmpty();
   });
   take_field(*fixed_, [&](const QString& text) {
     const auto value = parse_ratio(text);
-    wire.fixed = value ? std::optional(*value * geometric::kDegree) : std::nullopt;
+    mapped.fixed = value ? std::optional(*value * geometric::kDegree) : std::nullopt;
     return value.has_value() || text.isEmpty();
   });
-  if (wire.sensor >= 0 || wire.left_to_arm) {
-    wire.fixed.reset();
+  if (mapped.sensor >= 0 || mapped.left_to_arm) {
+    mapped.fixed.reset();
   } else {
-    wire.curve.clear();
+    mapped.curve.clear();
   }
   if (good) {
-    set_wire(wire);
-    emit edited(wire_);
+    set_joint_mapping(mapped);
+    emit edited(mapped_);
   }
 }
 
-void WireForm::show_parts() {
-  const bool driven = wire_.sensor >= 0;
+void JointMappingForm::show_parts() {
+  const bool driven = mapped_.sensor >= 0;
   line_part_->setVisible(driven);
-  line_part_->setEnabled(wire_.curve.empty());
+  line_part_->setEnabled(mapped_.curve.empty());
   curve_part_->setVisible(driven);
-  fixed_part_->setVisible(!driven && !wire_.left_to_arm);
+  fixed_part_->setVisible(!driven && !mapped_.left_to_arm);
 }
 
 }  // namespace handway::gui
