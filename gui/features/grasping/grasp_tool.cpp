@@ -173,11 +173,11 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
     hide();
     emit chosen(row());
   });
-  lay_out(*details_, in_column({note_, search_, {list_, 1}}, 6));
+  lay_out(*details_, in_column({note_, search_, {list_, 1}, film_}, 6));
   lay_out(*this,
           in_column({in_row({{title_, 1}, {fold_, 0, Qt::AlignTop}, {close, 0, Qt::AlignTop}}),
                      {details_, 1},
-                     in_row({{film_, 1}, {plan_, 1}}, 8)},
+                     plan_},
                     6),
           {12, 6, 8, 10});
 }
