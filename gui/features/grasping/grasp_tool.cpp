@@ -160,7 +160,7 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     const int row = list_->indexOfTopLevelItem(item);
     plan_->setEnabled(row >= 0);
-    film_->setEnabled(row >= 0 && tested_[static_cast<std::size_t>(row)]);
+    update_film();
     if (row >= 0) {
       emit looked_at(row);
     }
@@ -224,7 +224,6 @@ void GraspCard::list(const std::vector<planning::Pregrasp>& grasps) {
   }
   const bool is_first = listed_.empty();
   listed_ = grasps;
-  tested_.assign(grasps.size(), false);
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
@@ -263,8 +262,12 @@ void GraspCard::show_hold(int index, const planning::HoldResult& result) {
   }
   item->setText(kHeldColumn, hold_text(result));
   item->setToolTip(kHeldColumn, hold_tip(result));
-  tested_[static_cast<std::size_t>(index)] = true;
-  film_->setEnabled(row() >= 0 && tested_[static_cast<std::size_t>(row())]);
+  update_film();
+}
+
+void GraspCard::update_film() {
+  const QTreeWidgetItem* item = list_->currentItem();
+  film_->setEnabled(item != nullptr && !item->text(kHeldColumn).isEmpty());
 }
 
 void GraspCard::show_film(const QString& what) {
@@ -332,7 +335,7 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
   film_.setInterval(kFrameTime);
   connect(&film_, &QTimer::timeout, this, &GraspTool::show_next_frame);
   connect(card_, &GraspCard::film_wanted, this,
-          [this](int index, bool wanted) { wanted ? begin_film(index) : end_film(); });
+          [this](int index, bool wanted) { wanted ? begin_film(index) : look_at(index); });
   connect(&document_, &Document::opened, this, &GraspTool::end);
   connect(&document_, &Document::edited, this, [this](const SceneState& before) {
     if (before.scene != document_.scene()) {
@@ -381,26 +384,38 @@ void GraspTool::begin() {
     }
     planning::PlanningProblem asked = *prepared;
     asked.start = from.size() > 0 ? from : asked.start;
+    Eigen::Vector3d centre_O = Eigen::Vector3d::Zero();
+    if (const auto* grasped = geometric::find_object(*prepared->scene, name)) {
+      centre_O = planning::torque_scale(*geometric::tessellate(grasped->shape)).centre_O;
+    }
     const std::stop_callback on_cancel(stop, [&ends] { ends->request_stop(); });
-    const auto progress = [this, search](const std::vector<planning::Pregrasp>& found,
-                                         double fraction) {
+    const auto progress = [this, search, centre_O](const std::vector<planning::Pregrasp>& found,
+                                                   double fraction) {
       QMetaObject::invokeMethod(
-          this, [this, search, found, fraction] { take_progress(search, found, fraction); },
+          this,
+          [this, search, centre_O, found, fraction] {
+            if (search == search_) {
+              centre_O_ = centre_O;
+            }
+            take_progress(search, found, fraction);
+          },
           Qt::QueuedConnection);
     };
-    return [this, title = QString::fromStdString(name), revision = problem->revision(), ends,
-            found = planning::find_pregrasps(asked, name, {}, ends->get_token(), progress)] {
-      ++search_;  // no progress after the end
-      grasps_ = {found.found, revision};
-      if (grasps_.value.empty()) {
-        card_->show_failure(title, ends->stop_requested()
-                                       ? tr("The search was stopped before a grasp was found.")
-                                       : QString::fromStdString(found.why_none));
-      } else {
-        card_->show_grasps(grasps_.value, ends->stop_requested());
-        test(found.palm);
-      }
-    };
+    return
+        [this, title = QString::fromStdString(name), revision = problem->revision(), ends, centre_O,
+         found = planning::find_pregrasps(asked, name, {}, ends->get_token(), progress)] {
+          ++search_;  // no progress after the end
+          centre_O_ = centre_O;
+          grasps_ = {found.found, revision};
+          if (grasps_.value.empty()) {
+            card_->show_failure(title, ends->stop_requested()
+                                           ? tr("The search was stopped before a grasp was found.")
+                                           : QString::fromStdString(found.why_none));
+          } else {
+            card_->show_grasps(grasps_.value, ends->stop_requested());
+            test(found.palm);
+          }
+        };
   });
 }
 
@@ -420,8 +435,7 @@ void GraspTool::look_at(int index) {
   if (object == nullptr) {
     return;
   }
-  const planning::TorqueScale scale = planning::torque_scale(*geometric::tessellate(object->shape));
-  view_.set_overlay(Overlay::kGrasp, make_grasp_node(object->X_PO, scale.centre_O, grasp,
+  view_.set_overlay(Overlay::kGrasp, make_grasp_node(object->X_PO, centre_O_, grasp,
                                                      planning::PregraspOptions{}.contact.friction));
 }
 

@@ -11,6 +11,8 @@
 #include <QPoint>
 #include <QTimer>
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -69,6 +71,8 @@ class GraspCard : public FloatingCard {
   void film_wanted(int index, bool wanted);
 
  private:
+  /// Enables the film of the row that is looked at, once it is simulated.
+  void update_film();
   void set_up(const QString& note, bool with_list, bool searching);
   /// Lists them, the row that is looked at staying the same grasp.
   void list(const std::vector<planning::Pregrasp>& grasps);
@@ -84,7 +88,6 @@ class GraspCard : public FloatingCard {
   QProgressBar* progress_;
   QPushButton* film_;
   QPushButton* plan_;
-  std::vector<bool> tested_;  ///< By row.
   QString note_before_film_;
   std::vector<planning::Pregrasp> listed_;
   bool is_chosen_ = false;  ///< A person has chosen the row.
@@ -143,7 +146,8 @@ class GraspTool : public QObject {
   PlanningSession& session_;
   SceneView& view_;
   GraspCard* card_;
-  std::string object_;  ///< The one that grasps were looked for.
+  std::string object_;                                  ///< The one that grasps were looked for.
+  Eigen::Vector3d centre_O_ = Eigen::Vector3d::Zero();  ///< Its centre of mass, m, in its frame.
   planning::Derived<std::vector<planning::Pregrasp>> grasps_;
   int search_ = 0;  ///< The number of the last search.
   std::shared_ptr<std::stop_source> ends_search_;
