@@ -273,7 +273,7 @@ MujocoHoldTest::MujocoHoldTest(const planning::PlanningProblem& problem, std::st
       palm_(palm),
       X_WB_(problem.scene->robots.front().X_WB),
       hand_(model_of(problem, object, palm)) {
-  X_BO_ = X_WB_.inverse() * geometric::find_object(*problem.scene, object)->X_PO;
+  X_WO_ = geometric::find_object(*problem.scene, object)->X_PO;
 }
 
 HoldResult MujocoHoldTest::test(const planning::Pregrasp& grasp, const HoldConditions& conditions,
@@ -283,7 +283,7 @@ HoldResult MujocoHoldTest::test(const planning::Pregrasp& grasp, const HoldCondi
   robot_->forward_kinematics(grasp.closed, X_BL);
   const Pose& X_BP = X_BL[static_cast<std::size_t>(palm_)];
   const Eigen::Matrix3d R_PW = (X_WB_ * X_BP).linear().transpose();
-  Pose X_WO = X_WB_ * X_BO_;
+  Pose X_WO = X_WO_;
   X_WO.pretranslate(conditions.misplacement);
   Simulation simulation(hand_, *robot_, grasp, X_WB_ * X_BP, X_WO, conditions, stop, watch);
   HoldResult result;
