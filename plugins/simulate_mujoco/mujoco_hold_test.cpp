@@ -256,13 +256,14 @@ class Simulation {
   Pose squeezed_pose_;
 };
 
-HandModel model_of(const planning::PlanningProblem& problem, std::string_view object, int palm) {
+const geometric::SceneObject& object_of(const planning::PlanningProblem& problem,
+                                        std::string_view object) {
   const geometric::SceneObject* found = geometric::find_object(*problem.scene, object);
   if (found == nullptr) {
     throw geometric::InputError({"scene " + problem.scene->name, "",
                                  "\"" + std::string(object) + "\"", "an object of the scene", ""});
   }
-  return hand_model(problem.model(), palm, *found);
+  return *found;
 }
 
 }  // namespace
@@ -272,9 +273,8 @@ MujocoHoldTest::MujocoHoldTest(const planning::PlanningProblem& problem, std::st
     : robot_(problem.scene->robots.front().model),
       palm_(palm),
       X_WB_(problem.scene->robots.front().X_WB),
-      hand_(model_of(problem, object, palm)) {
-  X_WO_ = geometric::find_object(*problem.scene, object)->X_PO;
-}
+      X_WO_(object_of(problem, object).X_PO),
+      hand_(hand_model(problem.model(), palm, object_of(problem, object))) {}
 
 HoldResult MujocoHoldTest::test(const planning::Pregrasp& grasp, const HoldConditions& conditions,
                                 const std::stop_token& stop,

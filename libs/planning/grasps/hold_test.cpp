@@ -23,7 +23,7 @@ class Bisection {
 
   template <typename Holds, typename Near>
   double run(const Holds& holds, const Near& near, const std::stop_token& stop) {
-    while (!near(holds_, fails_) && !stop.stop_requested()) {
+    while (!near(holds_, fails_)) {
       const double middle = 0.5 * (holds_ + fails_);
       const bool held = holds(middle);
       if (stop.stop_requested()) {
