@@ -3,12 +3,12 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/setup/moving_group.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/select_joints.h"
 #include "handway/planning/paths/path_file.h"
-#include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "numbers.h"
 #include "printing.h"
@@ -251,7 +251,8 @@ std::string palm_of(const std::string& option, const planning::LoadedScene& load
   for (const geometric::Limb& limb : limbs(model, all)) {
     if (!limb.hand.empty() &&
         (std::ranges::any_of(limb.arm, moves) || std::ranges::any_of(limb.hand, moves))) {
-      palms.push_back(model.link(planning::palm_link(model, limb.arm, limb.hand)).name);
+      palms.push_back(
+          model.link(geometric::HandStructure::of(model, limb.arm, limb.hand).palm).name);
     }
   }
   if (palms.size() > 1) {
@@ -260,8 +261,9 @@ std::string palm_of(const std::string& option, const planning::LoadedScene& load
                                  fmt::format("the link: {}", fmt::join(palms, ", ")),
                                  "Write --goal-link LINK, or LINK: before the numbers"});
   }
-  return palms.empty() ? model.link(planning::palm_link(model, all.arm, all.hand)).name
-                       : palms.front();
+  return palms.empty()
+             ? model.link(geometric::HandStructure::of(model, all.arm, all.hand).palm).name
+             : palms.front();
 }
 
 // Returns the link named `name` or, if it is empty, palm_of().

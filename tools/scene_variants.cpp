@@ -3,6 +3,7 @@
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/queries/palm_ik.h"
@@ -26,6 +27,7 @@ namespace {
 using geometric::CollisionChecker;
 using geometric::CollisionWorld;
 using geometric::Configuration;
+using geometric::HandStructure;
 using geometric::RobotModel;
 
 constexpr double kFar = 0.3;             // m, a finger that is farther away does not close
@@ -35,36 +37,23 @@ constexpr double kDifference = 1e-4;     // step of the gradient, rad or m
 constexpr double kLeastGradient = 1e-4;  // m by rad
 constexpr int kMostSteps = 300;
 
-/// Variables and pairs of one branch of the palm.
+/// Joints and pairs of one finger.
 struct Finger {
-  std::vector<int> variables;
+  geometric::JointIndices joints;
   std::vector<int> pairs;         ///< All pairs with its links.
   std::vector<int> object_pairs;  ///< Pairs with the objects.
 };
 
-// The palm's child above `link`; -1: `link` is not below the palm.
-int branch_of(const RobotModel& model, int palm, int link) {
-  while (link >= 0 && model.parent(link) != palm) {
-    link = model.parent(link);
-  }
-  return link;
-}
-
-std::vector<Finger> fingers_of(const CollisionWorld& world, const std::vector<int>& hand, int palm,
+std::vector<Finger> fingers_of(const CollisionWorld& world, const HandStructure& hand,
                                const std::vector<std::string>& objects) {
-  const RobotModel& model = world.model();
-  std::map<int, Finger> by_branch;
-  for (const int variable : hand) {
-    if (const int branch = branch_of(model, palm, model.variable_link(variable)); branch >= 0) {
-      by_branch[branch].variables.push_back(variable);
-    }
-  }
-  for (int pair = 0; pair < static_cast<int>(world.pairs().size()); ++pair) {
-    const geometric::BodyPair& bodies = world.pairs()[static_cast<std::size_t>(pair)];
-    for (auto& [branch, finger] : by_branch) {
-      const auto is_of_finger = [&, b = branch](int body) {
-        return world.body(body).moves() && branch_of(model, palm, world.body(body).link) == b;
-      };
+  std::vector<Finger> fingers;
+  for (const geometric::HandFinger& found : hand.fingers) {
+    Finger finger{found.joints, {}, {}};
+    const auto is_of_finger = [&](int body) {
+      return world.body(body).moves() && std::ranges::count(found.links, world.body(body).link) > 0;
+    };
+    for (int pair = 0; pair < static_cast<int>(world.pairs().size()); ++pair) {
+      const geometric::BodyPair& bodies = world.pairs()[static_cast<std::size_t>(pair)];
       if (is_of_finger(bodies.a) || is_of_finger(bodies.b)) {
         finger.pairs.push_back(pair);
         if (std::ranges::count(objects, world.body(bodies.b).name) > 0) {
@@ -72,10 +61,6 @@ std::vector<Finger> fingers_of(const CollisionWorld& world, const std::vector<in
         }
       }
     }
-  }
-  std::vector<Finger> fingers;
-  fingers.reserve(by_branch.size());
-  for (auto& [branch, finger] : by_branch) {
     fingers.push_back(std::move(finger));
   }
   return fingers;
@@ -128,7 +113,7 @@ class FingerClosing {
   // Direction against the gradient of the distance, of joints that are not at a limit.
   [[nodiscard]] Configuration closing_direction(const Configuration& q, double distance) {
     Configuration direction = Configuration::Zero(q.size());
-    for (const int v : finger_.variables) {
+    for (const int v : finger_.joints) {
       Configuration moved = q;
       const double step = q[v] + kDifference <= model_.upper()[v] ? kDifference : -kDifference;
       moved[v] += step;
@@ -145,13 +130,11 @@ class FingerClosing {
   double gap_;
 };
 
-/// The links of a hand: `palm` and all that it carries.
-std::vector<int> hand_links(const RobotModel& model, int palm) {
-  std::vector<int> links{palm};
-  for (int link = 0; link < model.link_count(); ++link) {
-    if (branch_of(model, palm, link) >= 0) {
-      links.push_back(link);
-    }
+/// The links of a hand: its palm and those of all fingers.
+geometric::LinkIndices links_of(const HandStructure& hand) {
+  geometric::LinkIndices links{hand.palm};
+  for (const geometric::HandFinger& finger : hand.fingers) {
+    links.insert(links.end(), finger.links.begin(), finger.links.end());
   }
   return links;
 }
@@ -160,11 +143,10 @@ std::vector<int> hand_links(const RobotModel& model, int palm) {
 /// down the gradient of its distance to the nearest of them, until only `gap` to any body is left,
 /// the hand's other links included, or its joints are at their limits. A finger that is already
 /// closer stays. Same arguments, same bits.
-/// @param hand variables of the hand. @param palm the link that its fingers hang from.
 /// @param objects names of fixed bodies. @param gap m, > 0.
-Configuration close_hand(CollisionChecker& checker, const std::vector<int>& hand, int palm,
+Configuration close_hand(CollisionChecker& checker, const HandStructure& hand,
                          const std::vector<std::string>& objects, Configuration q, double gap) {
-  for (const Finger& finger : fingers_of(checker.world(), hand, palm, objects)) {
+  for (const Finger& finger : fingers_of(checker.world(), hand, objects)) {
     q = FingerClosing(checker, finger, gap).closed(std::move(q));
   }
   return q;
@@ -326,8 +308,8 @@ class VariantGenerator::Parts {
   explicit Parts(const planning::PlanningProblem& problem)
       : problem_(problem),
         scene_(*problem.scene),
-        palm_(planning::palm_link(problem.model(), problem.joints.arm, problem.joints.hand)),
-        hand_links_(hand_links(problem.model(), palm_)),
+        hand_(HandStructure::of(problem.model(), problem.joints.arm, problem.joints.hand)),
+        hand_links_(links_of(hand_)),
         units_(movable_units(scene_)) {
     for (Unit& unit : units_) {
       unit.contacts = contact_depths(scene_, unit, 0.0);
@@ -359,8 +341,8 @@ class VariantGenerator::Parts {
       }
     }
     if (target_) {
-      placement.goal = close_hand(*placement.checker, problem_.joints.hand, palm_, target_names_,
-                                  placement.goal, kVariantHandGap);
+      placement.goal =
+          close_hand(*placement.checker, hand_, target_names_, placement.goal, kVariantHandGap);
     }
     FclChecker reference(placement.world);
     if (!is_free(reference, *scene_.start) || !is_free(reference, placement.goal)) {
@@ -451,7 +433,7 @@ class VariantGenerator::Parts {
   [[nodiscard]] bool solve_goal(Placement& placement) const {
     std::vector<Configuration> goals{*scene_.goal};
     if (target_) {
-      const planning::PalmIk ik(scene_.robots.front().model, palm_, problem_.joints.arm);
+      const planning::PalmIk ik(scene_.robots.front().model, hand_.palm, problem_.joints.arm);
       const Pose& X_WB = scene_.robots.front().X_WB;
       const Pose moved = placement.motions[*target_].about(units_[*target_].middle);
       goals = ik.all(*scene_.goal, X_WB.inverse() * moved * X_WB * ik.pose(*scene_.goal));
@@ -528,8 +510,8 @@ class VariantGenerator::Parts {
 
   const planning::PlanningProblem& problem_;
   const Scene& scene_;
-  int palm_;
-  std::vector<int> hand_links_;
+  HandStructure hand_;
+  geometric::LinkIndices hand_links_;
   std::vector<Unit> units_;
   std::optional<std::size_t> target_;  ///< Empty: the goal stays.
   std::vector<std::string> target_names_;

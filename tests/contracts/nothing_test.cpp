@@ -4,6 +4,7 @@
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/setup/collision_sampling.h"
 #include "handway/geometric/setup/robot_setup.h"
 #include "handway/planning/extensions/plugin.h"
@@ -175,7 +176,8 @@ TEST_P(EveryNothing, IsAskedWhatTheWindowAsks) {
   const PlanningProblem problem = make_problem(scene_, nullptr);
   EXPECT_TRUE(find_nearest_free(problem, start_).q);
   EXPECT_EQ(describe_change(problem.model(), start_, start_), "nothing");
-  static_cast<void>(palm_link(problem.model(), problem.joints.arm, problem.joints.hand));
+  static_cast<void>(
+      geometric::HandStructure::of(problem.model(), problem.joints.arm, problem.joints.hand));
   static_cast<void>(geometric::sample_overlapping_links(problem.model(), 20, 1));
   for (const geometric::SceneObject& object : scene_->objects) {
     try {

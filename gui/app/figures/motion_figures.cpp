@@ -1,10 +1,10 @@
 #include "app/figures/motion_figures.h"
 
 #include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/robot/joint_selection.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
-#include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
 #include "model/playback/path_player.h"
 #include "view3d/scene_pictures.h"
@@ -125,7 +125,9 @@ std::vector<QImage> pictures_of(const FilmRow& row, int frames, FilmView view) {
   const PathTimeline timeline(*robot.model, row.path);
   const auto joints = geometric::JointSelection::of_groups(*robot.model);
   const std::vector<Eigen::Vector3d> palm =
-      palm_path(robot, timeline, planning::palm_link(*robot.model, joints.arm, joints.hand)).points;
+      palm_path(robot, timeline,
+                geometric::HandStructure::of(*robot.model, joints.arm, joints.hand).palm)
+          .points;
   ScenePictures pictures(row.scene);
   OrbitCamera camera = camera_of(row);
   if (view == FilmView::kTask) {

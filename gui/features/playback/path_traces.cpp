@@ -1,7 +1,7 @@
 #include "features/playback/path_traces.h"
 
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/setup/swept_volume.h"
-#include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
 #include "model/meshes/shaded_meshes.h"
 #include "model/playback/path_player.h"
@@ -82,7 +82,7 @@ void PathTraces::update_trails() {
     return;
   }
   std::vector<std::vector<Eigen::Vector3d>> trails;
-  for (const int link : planning::fingertips(*robot->model, document_.joints().hand)) {
+  for (const int link : geometric::fingertips(*robot->model, document_.joints().hand)) {
     trails.push_back(palm_path(*robot, player_.timeline(), link).points);
   }
   view_.set_overlay(Overlay::kTrails, make_trails_node(trails));

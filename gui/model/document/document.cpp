@@ -4,10 +4,10 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/composed_robot.h"
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/setup/mounting.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/select_joints.h"
-#include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "model/document/new_scene.h"
 #include "model/document/robot_edits.h"
@@ -267,7 +267,7 @@ void Document::set_scene(planning::LoadedScene scene, const std::filesystem::pat
 
 void Document::take_hand() {
   joints_ = planning::select_movable_joints(*loaded_.scene, loaded_.basis.get());
-  palm_ = planning::palm_link(*robot()->model, joints_.arm, joints_.hand);
+  palm_ = geometric::HandStructure::of(*robot()->model, joints_.arm, joints_.hand).palm;
 }
 
 void Document::use_first_robot(const geometric::Configuration& q) {

@@ -1,6 +1,7 @@
 #include "handway/geometric/robot/group_proposal.h"
 
 #include "handway/geometric/robot/base_joint.h"
+#include "handway/geometric/robot/hand_structure.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,7 +21,6 @@ constexpr double kLongestFinger = 0.4;           // m
 constexpr std::size_t kMostJointsOfWrist = 2;    // joints of any length
 constexpr std::size_t kMostJointsOfCompact = 3;  // joints of a compact wrist
 constexpr double kCompactWrist = 0.15;           // m
-constexpr double kBesideFinger = 0.03;           // m: bars of a linkage begin that near to it
 constexpr int kMostJointsOfNeck = 3;
 constexpr double kWithObject = 0.8;  // share of fingers' distance: the rest is the object
 
@@ -53,6 +53,9 @@ class GroupFinder {
     if (!proposal_.hand.empty() && leads_by_a_wrist()) {
       std::swap(proposal_.wrist, proposal_.arm);
     }
+    std::ranges::transform(fingertips(model_, hand_joints_),
+                           std::back_inserter(proposal_.fingertips),
+                           [&](int tip) { return model_.link(tip).name; });
     ask();
     return std::move(proposal_);
   }
@@ -85,7 +88,7 @@ class GroupFinder {
     }
     std::vector<int> branches = moving_branches(link);
     if (branches.empty()) {
-      proposal_.tip = last_link(link);
+      proposal_.tip = model_.link(last_fixed_link(model_, link)).name;
     } else if (is_palm(link)) {
       add_hand(link, branches);
     } else {
@@ -197,14 +200,16 @@ class GroupFinder {
     if (proposal_.palm.empty()) {
       proposal_.palm = model_.link(palm).name;
     }
-    std::vector<int> grasping = fingers;
-    keep_if_any(grasping, [&](int finger) {
-      return std::ranges::none_of(fingers, [&](int other) { return is_bar_beside(finger, other); });
-    });
-    keep_if_any(grasping, [&](int finger) { return has_shape(finger); });
-    for (const int finger : fingers) {
-      add_finger(finger, std::ranges::count(grasping, finger) > 0);
+    std::ranges::for_each(fingers, [&](int finger) { add_finger(finger); });
+  }
+
+  void add_finger(int link) {
+    add(proposal_.hand, link);
+    if (model_.joint(link).type != JointType::kFixed) {
+      hand_joints_.push_back(model_.drive(link).variable);
     }
+    const std::vector<int> branches = moving_branches(link);
+    std::ranges::for_each(branches, [&](int branch) { add_finger(branch); });
   }
 
   // Returns whether a link has a shape; motors and synergies that move fingers are links without.
@@ -214,66 +219,10 @@ class GroupFinder {
                                [&](int child) { return has_shape(child); });
   }
 
-  // The tip is at the last shape: frames beyond, as of the opposite jaw, are not tips.
-  void add_finger(int link, bool grasps) {
-    add(proposal_.hand, link);
-    const bool is_drawn = has_shape(link);
-    bool goes_on = false;
-    for (const int branch : moving_branches(link)) {
-      const bool is_more = has_shape(branch) || !is_drawn;
-      add_finger(branch, grasps && is_more);
-      goes_on = goes_on || is_more;
-    }
-    if (grasps && !goes_on) {
-      proposal_.fingertips.push_back(last_link(link));
-    }
-  }
-
-  // Returns whether a branch is a bar of the linkage that keeps the tip of a finger parallel, as
-  // grippers with parallel jaws have them: it begins beside the finger, turns with it to the same
-  // side and has fewer joints.
-  [[nodiscard]] bool is_bar_beside(int bar, int finger) const {
-    const std::vector<int> of_bar = drives(bar);
-    const std::vector<int> of_finger = drives(finger);
-    const auto base = [&](int link) { return model_.joint(link).X_PJ.translation(); };
-    const auto axis = [&](int link) -> Eigen::Vector3d {
-      return model_.joint(link).X_PJ.linear() * model_.joint(link).axis *
-             model_.drive(link).multiplier;
-    };
-    return of_bar.size() < of_finger.size() && (base(bar) - base(finger)).norm() < kBesideFinger &&
-           axis(bar).dot(axis(finger)) >= 0.0 &&
-           std::ranges::all_of(of_bar, [&](int variable) { return variable == of_finger.front(); });
-  }
-
-  // Variables that move the joints of a branch, one per joint.
-  [[nodiscard]] std::vector<int> drives(int link) const {
-    std::vector<int> variables;
-    if (model_.joint(link).type != JointType::kFixed) {
-      variables.push_back(model_.drive(link).variable);
-    }
-    for (const int branch : moving_branches(link)) {
-      std::ranges::copy(drives(branch), std::back_inserter(variables));
-    }
-    return variables;
-  }
-
   void add(std::vector<std::string>& joints, int link) const {
     if (model_.joint(link).type != JointType::kFixed) {
       joints.push_back(model_.joint(link).name);
     }
-  }
-
-  // The end of a chain of fixed joints; if it branches, the farthest one.
-  [[nodiscard]] std::string last_link(int link) const {
-    std::vector<int> children = children_[static_cast<std::size_t>(link)];
-    std::erase_if(children, [&](int child) { return moves_[static_cast<std::size_t>(child)]; });
-    if (children.empty()) {
-      return model_.link(link).name;
-    }
-    return last_link(*std::ranges::max_element(children, {}, [&](int child) {
-      return reach_[static_cast<std::size_t>(child)] +
-             model_.joint(child).X_PJ.translation().norm();
-    }));
   }
 
   void ask() {
@@ -299,6 +248,7 @@ class GroupFinder {
   std::vector<double> reach_;  // m, from the link to the farthest end of what it carries
   std::vector<bool> is_palm_;
   std::vector<std::optional<int>> joints_to_palm_;
+  JointIndices hand_joints_;  // of proposal_.hand
   GroupProposal proposal_;
 };
 

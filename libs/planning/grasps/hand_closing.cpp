@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <map>
+#include <iterator>
 #include <utility>
 
 namespace handway::planning {
@@ -49,9 +49,10 @@ Vector3d nearest_in(const geometric::Aabb& box, const Vector3d& p) {
   return p.cwiseMax(box.lower).cwiseMin(box.upper);
 }
 
-HandClosing::HandClosing(const PlanningProblem& problem, int palm)
-    : problem_(problem), palm_(palm) {
-  find_fingers();
+HandClosing::HandClosing(const PlanningProblem& problem, const geometric::HandStructure& hand)
+    : problem_(problem), palm_(hand.palm) {
+  std::ranges::transform(hand.fingers, std::back_inserter(fingers_),
+                         [this](const auto& finger) { return closing_finger(finger); });
   make_preshapes();
 }
 
@@ -80,11 +81,10 @@ Eigen::VectorXd HandClosing::towards(const Finger& finger, const Eigen::VectorXd
                                      const geometric::Aabb& box, const Pose& X_PO) const {
   const RobotModel& model = problem_.model();
   const std::vector<Pose> X_BL = link_poses(posture);
-  const Vector3d tip_O = X_PO.inverse() * last_link(finger, X_BL) * finger.p_LTip;
+  const Vector3d tip_O = X_PO.inverse() * tip_link(finger, X_BL) * finger.p_LTip;
   const Pose X_BO = X_BL[static_cast<std::size_t>(palm_)] * X_PO;
   const Vector3d direction_B = X_BO.linear() * (nearest_in(box, tip_O) - tip_O).normalized();
-  const geometric::Jacobian J =
-      geometric::point_jacobian(model, X_BL, finger.links.back(), finger.p_LTip);
+  const geometric::Jacobian J = geometric::point_jacobian(model, X_BL, finger.tip, finger.p_LTip);
   const Eigen::VectorXd of_hand =
       (J.topRows<3>().transpose() * direction_B)
           .cwiseProduct(model.upper() - model.lower())(problem_.joints.hand);
@@ -92,59 +92,20 @@ Eigen::VectorXd HandClosing::towards(const Finger& finger, const Eigen::VectorXd
   return rates.norm() > 1e-9 ? rates.normalized() : Eigen::VectorXd::Zero(rates.size());
 }
 
-void HandClosing::find_fingers() {
+HandClosing::Finger HandClosing::closing_finger(const geometric::HandFinger& found) const {
   const RobotModel& model = problem_.model();
-  std::vector<int> tips_below(static_cast<std::size_t>(model.link_count()), 0);
-  for (const int tip : fingertips(model, problem_.joints.hand)) {
-    for (int link = tip; link >= 0; link = model.parent(link)) {
-      ++tips_below[static_cast<std::size_t>(link)];
-    }
+  Finger finger{.joints = {}, .links = found.links, .tip = found.tip};
+  for (const int joint : found.joints) {
+    const auto place = std::ranges::find(problem_.joints.hand, joint);
+    finger.joints.push_back(static_cast<int>(place - problem_.joints.hand.begin()));
   }
-  const auto carries_fingers = [&](int link) {
-    return tips_below[static_cast<std::size_t>(link)] > 1;
-  };
-  std::map<int, Finger> by_root;  // what everything of a finger hangs from: at the palm, or at a
-                                  // part of it that moves
-  const auto root_of = [&](int link) {
-    if (carries_fingers(link)) {
-      return -1;
-    }
-    while (link >= 0 && model.parent(link) != palm_ &&
-           (model.parent(link) < 0 || !carries_fingers(model.parent(link)))) {
-      link = model.parent(link);
-    }
-    int below = link;  // of the palm?
-    while (below >= 0 && below != palm_) {
-      below = model.parent(below);
-    }
-    return below == palm_ ? link : -1;
-  };
-  for (int link = 1; link < model.link_count(); ++link) {  // those of coupled joints too
-    const auto joint = std::ranges::find(problem_.joints.hand, model.drive(link).variable);
-    const int root = root_of(link);
-    if (joint != problem_.joints.hand.end() && root >= 0) {
-      std::vector<int>& joints = by_root[root].joints;
-      const auto j = static_cast<int>(joint - problem_.joints.hand.begin());
-      if (std::ranges::count(joints, j) == 0) {
-        joints.push_back(j);
-      }
-    }
+  finger.p_LTip = middle_of(model.link(finger.tip));
+  double length = finger.p_LTip.norm();
+  for (const Vector3d& p_L : geometric::collision_mesh(model.link(finger.tip)).vertices) {
+    length = std::max(length, p_L.norm());
   }
-  for (int link = 0; link < model.link_count(); ++link) {
-    if (const auto found = by_root.find(root_of(link)); found != by_root.end()) {
-      found->second.links.push_back(link);
-    }
-  }
-  for (auto& [root, finger] : by_root) {
-    finger.p_LTip = middle_of(model.link(finger.links.back()));
-    double length = finger.p_LTip.norm();
-    for (const Vector3d& p_L :
-         geometric::collision_mesh(model.link(finger.links.back())).vertices) {
-      length = std::max(length, p_L.norm());
-    }
-    finger.p_LEnd = length * finger.p_LTip.normalized();
-    fingers_.push_back(std::move(finger));
-  }
+  finger.p_LEnd = length * finger.p_LTip.normalized();
+  return finger;
 }
 
 std::vector<Pose> HandClosing::link_poses(const Eigen::VectorXd& posture) const {
@@ -154,9 +115,9 @@ std::vector<Pose> HandClosing::link_poses(const Eigen::VectorXd& posture) const 
 }
 
 // In the palm's frame.
-Pose HandClosing::last_link(const Finger& finger, const std::vector<Pose>& X_BL) const {
+Pose HandClosing::tip_link(const Finger& finger, const std::vector<Pose>& X_BL) const {
   return X_BL[static_cast<std::size_t>(palm_)].inverse() *
-         X_BL[static_cast<std::size_t>(finger.links.back())];
+         X_BL[static_cast<std::size_t>(finger.tip)];
 }
 
 std::optional<HandClosing::Preshape> HandClosing::preshape(Eigen::VectorXd open) const {
@@ -168,7 +129,7 @@ std::optional<HandClosing::Preshape> HandClosing::preshape(Eigen::VectorXd open)
   Eigen::Matrix3Xd ends(3, tips.cols());
   for (Eigen::Index i = 0; i < tips.cols(); ++i) {
     const Finger& finger = fingers_[static_cast<std::size_t>(i)];
-    const Pose X_PL = last_link(finger, X_BL);
+    const Pose X_PL = tip_link(finger, X_BL);
     tips.col(i) = X_PL * finger.p_LTip;
     ends.col(i) = X_PL * finger.p_LEnd;
   }

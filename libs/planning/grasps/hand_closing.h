@@ -2,6 +2,7 @@
 
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/planning/core/planning_problem.h"
 
 #include <Eigen/Core>
@@ -35,18 +36,18 @@ class HandClosing {
     Eigen::Vector3d row = {};    ///< Along the others' tips, square to it; of length 1.
     double opening = 0.0;        ///< From the thumb's tip to the others.
   };
-  /// The part of the hand that one branch of the palm carries.
+  /// A finger as far as closing needs it.
   struct Finger {
     std::vector<int> joints;  ///< Indices in the basis' order, the nearest to the palm first.
-    std::vector<int> links;
-    Eigen::Vector3d p_LTip = Eigen::Vector3d::Zero();  ///< Middle of the last one, in its frame.
+    geometric::LinkIndices links;
+    int tip = -1;                                      ///< The link of the fingertip.
+    Eigen::Vector3d p_LTip = Eigen::Vector3d::Zero();  ///< The tip's middle, in its frame.
     Eigen::Vector3d p_LEnd =
         Eigen::Vector3d::Zero();  ///< Its end, as far from the joint as it goes.
   };
 
   /// @param problem must outlive this object.
-  /// @param palm the link of the hand.
-  HandClosing(const PlanningProblem& problem, int palm);
+  HandClosing(const PlanningProblem& problem, const geometric::HandStructure& hand);
 
   [[nodiscard]] bool opens() const { return !preshapes_.empty(); }
   /// m; of a hand that opens.
@@ -69,10 +70,10 @@ class HandClosing {
                                         const geometric::Pose& X_PO) const;
 
  private:
-  void find_fingers();
+  [[nodiscard]] Finger closing_finger(const geometric::HandFinger& found) const;
   [[nodiscard]] std::vector<geometric::Pose> link_poses(const Eigen::VectorXd& posture) const;
-  [[nodiscard]] geometric::Pose last_link(const Finger& finger,
-                                          const std::vector<geometric::Pose>& X_BL) const;
+  [[nodiscard]] geometric::Pose tip_link(const Finger& finger,
+                                         const std::vector<geometric::Pose>& X_BL) const;
   [[nodiscard]] std::optional<Preshape> preshape(Eigen::VectorXd open) const;
   [[nodiscard]] Eigen::VectorXd drawn_posture(sampling::RandomStream& random) const;
   void make_preshapes();

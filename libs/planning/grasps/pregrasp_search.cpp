@@ -32,6 +32,7 @@ namespace handway::planning {
 namespace {
 
 using Eigen::Vector3d;
+using geometric::HandStructure;
 using geometric::Pose;
 
 constexpr double kContactDistance = 0.015;  // m, of a finger at the object
@@ -126,7 +127,7 @@ PlanningProblem with_nearest_hand(const PlanningProblem& problem,
   std::vector<Pose> X_BL(static_cast<std::size_t>(problem.model().link_count()));
   problem.model().forward_kinematics(problem.start, X_BL);
   const auto distance = [&](const geometric::Limb& limb) {
-    const int palm = palm_link(problem.model(), limb.arm, limb.hand);
+    const int palm = HandStructure::of(problem.model(), limb.arm, limb.hand).palm;
     const Pose X_WP = robot.X_WB * X_BL[static_cast<std::size_t>(palm)];
     return (X_WP.translation() - object.X_PO.translation()).norm();
   };
@@ -270,10 +271,9 @@ class PregraspSearch {
         options_(options),
         stop_(stop),
         checker_(problem.checker->clone()),
-        ik_(problem.scene->robots.front().model,
-            palm_link(problem.model(), problem.joints.arm, problem.joints.hand),
-            problem.joints.arm),
-        hand_(problem, ik_.palm()),
+        structure_(HandStructure::of(problem.model(), problem.joints.arm, problem.joints.hand)),
+        ik_(problem.scene->robots.front().model, structure_.palm, problem.joints.arm),
+        hand_(problem, structure_),
         box_(geometric::bounding_box(*geometric::tessellate(object.shape))),
         chords_(*geometric::tessellate(object.shape)),
         X_BO_(problem.scene->robots.front().X_WB.inverse() * object.X_PO),
@@ -710,6 +710,7 @@ class PregraspSearch {
   PregraspOptions options_;
   std::stop_token stop_;
   std::unique_ptr<geometric::CollisionChecker> checker_;
+  HandStructure structure_;
   PalmIk ik_;
   HandClosing hand_;
   geometric::Aabb box_;

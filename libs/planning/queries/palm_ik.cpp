@@ -14,6 +14,7 @@
 namespace handway::planning {
 namespace {
 
+using geometric::JointIndices;
 using geometric::Pose;
 using geometric::RobotModel;
 
@@ -22,28 +23,16 @@ constexpr double kBend = 0.05;    // rad
 constexpr int kMostPostures = 4;  // postures of an arm without closed form
 constexpr double kBetter = 0.9;   // share of the remaining distance that justifies a jump
 
-std::vector<int> ancestors(const RobotModel& model, int link) {
-  std::vector<int> chain;
-  for (link = model.parent(link); link >= 0; link = model.parent(link)) {
-    chain.push_back(link);
-  }
-  return chain;
-}
-
-// Returns the elements of a list that are in `others`, too.
-std::vector<int> shared_by(std::vector<int> list, const std::vector<int>& others) {
-  std::erase_if(list, [&](int one) { return std::ranges::count(others, one) == 0; });
-  return list;
-}
-
 // Returns those of the variables that move the link.
-std::vector<int> that_move(const RobotModel& model, int link, const std::vector<int>& variables) {
-  return shared_by(geometric::chain_variables(model, link), variables);
+JointIndices that_move(const RobotModel& model, int link, const JointIndices& variables) {
+  JointIndices moving = geometric::chain_variables(model, link);
+  std::erase_if(moving, [&](int one) { return std::ranges::count(variables, one) == 0; });
+  return moving;
 }
 
 // Solutions near to the reference only.
 geometric::NumericIkOptions from_the_reference(const RobotModel& model, int palm,
-                                               const std::vector<int>& arm) {
+                                               const JointIndices& arm) {
   geometric::NumericIkOptions options;
   options.position_only = std::ssize(that_move(model, palm, arm)) < kPoseFreedoms;
   options.position_tolerance = geometric::metres(0.1);
@@ -59,30 +48,9 @@ geometric::NumericIkOptions from_anywhere(geometric::NumericIkOptions options) {
   return options;
 }
 
-// The deepest link below `carrier` that carries all links moved by the hand's joints: a wrist that
-// counts to the hand is no finger. `carrier` itself if they move a single chain.
-int past_the_wrist(const RobotModel& model, const std::vector<int>& hand, int carrier) {
-  std::vector<bool> carries_moved(static_cast<std::size_t>(model.link_count()));
-  std::optional<std::vector<int>> shared;
-  int ends = 0;
-  for (int link = model.link_count() - 1; link > carrier; --link) {  // parents come first
-    const std::vector<int> chain = ancestors(model, link);
-    if (std::ranges::count(hand, model.drive(link).variable) == 0 ||
-        carries_moved[static_cast<std::size_t>(link)] || std::ranges::count(chain, carrier) == 0) {
-      continue;
-    }
-    for (const int above : chain) {
-      carries_moved[static_cast<std::size_t>(above)] = true;
-    }
-    ++ends;
-    shared = shared_by(shared.value_or(chain), chain);
-  }
-  return ends > 1 ? shared->front() : carrier;
-}
-
 }  // namespace
 
-PalmIk::PalmIk(std::shared_ptr<const RobotModel> model, int palm, const std::vector<int>& arm)
+PalmIk::PalmIk(std::shared_ptr<const RobotModel> model, int palm, const JointIndices& arm)
     : model_(std::move(model)),
       palm_(palm),
       arm_(arm),
@@ -173,7 +141,7 @@ Configuration PalmIk::swung(const Configuration& q, const Pose& X_BP, double by,
   if (!is_redundant()) {
     return now;
   }
-  const std::vector<int>& joints = iterative_->variables();
+  const JointIndices& joints = iterative_->variables();
   const int steps = static_cast<int>(std::ceil(std::abs(by) / kStep));
   for (int s = 0; s < steps; ++s) {
     const Eigen::VectorXd next = null_space_direction(now, direction);
@@ -194,8 +162,8 @@ Configuration PalmIk::swung(const Configuration& q, const Pose& X_BP, double by,
 }
 
 std::optional<ReachFigures> reach_figures(const RobotModel& model, int link,
-                                          const std::vector<int>& arm, const Configuration& q) {
-  const std::vector<int> moving = that_move(model, link, arm);
+                                          const JointIndices& arm, const Configuration& q) {
+  const JointIndices moving = that_move(model, link, arm);
   if (moving.empty()) {
     return std::nullopt;
   }
@@ -207,40 +175,6 @@ std::optional<ReachFigures> reach_figures(const RobotModel& model, int link,
   const Eigen::Vector3d p_B = X_BL[static_cast<std::size_t>(link)].translation();
   return ReachFigures{geometric::manipulability(J),
                       ball.radius > 0.0 ? (p_B - ball.centre).norm() / ball.radius : 0.0};
-}
-
-int palm_link(const RobotModel& model, const geometric::JointIndices& arm,
-              const geometric::JointIndices& hand) {
-  if (!hand.empty()) {
-    const auto arm_below = [&](const std::vector<int>& chain) {
-      return chain.empty() ? 0 : std::ssize(that_move(model, chain.front(), arm));
-    };
-    std::vector<int> common = ancestors(model, model.variable_link(hand.front()));
-    for (const int variable : hand) {
-      std::vector<int> shared = shared_by(common, ancestors(model, model.variable_link(variable)));
-      if (arm_below(shared) == arm_below(common)) {  // else: of another hand
-        common = std::move(shared);
-      }
-    }
-    if (!common.empty()) {
-      return past_the_wrist(model, hand, common.front());
-    }
-  }
-  return arm.empty() ? model.link_count() - 1 : model.variable_link(arm.back());
-}
-
-std::vector<int> fingertips(const geometric::RobotModel& model, const std::vector<int>& hand) {
-  std::vector<bool> carries(static_cast<std::size_t>(model.link_count()), false);
-  for (int link = 1; link < model.link_count(); ++link) {
-    carries[static_cast<std::size_t>(model.parent(link))] = true;
-  }
-  std::vector<int> tips;
-  for (int link = 0; link < model.link_count(); ++link) {
-    if (!carries[static_cast<std::size_t>(link)] && !that_move(model, link, hand).empty()) {
-      tips.push_back(link);
-    }
-  }
-  return tips;
 }
 
 Eigen::Vector3d middle_of(const geometric::Link& link) {

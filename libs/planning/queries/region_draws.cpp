@@ -1,6 +1,7 @@
 #include "handway/planning/queries/region_draws.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/quantile.h"
 #include "handway/sampling/sequences/random_stream.h"
@@ -142,7 +143,7 @@ RegionDraws draw_region(const PlanningProblem& problem, int palm, const Sampling
                        ? hand_arm.basis().dimension()
                        : std::min(hand_arm.basis().dimension(), free_joints + region.pmds);
   std::map<int, Eigen::Vector3d> tips;  // middles of their shapes, by link
-  for (const int link : fingertips(problem.model(), problem.joints.hand)) {
+  for (const int link : geometric::fingertips(problem.model(), problem.joints.hand)) {
     tips[link] = middle_of(problem.model().link(link));
   }
   std::vector<double> distances;

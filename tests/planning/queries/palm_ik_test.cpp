@@ -1,5 +1,6 @@
 #include "handway/planning/queries/palm_ik.h"
 
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/motions.h"
@@ -12,50 +13,11 @@ namespace handway::planning {
 namespace {
 
 using geometric::Pose;
-using test::turning;
 
 PalmIk palm_ik(const PlanningProblem& problem) {
   const geometric::RobotModel& model = problem.model();
-  return {problem.scene->robots.front().model,
-          palm_link(model, problem.joints.arm, problem.joints.hand), problem.joints.arm};
-}
-
-TEST(PalmIk, TakesTheLinkThatCarriesAllFingers) {
-  const PlanningProblem problem = test::tx90_sah_problem();
-  const geometric::RobotModel& model = problem.model();
-  EXPECT_EQ(model.link(palm_link(model, problem.joints.arm, problem.joints.hand)).name, "Palm");
-  EXPECT_EQ(palm_link(model, problem.joints.arm, {}),
-            model.variable_link(problem.joints.arm.back()));
-}
-
-TEST(PalmIk, TakesThePalmBeyondAWristThatCountsToTheHand) {
-  geometric::RobotDescription robot;
-  robot.name = "hand";
-  for (const char* link : {"forearm", "wrist", "palm", "thumb", "finger", "tip"}) {
-    robot.links.emplace_back().name = link;
-  }
-  robot.joints = {turning("flexion", "forearm", "wrist"), turning("deviation", "wrist", "palm"),
-                  turning("oppose", "palm", "thumb"), turning("bend", "palm", "finger"),
-                  turning("curl", "finger", "tip")};
-  const geometric::RobotModel model(robot);
-  EXPECT_EQ(model.link(palm_link(model, {}, {0, 1, 2, 3, 4})).name, "palm");
-  EXPECT_EQ(model.link(palm_link(model, {0, 1}, {2, 3, 4})).name, "palm");
-  const std::vector<int> one_finger{*model.find_variable("bend"), *model.find_variable("curl")};
-  EXPECT_EQ(model.link(palm_link(model, {}, one_finger)).name, "palm");
-}
-
-TEST(PalmIk, TakesTheFirstOfTwoHandsOnArmsThatOneTorsoMoves) {
-  geometric::RobotDescription robot;
-  for (const char* link : {"base", "torso", "left", "jaw", "jaw2", "right", "jaw3", "jaw4"}) {
-    robot.links.emplace_back().name = link;
-  }
-  robot.joints = {turning("bow", "base", "torso"),   turning("arm", "torso", "left"),
-                  turning("finger", "left", "jaw"),  turning("thumb", "left", "jaw2"),
-                  turning("arm2", "torso", "right"), turning("finger2", "right", "jaw3"),
-                  turning("thumb2", "right", "jaw4")};
-  const geometric::RobotModel model(robot);
-  EXPECT_EQ(model.link(palm_link(model, {0, 1, 4}, {2, 3, 5, 6})).name, "left");
-  EXPECT_EQ(model.link(palm_link(model, {0, 1, 4}, {5, 6, 2, 3})).name, "right");
+  const auto hand = geometric::HandStructure::of(model, problem.joints.arm, problem.joints.hand);
+  return {problem.scene->robots.front().model, hand.palm, problem.joints.arm};
 }
 
 TEST(PalmIk, BringsThePalmThereAndLeavesTheFingersAlone) {

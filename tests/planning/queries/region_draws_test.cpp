@@ -1,7 +1,7 @@
 #include "handway/planning/queries/region_draws.h"
 
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/planning/planners/planner.h"
-#include "handway/planning/queries/palm_ik.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST_F(RegionDrawsOfTheFlatArm, AreOnTheStraightMotionForANarrowCorridor) {
   const RegionDraws draws = draw({.rho_a = 1e-5}, 50);
   EXPECT_THAT(draws.palms, SizeIs(50));
   EXPECT_THAT(draws.fingertips,
-              SizeIs(50 * fingertips(problem_.model(), problem_.joints.hand).size()));
+              SizeIs(50 * geometric::fingertips(problem_.model(), problem_.joints.hand).size()));
   EXPECT_LT(draws.palm_reach, 1e-3);
   EXPECT_GT((draws.motion.back() - draws.motion.front()).norm(), 0.1);
 }

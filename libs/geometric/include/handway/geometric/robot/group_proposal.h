@@ -22,7 +22,7 @@ struct GroupProposal {
   std::vector<std::string> hand;         ///< Joints of the fingers, without `wrist`.
   std::vector<std::string> wrist;        ///< Up to three joints between the root and the palm.
   std::string palm;                      ///< The link that carries the fingers; empty without hand.
-  std::vector<std::string> fingertips;   ///< The last link of each finger, bars beside it excluded.
+  std::vector<std::string> fingertips;   ///< Links of the fingertips: see fingertips().
   std::string tip;                       ///< Last link of an arm without a hand.
   std::vector<GroupQuestion> questions;  ///< Questions that the user has to decide.
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/robot/inverse_kinematics.h"
+#include "handway/geometric/robot/joint_selection.h"
 #include "handway/geometric/robot/numeric_inverse_kinematics.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/planning/core/planning_problem.h"
@@ -86,18 +87,6 @@ struct ReachFigures {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<ReachFigures> reach_figures(
     const geometric::RobotModel& model, int link, const geometric::JointIndices& arm,
     const Configuration& q);
-
-/// The link that represents a whole hand: the closest that carries all of its fingers, also where a
-/// wrist below it counts to the hand; without fingers the last that the arm moves. With several
-/// hands on arms: the first.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT int palm_link(const geometric::RobotModel& model,
-                                                    const geometric::JointIndices& arm,
-                                                    const geometric::JointIndices& hand);
-
-/// The outermost link of each finger: links that the hand's joints move and that carry no other
-/// one. @param hand its variables.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> fingertips(
-    const geometric::RobotModel& model, const geometric::JointIndices& hand);
 
 /// The middle of a link's shape, in its frame, m; its origin if it has none.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Eigen::Vector3d middle_of(const geometric::Link& link);
