@@ -79,7 +79,8 @@ EmulatedPosture scene_posture(const std::filesystem::path& scene, const std::str
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
   const planning::LoadedScene loaded = planning::load_scene(scene, plugins);
-  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  const planning::PlanningProblem problem =
+      planning::make_problem(loaded.scene, loaded.basis, {}, planning::GoalNeed::kOptional);
   const geometric::JointIndices variables = problem.joints.of_part(kind);
   if (variables.empty()) {
     throw geometric::InputError({scene.string(), "", "a robot without joints of its " + kind,

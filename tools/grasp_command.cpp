@@ -210,7 +210,8 @@ int find_grasps(const GraspOptions& options) {
   }
   planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
   set_group(options.group, loaded);
-  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  const planning::PlanningProblem problem =
+      planning::make_problem(loaded.scene, loaded.basis, {}, planning::GoalNeed::kOptional);
   print_warnings(problem);
   std::stop_source stop;
   planning::Pregrasps grasps;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 
 namespace handway::test {
@@ -69,6 +70,14 @@ TEST_F(GraspCommand, SimulatesTheBestGrasps) {
   EXPECT_LT(hold["least_friction"], 0.6);
   EXPECT_GT(hold["largest_mass"], 0.1);
   EXPECT_TRUE(hold.contains("position_error_mm"));
+}
+
+TEST_F(GraspCommand, NeedsNoGoalInTheScene) {
+  std::filesystem::copy_file(scene(), line_.folder() / "scene.yaml");
+  line_.replace("scene.yaml", "\ngoal: ", "\n# ");
+  const Outcome run = line_.run("grasp scene.yaml can --count 1");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("epsilon"));
 }
 
 TEST_F(GraspCommand, SaysWhyThereIsNone) {
