@@ -158,6 +158,23 @@ TEST_F(UrdfElementsTest, LeavesOutLinksThatNoJointConnects) {
   EXPECT_THAT(r.warnings, ElementsAre("links that no joint connects are left out: lone"));
 }
 
+TEST_F(UrdfElementsTest, RefusesJointsThatFormNoTree) {
+  const auto fixed = [](const std::string& name, const std::string& from, const std::string& to) {
+    return "<joint name=\"" + name + "\" type=\"fixed\"><parent link=\"" + from +
+           "\"/><child link=\"" + to + "\"/></joint>\n";
+  };
+  const std::string links = "<link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n";
+  EXPECT_THAT(refusal(robot(links + fixed("j", "a", "b") + fixed("j", "b", "c"))),
+              AllOf(HasSubstr("r.urdf:5"), HasSubstr("a second joint \"j\"")));
+  EXPECT_THAT(
+      refusal(robot(links + fixed("j", "a", "b") + fixed("k", "b", "c") + fixed("l", "a", "c"))),
+      AllOf(HasSubstr("r.urdf:6"), HasSubstr("a second joint that carries link \"c\"")));
+  EXPECT_THAT(
+      refusal(robot(links + fixed("j", "a", "b") + fixed("k", "b", "c") + fixed("l", "c", "a"))),
+      AllOf(HasSubstr("r.urdf:2"), HasSubstr("no link that is the root")));
+  EXPECT_THAT(refusal(robot("")), HasSubstr("found no links"));
+}
+
 TEST_F(UrdfElementsTest, CallsARobotWithoutANameAfterItsFile) {
   const RobotDescription r = read("<robot><link name=\"a\"/></robot>");
   EXPECT_EQ(r.name, "r");

@@ -32,7 +32,7 @@ class HANDWAY_GEOMETRIC_EXPORT MissingMeshes {
   std::set<std::string> names_;
 };
 
-/// Reads a robot from a URDF file (http://wiki.ros.org/urdf/XML), by urdfdom.
+/// Reads a robot from a URDF file (http://wiki.ros.org/urdf/XML).
 ///
 /// - Joints: `revolute`, `prismatic`, `fixed`, `continuous` (revolute with infinite
 ///   limits, see Joint::is_continuous()); `planar` and `floating` (chains of slides
