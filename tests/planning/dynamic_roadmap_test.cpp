@@ -100,6 +100,16 @@ TEST_F(MovingPost, KeepsAPathThatStaysFree) {
   EXPECT_GT(second.statistics.checks(), 2U) << "the post is asked about again";
 }
 
+TEST_F(MovingPost, KeepsAPathThatWasPlannedElsewhere) {
+  const PlanResult planned = PlannerRegistry().create("rrt-connect")->plan(roadmap_.problem(), {});
+  ASSERT_TRUE(planned.solved());
+  roadmap_.adopt(planned.path);
+  const PlanResult kept = plan();
+  expect_valid(roadmap_, kept);
+  EXPECT_EQ(roadmap_.source(), ReplanSource::kLastPath);
+  EXPECT_EQ(kept.path.waypoints, planned.path.waypoints);
+}
+
 TEST_F(MovingPost, AsksNothingTwiceWhenNothingChanged) {
   const PlanResult first = plan();
   const PlanResult second = plan();

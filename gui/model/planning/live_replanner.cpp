@@ -1,7 +1,5 @@
 #include "model/planning/live_replanner.h"
 
-#include "handway/planning/core/planning_context.h"
-#include "handway/planning/planners/planner.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
 #include <algorithm>
@@ -12,50 +10,8 @@ namespace {
 
 using planning::DynamicRoadmap;
 using planning::Path;
-using planning::PlanResult;
 
 constexpr double kTimeLimit = 2.0;  // s, of one query
-
-/// Answers the first query with a path that is known already.
-class KnownPathFirst : public planning::Planner {
- public:
-  KnownPathFirst(Path path, std::unique_ptr<Planner> rest)
-      : path_(std::move(path)), rest_(std::move(rest)) {
-    objective() = rest_->objective();
-  }
-
-  [[nodiscard]] std::string name() const override { return rest_->name(); }
-  [[nodiscard]] std::string description() const override { return rest_->description(); }
-  [[nodiscard]] planning::PlannerCapabilities capabilities() const override {
-    return rest_->capabilities();
-  }
-
- protected:
-  void do_plan(planning::PlanningContext& context, PlanResult& result) override {
-    if (path_.waypoints.empty()) {
-      rest_->plan_within(context, result);
-      return;
-    }
-    result.path = std::exchange(path_, {});
-    result.status = planning::PlanStatus::kSolved;
-  }
-  [[nodiscard]] std::vector<planning::BoundParameter> own_parameters() override { return {}; }
-
- private:
-  Path path_;
-  std::unique_ptr<Planner> rest_;
-};
-
-// A roadmap whose first path is one that was planned for `problem`.
-std::unique_ptr<DynamicRoadmap> roadmap_of(const planning::PlanningProblem& problem, Path path,
-                                           const planning::PlanRequest& request,
-                                           const std::stop_token& stop) {
-  auto roadmap = std::make_unique<DynamicRoadmap>(
-      problem, std::make_unique<KnownPathFirst>(std::move(path),
-                                                planning::PlannerRegistry().create("auto")));
-  (void)roadmap->plan(request, stop);
-  return roadmap;
-}
 
 }  // namespace
 
@@ -70,7 +26,8 @@ struct LiveReplanner::Followed {
     const auto prepared = std::exchange(problem, nullptr);
     if (const PreparedProblem::Problem ready = prepared ? prepared->wait(stop) : nullptr) {
       request.time_limit_s = std::min(request.time_limit_s, kTimeLimit);
-      roadmap = roadmap_of(*ready, std::move(path), request, stop);
+      roadmap = std::make_unique<DynamicRoadmap>(*ready);
+      roadmap->adopt(path);
     }
   }
 };

@@ -531,6 +531,13 @@ bool DynamicRoadmap::follow(const geometric::Scene& scene) {
   return true;
 }
 
+void DynamicRoadmap::adopt(const Path& path) {
+  replanner_->update();
+  if (!path.empty()) {
+    replanner_->remember(path);
+  }
+}
+
 PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop,
                                 Observer* observer) {
   const PlanningProblem& now = problem();

@@ -52,6 +52,10 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
   /// sufficient: other robots, attached objects or constraints, or a missing end.
   [[nodiscard]] bool follow(const geometric::Scene& scene);
 
+  /// Takes a path that was planned for problem() elsewhere as the last one: plan() keeps it for as
+  /// long as it is free. @param path valid, from start to goal; an empty one has no effect.
+  void adopt(const Path& path);
+
   /// Plans as Planner::plan(). On failure, the roadmap and the last path stay for the next call.
   /// @param observer is notified of the nodes that this call adds.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, std::stop_token stop = {},
