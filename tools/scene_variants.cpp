@@ -106,7 +106,7 @@ class FingerClosing {
   [[nodiscard]] bool keeps_gap(const Configuration& q) {
     checker_.place(q);
     return std::ranges::all_of(finger_.pairs, [&](int pair) {
-      return checker_.pair_closeness(pair, gap_) == geometric::Closeness::kFarther;
+      return checker_.pair_proximity(pair, gap_) == geometric::Proximity::kClear;
     });
   }
 
@@ -308,8 +308,7 @@ class VariantGenerator::Parts {
   explicit Parts(const planning::PlanningProblem& problem)
       : problem_(problem),
         scene_(*problem.scene),
-        hand_(HandStructure::of(problem.model(), problem.joints.arm, problem.joints.hand)),
-        hand_links_(links_of(hand_)),
+        hand_links_(links_of(problem.hand)),
         units_(movable_units(scene_)) {
     for (Unit& unit : units_) {
       unit.contacts = contact_depths(scene_, unit, 0.0);
@@ -341,8 +340,8 @@ class VariantGenerator::Parts {
       }
     }
     if (target_) {
-      placement.goal =
-          close_hand(*placement.checker, hand_, target_names_, placement.goal, kVariantHandGap);
+      placement.goal = close_hand(*placement.checker, problem_.hand, target_names_, placement.goal,
+                                  kVariantHandGap);
     }
     FclChecker reference(placement.world);
     if (!is_free(reference, *scene_.start) || !is_free(reference, placement.goal)) {
@@ -433,7 +432,8 @@ class VariantGenerator::Parts {
   [[nodiscard]] bool solve_goal(Placement& placement) const {
     std::vector<Configuration> goals{*scene_.goal};
     if (target_) {
-      const planning::PalmIk ik(scene_.robots.front().model, hand_.palm, problem_.joints.arm);
+      const planning::PalmIk ik(scene_.robots.front().model, problem_.hand.palm,
+                                problem_.joints.arm);
       const Pose& X_WB = scene_.robots.front().X_WB;
       const Pose moved = placement.motions[*target_].about(units_[*target_].middle);
       goals = ik.all(*scene_.goal, X_WB.inverse() * moved * X_WB * ik.pose(*scene_.goal));
@@ -510,7 +510,6 @@ class VariantGenerator::Parts {
 
   const planning::PlanningProblem& problem_;
   const Scene& scene_;
-  HandStructure hand_;
   geometric::LinkIndices hand_links_;
   std::vector<Unit> units_;
   std::optional<std::size_t> target_;  ///< Empty: the goal stays.

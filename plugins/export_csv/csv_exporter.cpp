@@ -42,7 +42,7 @@ std::vector<planning::ExportedFile> CsvExporter::do_export(const planning::Motio
   const geometric::RobotModel& model = *motion.model;
   std::vector<std::string> columns = {"time"};
   for (int link = 1; link < model.link_count(); ++link) {
-    if (model.drive(link).variable >= 0) {
+    if (model.mimic_mapping(link).variable >= 0) {
       columns.push_back(model.joint(link).name);
     }
   }

@@ -152,7 +152,7 @@ class Messages {
         {"joint_state", joint_state(*robot_.model, scene_.start.value_or(robot_.configuration))},
         {"attached_collision_objects", attached},
         {"is_diff", false}};
-    if (!scene_.may_touch.empty()) {
+    if (!scene_.allowed_collisions.empty()) {
       scene["allowed_collision_matrix"] = collision_matrix();
     }
     add_paddings(scene);
@@ -226,7 +226,7 @@ class Messages {
     for (const geometric::Link& link : robot_.model->description().links) {
       names.push_back(link.name);
     }
-    for (const auto& [pair, touch] : scene_.may_touch) {
+    for (const auto& [pair, touch] : scene_.allowed_collisions) {
       for (const std::string& name : {pair.first, pair.second}) {
         if (std::ranges::find(names, name) == names.end()) {
           names.push_back(name);
@@ -237,9 +237,9 @@ class Messages {
     for (const std::string& a : names) {
       Message row = Message::array();
       for (const std::string& b : names) {
-        const auto said = scene_.may_touch.find(std::minmax(a, b));
+        const auto said = scene_.allowed_collisions.find(std::minmax(a, b));
         row.push_back(
-            said != scene_.may_touch.end()
+            said != scene_.allowed_collisions.end()
                 ? said->second
                 : robot_.model->description().allowed_collisions.reason(a, b).has_value());
       }

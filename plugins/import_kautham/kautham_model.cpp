@@ -387,7 +387,7 @@ KauthamRobot controlled_robot(const geometric::RobotModel& model) {
     KauthamJoint joint;
     joint.name = model.link(link).name;
     joint.parent = model.parent(link);
-    joint.movable = link > 0 && model.drive(link).variable >= 0 && !model.joint(link).mimic;
+    joint.movable = link > 0 && model.mimic_mapping(link).variable >= 0 && !model.joint(link).mimic;
     if (joint.movable) {
       // Kautham turns a continuous joint by two turns at most.
       const bool endless = model.joint(link).is_continuous();

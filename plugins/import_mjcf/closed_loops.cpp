@@ -36,7 +36,7 @@ class Linkage {
     p_BQ_ = at(X_BL, b_).inverse() * (at(X_BL, a_) * p_AQ_);
     const Eigen::MatrixXd J = jacobian(X_BL);
     for (int link = 1; link < model.link_count(); ++link) {  // what moves the first one leads
-      const int v = model.drive(link).variable;
+      const int v = model.mimic_mapping(link).variable;
       if (v >= 0 && J.col(v).norm() > kNoMotion && std::ranges::count(followers_, v) == 0) {
         followers_.push_back(v);
       }

@@ -108,7 +108,7 @@ void take_pairs_of_links(const Matrix& matrix, geometric::Scene& scene) {
       const bool by_srdf = robot.allowed_collisions.reason(pair.first, pair.second).has_value();
       const std::optional<bool> decision = matrix.decision(pair.first, pair.second);
       if (decision && *decision != by_srdf) {
-        scene.may_touch[pair] = *decision;
+        scene.allowed_collisions[pair] = *decision;
       }
       for (const std::string& link : {pair.first, pair.second}) {
         if (!decision && by_srdf && !is_named(link)) {
@@ -152,7 +152,7 @@ void read_collision_matrix(const YamlElement& element, const ObjectNames& object
     for (const auto& [other, name] : others) {
       for (const std::string& shape : names) {
         if (other != id && matrix.allows(id, other)) {
-          scene.may_touch[std::minmax(shape, name)] = true;
+          scene.allowed_collisions[std::minmax(shape, name)] = true;
         }
       }
     }

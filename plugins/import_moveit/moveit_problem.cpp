@@ -117,7 +117,7 @@ std::shared_ptr<const RobotModel> group_robot(const RobotModel& model, const Yam
   const std::vector<int> kept = variables_of(model, group);
   RobotDescription description = model.description();
   for (int link = 1; link < model.link_count(); ++link) {
-    const RobotModel::MimicMapping& drive = model.drive(link);
+    const RobotModel::MimicMapping& drive = model.mimic_mapping(link);
     if (drive.variable < 0 || std::ranges::count(kept, drive.variable) != 0) {
       continue;
     }

@@ -91,7 +91,7 @@ class HandWriter {
     std::string text =
         fmt::format("<body name='link_{}' {}>\n", link,
                     place(link == palm_ ? Pose::Identity() : robot_.joint(link).X_PJ));
-    if (link != palm_ && robot_.drive(link).variable >= 0) {
+    if (link != palm_ && robot_.mimic_mapping(link).variable >= 0) {
       text += joint(link);
     }
     text += kLeastInertia;
@@ -132,7 +132,7 @@ class HandWriter {
 
   std::string joint(int link) {
     const geometric::Joint& joint = robot_.joint(link);
-    const RobotModel::MimicMapping& mapping = robot_.drive(link);
+    const RobotModel::MimicMapping& mapping = robot_.mimic_mapping(link);
     const int leader = robot_.variable_link(mapping.variable);
     if (leader != link && !carried_[static_cast<std::size_t>(leader)]) {
       warnings_.push_back(

@@ -228,7 +228,7 @@ class Simulation {
     planning::HoldFrame frame{load_, time, grasp_.closed, X_WP_ * object_pose()};
     for (const HandJoint& joint : hand_.joints) {
       if (joint.actuator >= 0) {
-        frame.q[robot_.drive(joint.link).variable] = data_->qpos[joint.position];
+        frame.q[robot_.mimic_mapping(joint.link).variable] = data_->qpos[joint.position];
       }
     }
     return frame;

@@ -36,7 +36,7 @@ void dense_products(const RobotModel& model, const Configuration& q,
   X_BL[0].setIdentity();
   for (int i = 1; i < model.link_count(); ++i) {
     const Joint& joint = model.joint(i);
-    const RobotModel::MimicMapping& drive = model.drive(i);
+    const RobotModel::MimicMapping& drive = model.mimic_mapping(i);
     Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
     if (drive.variable >= 0) {
       const double value = drive.multiplier * q[drive.variable] + drive.offset;

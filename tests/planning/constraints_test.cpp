@@ -49,7 +49,7 @@ geometric::Pose own_link_pose(const geometric::RobotModel& model, const Configur
   geometric::Pose X_BL = geometric::Pose::Identity();
   for (int link = model.find_link(name).value(); link > 0; link = model.parent(link)) {
     const geometric::Joint& joint = model.joint(link);
-    const auto& drive = model.drive(link);
+    const auto& drive = model.mimic_mapping(link);
     const double value =
         drive.offset + (drive.variable < 0 ? 0.0 : drive.multiplier * q[drive.variable]);
     geometric::Pose motion = geometric::Pose::Identity();

@@ -551,7 +551,8 @@ std::vector<QPoint> GraspTool::to_be_seen() const {
     robot.model->forward_kinematics(grasp.q, X_BL);
     for (int link = document_.palm(); link < robot.model->link_count(); ++link) {
       if (link == document_.palm() ||
-          std::ranges::count(document_.joints().hand, robot.model->drive(link).variable) > 0) {
+          std::ranges::count(document_.joints().hand, robot.model->mimic_mapping(link).variable) >
+              0) {
         add(robot.X_WB * X_BL[static_cast<std::size_t>(link)] *
             planning::middle_of(robot.model->link(link)));
       }

@@ -35,7 +35,7 @@ SliderRow::Range range_of(const geometric::JointLimits& limits, JointType type) 
 // Limits of a joint: what its leader, if it is coupled, lets it reach. Continuous joints are shown
 // over one turn.
 geometric::JointLimits reach(const geometric::RobotModel& model, int link) {
-  const geometric::RobotModel::MimicMapping& drive = model.drive(link);
+  const geometric::RobotModel::MimicMapping& drive = model.mimic_mapping(link);
   const double a = drive.multiplier * model.lower()[drive.variable] + drive.offset;
   const double b = drive.multiplier * model.upper()[drive.variable] + drive.offset;
   geometric::JointLimits limits;
@@ -80,12 +80,12 @@ void JointPanel::add_group(const QString& title, const std::vector<int>& variabl
   layout_->addWidget(heading(title));
   std::vector<int> links;
   for (int link = 1; link < model_->link_count(); ++link) {
-    if (std::ranges::count(variables, model_->drive(link).variable) > 0) {
+    if (std::ranges::count(variables, model_->mimic_mapping(link).variable) > 0) {
       links.push_back(link);
     }
   }
   for (const int link : links) {
-    const int variable = model_->drive(link).variable;
+    const int variable = model_->mimic_mapping(link).variable;
     SliderRow* row = add_row(link);
     if (model_->variable_link(variable) != link) {
       row->set_read_only();
@@ -139,7 +139,7 @@ void JointPanel::set_configuration(const geometric::Configuration& q) {
   const geometric::Configuration shown =
       model_->nearest_equivalent(geometric::Configuration::Zero(q.size()), q);
   for (const Row& row : rows_) {
-    const geometric::RobotModel::MimicMapping& drive = model_->drive(row.link);
+    const geometric::RobotModel::MimicMapping& drive = model_->mimic_mapping(row.link);
     row.slider->set_value(drive.multiplier * shown[drive.variable] + drive.offset);
   }
 }

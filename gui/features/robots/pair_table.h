@@ -30,7 +30,7 @@ class PairTable : public QTreeWidget {
   void show_kind(int kind);
 
  signals:
-  void decided(const handway::geometric::AllowedCollisions::Pair& pair, bool may_touch);
+  void decided(const handway::geometric::AllowedCollisions::Pair& pair, bool allowed_collisions);
   void looked_at(const handway::geometric::AllowedCollisions::Pair& pair);
 
  private:

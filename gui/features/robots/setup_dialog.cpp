@@ -179,8 +179,8 @@ QWidget* SetupDialog::make_pairs() {
   kind_->setAccessibleName(tr("Pairs that are listed"));
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), pairs_, &PairTable::show_kind);
   connect(pairs_, &PairTable::decided, this,
-          [this](const geometric::AllowedCollisions::Pair& pair, bool may_touch) {
-            may_touch_[pair] = may_touch;
+          [this](const geometric::AllowedCollisions::Pair& pair, bool allowed_collisions) {
+            allowed_collisions_[pair] = allowed_collisions;
             // The call is queued, because it fills the table whose row emits this signal.
             QMetaObject::invokeMethod(this, &SetupDialog::show_pairs, Qt::QueuedConnection);
           });
@@ -224,7 +224,7 @@ geometric::RobotDescription SetupDialog::set_up() const {
   const WristOwner owner =
       wrist() == WristOwner::kUndecided && groups_are_decided() ? WristOwner::kHand : wrist();
   geometric::RobotDescription robot =
-      geometric::with_setup(*chosen().model, sampled_, groups_, {owner, may_touch_});
+      geometric::with_setup(*chosen().model, sampled_, groups_, {owner, allowed_collisions_});
   const auto is_gone = [&](const std::string& group) {
     return std::ranges::find(robot.groups, group, &geometric::JointGroup::name) ==
            robot.groups.end();
@@ -271,7 +271,7 @@ void SetupDialog::show_robot() {
 void SetupDialog::sample() {
   sampled_ = {};
   findings_.clear();
-  may_touch_.clear();
+  allowed_collisions_.clear();
   moved_.clear();
   show_findings();
   show_pairs();

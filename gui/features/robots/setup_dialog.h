@@ -91,8 +91,8 @@ class SetupDialog : public QDialog {
   geometric::SelfCollisionSamples sampled_;
   geometric::GroupProposal groups_;
   std::vector<geometric::RobotFinding> findings_;
-  std::map<geometric::AllowedCollisions::Pair, bool> may_touch_;  ///< By hand.
-  JointOwners moved_;                                             ///< By hand.
+  std::map<geometric::AllowedCollisions::Pair, bool> allowed_collisions_;  ///< By hand.
+  JointOwners moved_;                                                      ///< By hand.
   SceneView* view_;
   QComboBox* robot_;
   QComboBox* posture_;

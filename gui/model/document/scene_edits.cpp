@@ -130,11 +130,11 @@ SceneState with_changed_display(const SceneState& state, const std::vector<std::
 namespace {
 
 std::map<geometric::AllowedCollisions::Pair, bool> pairs_with_name(
-    const std::map<geometric::AllowedCollisions::Pair, bool>& may_touch, const std::string& name,
-    const std::string& new_name) {
+    const std::map<geometric::AllowedCollisions::Pair, bool>& allowed_collisions,
+    const std::string& name, const std::string& new_name) {
   const auto now = [&](const std::string& body) { return body == name ? new_name : body; };
   std::map<geometric::AllowedCollisions::Pair, bool> pairs;
-  for (const auto& [pair, touch] : may_touch) {
+  for (const auto& [pair, touch] : allowed_collisions) {
     pairs[std::minmax(now(pair.first), now(pair.second))] = touch;
   }
   return pairs;
@@ -152,7 +152,7 @@ SceneState with_renamed_object(const SceneState& state, const std::string& name,
     object.name = new_name;
     scene.display.remove(name);
     scene.display.set(new_name, state.display_of(name));
-    scene.may_touch = pairs_with_name(scene.may_touch, name, new_name);
+    scene.allowed_collisions = pairs_with_name(scene.allowed_collisions, name, new_name);
     if (is_carried_by(object, scene.robots.front())) {  // if not, they are about a link
       for (geometric::PathConstraint& constraint : scene.constraints) {
         constraint.body = constraint.body == name ? new_name : constraint.body;

@@ -69,12 +69,12 @@ std::vector<Turn> turns_of(PalmKinematics& palm, const std::vector<int>& chain,
   std::vector<Turn> turns;
   for (const int link : chain) {
     if (!joint_moves(model, link) || model.joint(link).type == geometric::JointType::kPrismatic ||
-        std::ranges::count(finger.variables, model.drive(link).variable) == 0) {
+        std::ranges::count(finger.variables, model.mimic_mapping(link).variable) == 0) {
       continue;
     }
     const Pose X_PL = palm.pose(link, q);
-    turns.push_back({model.drive(link).variable, model.drive(link).multiplier, X_PL.translation(),
-                     X_PL.linear() * model.joint(link).axis.normalized()});
+    turns.push_back({model.mimic_mapping(link).variable, model.mimic_mapping(link).multiplier,
+                     X_PL.translation(), X_PL.linear() * model.joint(link).axis.normalized()});
   }
   return turns;
 }
@@ -412,11 +412,11 @@ std::vector<std::string> doubts_of(const std::string& what, const Evidence& evid
 }  // namespace
 
 bool joint_moves(const RobotModel& model, int link) {
-  if (link <= 0 || model.drive(link).variable < 0) {
+  if (link <= 0 || model.mimic_mapping(link).variable < 0) {
     return false;
   }
-  const int v = model.drive(link).variable;
-  return (model.upper()[v] - model.lower()[v]) * std::abs(model.drive(link).multiplier) >
+  const int v = model.mimic_mapping(link).variable;
+  return (model.upper()[v] - model.lower()[v]) * std::abs(model.mimic_mapping(link).multiplier) >
          kLeastRange;
 }
 

@@ -296,7 +296,8 @@ class MappingProposer {
     int moved = 0;
     for (int link = finger.tip_link; link > 0 && link != rest_.hand().palm;
          link = model_.parent(link)) {
-      moved += joint_moves(model_, link) && model_.drive(link).variable == finger.variables.front()
+      moved += joint_moves(model_, link) &&
+                       model_.mimic_mapping(link).variable == finger.variables.front()
                    ? 1
                    : 0;
     }

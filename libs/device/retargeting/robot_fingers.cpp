@@ -288,8 +288,8 @@ std::vector<int> variables_of(const RobotModel& model, const std::vector<int>& c
   std::vector<int> variables;
   for (const int link : chain) {
     if (joint_moves(model, link) &&
-        std::ranges::count(variables, model.drive(link).variable) == 0) {
-      variables.push_back(model.drive(link).variable);
+        std::ranges::count(variables, model.mimic_mapping(link).variable) == 0) {
+      variables.push_back(model.mimic_mapping(link).variable);
     }
   }
   return variables;
@@ -318,7 +318,7 @@ int first_link(const RobotModel& model, const std::vector<std::vector<int>>& cha
                const std::vector<int>& chain, const std::vector<int>& variables) {
   const auto moves = [&](int link) { return joint_moves(model, link); };
   const auto is_own = [&](int link) {
-    return moves(link) && std::ranges::count(variables, model.drive(link).variable) > 0 &&
+    return moves(link) && std::ranges::count(variables, model.mimic_mapping(link).variable) > 0 &&
            std::ranges::count_if(chains, [&](const std::vector<int>& other) {
              return std::ranges::count(other, link) > 0;
            }) == 1;

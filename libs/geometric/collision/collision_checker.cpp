@@ -82,7 +82,7 @@ bool CollisionChecker::pair_collides(int pair) {
   }
   ++counts_.pair_collisions;
   const double padding = world_->padding(pair);
-  return padding > 0.0 ? do_pair_closeness(pair, padding) != Closeness::kFarther
+  return padding > 0.0 ? do_pair_proximity(pair, padding) != Proximity::kClear
                        : do_pair_collides(pair);
 }
 
@@ -95,19 +95,19 @@ double CollisionChecker::pair_distance(int pair, double enough) {
   return std::max(0.0, do_pair_distance(pair, enough + padding) - padding);
 }
 
-Closeness CollisionChecker::pair_closeness(int pair, double tolerance) {
+Proximity CollisionChecker::pair_proximity(int pair, double tolerance) {
   if (const LinkConstraint* constraint = world_->constraint(pair)) {
     const double slack = constraint->slack(X_BL_);
-    return slack >= tolerance ? Closeness::kFarther
-           : slack < 0.0      ? Closeness::kTouching
-                              : Closeness::kCloser;
+    return slack >= tolerance ? Proximity::kClear
+           : slack < 0.0      ? Proximity::kCollision
+                              : Proximity::kWithinTolerance;
   }
   ++counts_.pair_distances;
   const double padding = world_->padding(pair);
-  const Closeness closeness = do_pair_closeness(pair, tolerance + padding);
-  const bool is_within_padding = padding > 0.0 && closeness == Closeness::kCloser &&
-                                 do_pair_closeness(pair, padding) != Closeness::kFarther;
-  return is_within_padding ? Closeness::kTouching : closeness;
+  const Proximity proximity = do_pair_proximity(pair, tolerance + padding);
+  const bool is_within_padding = padding > 0.0 && proximity == Proximity::kWithinTolerance &&
+                                 do_pair_proximity(pair, padding) != Proximity::kClear;
+  return is_within_padding ? Proximity::kCollision : proximity;
 }
 
 DistanceRange CollisionChecker::do_pair_distance_range(int pair, double enough, double /*share*/) {
@@ -115,12 +115,13 @@ DistanceRange CollisionChecker::do_pair_distance_range(int pair, double enough, 
   return distance < enough ? DistanceRange{distance, distance} : DistanceRange{enough};
 }
 
-Closeness CollisionChecker::do_pair_closeness(int pair, double tolerance) {
+Proximity CollisionChecker::do_pair_proximity(int pair, double tolerance) {
   const double distance = do_pair_distance(pair, tolerance);
   if (distance >= tolerance) {
-    return Closeness::kFarther;
+    return Proximity::kClear;
   }
-  return distance <= 0.0 && do_pair_collides(pair) ? Closeness::kTouching : Closeness::kCloser;
+  return distance <= 0.0 && do_pair_collides(pair) ? Proximity::kCollision
+                                                   : Proximity::kWithinTolerance;
 }
 
 std::optional<int> CollisionChecker::first_collision(const Configuration& q) {
@@ -147,7 +148,7 @@ std::optional<int> CollisionChecker::first_collision_among(std::span<const int> 
   return found == pairs.end() ? std::nullopt : std::optional(*found);
 }
 
-void CollisionChecker::do_near_pairs(double /*distance*/, std::vector<int>& pairs) {
+void CollisionChecker::do_near_pairs(double /*distance*/, PairIndices& pairs) {
   pairs.resize(world_->pairs().size());
   std::iota(pairs.begin(), pairs.end(), 0);
 }
@@ -195,9 +196,9 @@ std::vector<std::string> violated_constraints(CollisionChecker& checker, const C
   return violated;
 }
 
-std::vector<int> touching_pairs(CollisionChecker& checker, const Configuration& q) {
+PairIndices touching_pairs(CollisionChecker& checker, const Configuration& q) {
   checker.place(q);
-  std::vector<int> touching;
+  PairIndices touching;
   for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
     if (checker.pair_collides(pair)) {
       touching.push_back(pair);
@@ -217,7 +218,7 @@ std::vector<NamedPair> find_collisions(CollisionChecker& checker, const Configur
 NamedPair find_clearance(CollisionChecker& checker, const Configuration& q, double enough) {
   checker.place(q);
   NamedPair closest{"", "", enough};
-  std::vector<int> near;
+  PairIndices near;
   checker.near_pairs_closest_first(enough, near);
   for (const int pair : near) {
     const double distance = checker.pair_distance(pair, closest.distance);
@@ -230,11 +231,10 @@ NamedPair find_clearance(CollisionChecker& checker, const Configuration& q, doub
 
 bool is_closer_than(CollisionChecker& checker, const Configuration& q, double distance) {
   checker.place(q);
-  std::vector<int> near;
+  PairIndices near;
   checker.near_pairs(distance, near);
-  return std::ranges::any_of(near, [&](int pair) {
-    return checker.pair_closeness(pair, distance) != Closeness::kFarther;
-  });
+  return std::ranges::any_of(
+      near, [&](int pair) { return checker.pair_proximity(pair, distance) != Proximity::kClear; });
 }
 
 }  // namespace handway::geometric

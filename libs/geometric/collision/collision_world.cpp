@@ -95,7 +95,7 @@ CollisionWorld::CollisionWorld(const Scene& scene) {
   }
   model_ = scene.robots.front().model;
   X_WB_ = scene.robots.front().X_WB;
-  may_touch_ = scene.may_touch;
+  allowed_collisions_ = scene.allowed_collisions;
   add_robot_links(scene.robots.front());
   for (std::size_t i = 1; i < scene.robots.size(); ++i) {
     add_still_robot(scene.robots[i]);
@@ -210,8 +210,8 @@ bool CollisionWorld::must_not_touch(int a, int b) const {
   if (!moving) {
     return false;
   }
-  const auto said = may_touch_.find(std::minmax(first.name, second.name));
-  if (said != may_touch_.end()) {
+  const auto said = allowed_collisions_.find(std::minmax(first.name, second.name));
+  if (said != allowed_collisions_.end()) {
     return !said->second;
   }
   for (const auto& [carried, other] : {std::pair(&first, &second), std::pair(&second, &first)}) {
@@ -329,9 +329,9 @@ CollisionWorld CollisionWorld::with_constraints_of(const Scene& scene) const {
   return changed;
 }
 
-std::vector<int> CollisionWorld::pairs_with(std::string_view still_body) const {
+PairIndices CollisionWorld::pairs_with(std::string_view still_body) const {
   const auto index = static_cast<int>(find_still_body(still_body) - bodies_.begin());
-  std::vector<int> pairs;
+  PairIndices pairs;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     if (pairs_[p].b == index) {
       pairs.push_back(static_cast<int>(p));

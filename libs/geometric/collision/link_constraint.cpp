@@ -48,7 +48,7 @@ std::pair<Eigen::MatrixXd, Eigen::VectorXd> excess_of(const RobotModel& model,
                                                       std::span<const int> variables,
                                                       const std::vector<Pose>& X_BL, double inset) {
   std::vector<LinkConstraint::Excess> list;
-  std::vector<int> links;
+  LinkIndices links;
   for (const LinkConstraint& constraint : constraints) {
     constraint.add_excess(X_BL, inset, list);
     links.resize(list.size(), constraint.link());
@@ -60,7 +60,7 @@ std::pair<Eigen::MatrixXd, Eigen::VectorXd> excess_of(const RobotModel& model,
     const LinkConstraint::Excess& excess = list[static_cast<std::size_t>(row)];
     amounts[row] = excess.amount;
     for (int link = links[static_cast<std::size_t>(row)]; link > 0; link = model.parent(link)) {
-      const RobotModel::MimicMapping& drive = model.drive(link);
+      const RobotModel::MimicMapping& drive = model.mimic_mapping(link);
       if (drive.variable < 0) {
         continue;
       }

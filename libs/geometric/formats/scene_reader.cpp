@@ -26,7 +26,7 @@ NamedPosture posture_of(const YamlElement& element, const RobotModel& model,
   const Configuration q = configuration_of(element, model, model.neutral());
   NamedPosture posture{name, {}, {}};
   for (const auto& [joint, value] : element.entries()) {
-    const int variable = model.drive(carried_link(value, model, joint)).variable;
+    const int variable = model.mimic_mapping(carried_link(value, model, joint)).variable;
     posture.values[model.variable(variable).name] = q[variable];
   }
   return posture;
@@ -177,7 +177,7 @@ void read_collisions(const YamlElement& element, Scene& scene) {
                       advise_name(name.text(), bodies));
         }
       }
-      scene.may_touch[std::minmax(names[0].text(), names[1].text())] = allowed;
+      scene.allowed_collisions[std::minmax(names[0].text(), names[1].text())] = allowed;
     }
   }
 }

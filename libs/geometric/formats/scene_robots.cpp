@@ -239,7 +239,7 @@ void read_configurations(const std::vector<Entry>& entries, std::size_t index,
 int carried_link(const YamlElement& element, const RobotModel& model, const std::string& name) {
   std::vector<std::string> moving;
   for (int link = 1; link < model.link_count(); ++link) {
-    const bool moves = model.drive(link).variable >= 0;
+    const bool moves = model.mimic_mapping(link).variable >= 0;
     if (moves) {
       moving.push_back(model.joint(link).name);
     }
@@ -267,7 +267,7 @@ Configuration configuration_of(const YamlElement& element, const RobotModel& mod
       if (model.joint(link).mimic.has_value() != coupled) {
         continue;
       }
-      const RobotModel::MimicMapping& drive = model.drive(link);
+      const RobotModel::MimicMapping& drive = model.mimic_mapping(link);
       std::string& giver = given_by[static_cast<std::size_t>(drive.variable)];
       const double wanted = value.number();
       const bool follows_several =

@@ -123,11 +123,11 @@ std::string padding_text(const RobotInstance& robot) {
   return text;
 }
 
-std::string collisions_text(const std::map<AllowedCollisions::Pair, bool>& may_touch) {
-  std::string text = may_touch.empty() ? "" : "collisions:\n";
+std::string collisions_text(const std::map<AllowedCollisions::Pair, bool>& allowed_collisions) {
+  std::string text = allowed_collisions.empty() ? "" : "collisions:\n";
   for (const bool allowed : {true, false}) {
     std::string list;
-    for (const auto& [pair, touch] : may_touch) {
+    for (const auto& [pair, touch] : allowed_collisions) {
       if (touch == allowed) {
         list += fmt::format("    - [{}, {}]\n", yaml_scalar(pair.first), yaml_scalar(pair.second));
       }
@@ -277,7 +277,7 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   for (const PathConstraint& constraint : scene.constraints) {
     text += constraint_text(constraint);
   }
-  text += collisions_text(scene.may_touch);
+  text += collisions_text(scene.allowed_collisions);
   if (!scene.group.empty()) {
     std::vector<std::string> names;
     std::ranges::transform(scene.group, std::back_inserter(names), yaml_scalar);

@@ -10,8 +10,8 @@
 namespace handway::geometric {
 namespace {
 
-bool is_of_arm(const RobotModel& model, const std::vector<int>& arm, int link) {
-  return std::ranges::count(arm, model.drive(link).variable) > 0;
+bool is_of_arm(const RobotModel& model, const JointIndices& arm, int link) {
+  return std::ranges::count(arm, model.mimic_mapping(link).variable) > 0;
 }
 
 [[noreturn]] void refuse(const RobotModel& model, int link) {
@@ -21,7 +21,7 @@ bool is_of_arm(const RobotModel& model, const std::vector<int>& arm, int link) {
 
 // Largest slide of the joint, m; 0 if it turns or is fixed.
 double travel(const RobotModel& model, int link) {
-  const RobotModel::MimicMapping& drive = model.drive(link);
+  const RobotModel::MimicMapping& drive = model.mimic_mapping(link);
   if (model.joint(link).type != JointType::kPrismatic || drive.variable < 0) {
     return 0.0;
   }
@@ -33,10 +33,10 @@ double travel(const RobotModel& model, int link) {
 }  // namespace
 
 std::unique_ptr<InverseKinematics> closed_form_inverse_kinematics(
-    const std::shared_ptr<const RobotModel>& model, int tip_link, const std::vector<int>& arm) {
+    const std::shared_ptr<const RobotModel>& model, int tip_link, const JointIndices& arm) {
   try {
     auto ik = make_spherical_wrist_inverse_kinematics(model, model->link(tip_link).name);
-    std::vector<int> sorted = arm;
+    JointIndices sorted = arm;
     std::ranges::sort(sorted);
     return ik->variables() == sorted ? std::move(ik) : nullptr;
   } catch (const InputError&) {  // another kind of arm
@@ -45,7 +45,7 @@ std::unique_ptr<InverseKinematics> closed_form_inverse_kinematics(
 }
 
 std::unique_ptr<NumericInverseKinematics> iterative_inverse_kinematics(
-    const std::shared_ptr<const RobotModel>& model, int tip_link, const std::vector<int>& arm,
+    const std::shared_ptr<const RobotModel>& model, int tip_link, const JointIndices& arm,
     const NumericIkOptions& options) {
   std::vector<std::string> joints;
   for (const int v : chain_variables(*model, tip_link)) {
@@ -61,14 +61,14 @@ std::unique_ptr<NumericInverseKinematics> iterative_inverse_kinematics(
 }
 
 std::unique_ptr<InverseKinematics> make_arm_inverse_kinematics(
-    const std::shared_ptr<const RobotModel>& model, int tip_link, const std::vector<int>& arm,
+    const std::shared_ptr<const RobotModel>& model, int tip_link, const JointIndices& arm,
     const NumericIkOptions& options) {
   auto closed_form = closed_form_inverse_kinematics(model, tip_link, arm);
   return closed_form ? std::move(closed_form)
                      : iterative_inverse_kinematics(model, tip_link, arm, options);
 }
 
-ReachBall reach_ball(const RobotModel& model, int link, const std::vector<int>& arm,
+ReachBall reach_ball(const RobotModel& model, int link, const JointIndices& arm,
                      const Configuration& q) {
   int first = 0;  // the arm's joint on the chain that is nearest to the root
   for (int i = link; i > 0; i = model.parent(i)) {

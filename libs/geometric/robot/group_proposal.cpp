@@ -61,8 +61,8 @@ class GroupFinder {
   }
 
  private:
-  [[nodiscard]] std::vector<int> moving_branches(int link) const {
-    std::vector<int> branches;
+  [[nodiscard]] LinkIndices moving_branches(int link) const {
+    LinkIndices branches;
     std::ranges::copy_if(children_[static_cast<std::size_t>(link)], std::back_inserter(branches),
                          [&](int child) { return moves_[static_cast<std::size_t>(child)]; });
     return branches;
@@ -86,7 +86,7 @@ class GroupFinder {
     if (link > 0 && !is_of_base(link)) {
       add(proposal_.arm, link);
     }
-    std::vector<int> branches = moving_branches(link);
+    LinkIndices branches = moving_branches(link);
     if (branches.empty()) {
       proposal_.tip = model_.link(last_fixed_link(model_, link)).name;
     } else if (is_palm(link)) {
@@ -111,7 +111,7 @@ class GroupFinder {
     });
   }
 
-  static void keep_if_any(std::vector<int>& branches, const auto& wanted) {
+  static void keep_if_any(LinkIndices& branches, const auto& wanted) {
     if (std::ranges::any_of(branches, wanted)) {
       std::erase_if(branches, [&](int branch) { return !wanted(branch); });
     }
@@ -138,8 +138,8 @@ class GroupFinder {
   // children.
   void find_palm(int link) {
     const auto i = static_cast<std::size_t>(link);
-    const std::vector<int> branches = moving_branches(link);
-    std::vector<int> fingers = branches;
+    const LinkIndices branches = moving_branches(link);
+    LinkIndices fingers = branches;
     std::erase_if(fingers, [&](int branch) { return is_wheel(branch); });
     is_palm_[i] = reach_[i] <= kLongestFinger && can_meet(fingers);
     if (is_palm_[i]) {
@@ -156,7 +156,7 @@ class GroupFinder {
 
   // Returns whether two of the branches are long enough to touch an object between them: eyes are
   // not. True for branches without shapes.
-  [[nodiscard]] bool can_meet(const std::vector<int>& branches) const {
+  [[nodiscard]] bool can_meet(const LinkIndices& branches) const {
     const auto base = [&](int link) { return model_.joint(link).X_PJ.translation(); };
     for (auto one = branches.begin(); one != branches.end(); ++one) {
       for (auto other = std::next(one); other != branches.end(); ++other) {
@@ -189,14 +189,14 @@ class GroupFinder {
 
   // Returns whether a branch that moves is a single joint that turns without end.
   [[nodiscard]] bool is_wheel(int link) const {
-    const std::vector<int> branches = moving_branches(link);
+    const LinkIndices branches = moving_branches(link);
     const Joint& joint = model_.joint(link);
     return joint.type == JointType::kFixed
                ? branches.size() == 1 && is_wheel(branches.front())
                : branches.empty() && joint.is_continuous() && !joint.mimic;
   }
 
-  void add_hand(int palm, const std::vector<int>& fingers) {
+  void add_hand(int palm, const LinkIndices& fingers) {
     if (proposal_.palm.empty()) {
       proposal_.palm = model_.link(palm).name;
     }
@@ -206,9 +206,9 @@ class GroupFinder {
   void add_finger(int link) {
     add(proposal_.hand, link);
     if (model_.joint(link).type != JointType::kFixed) {
-      hand_joints_.push_back(model_.drive(link).variable);
+      hand_joints_.push_back(model_.mimic_mapping(link).variable);
     }
-    const std::vector<int> branches = moving_branches(link);
+    const LinkIndices branches = moving_branches(link);
     std::ranges::for_each(branches, [&](int branch) { add_finger(branch); });
   }
 
@@ -243,9 +243,9 @@ class GroupFinder {
   }
 
   const RobotModel& model_;
-  std::vector<std::vector<int>> children_;  // by link
-  std::vector<bool> moves_;                 // the link or one that it carries
-  std::vector<double> reach_;  // m, from the link to the farthest end of what it carries
+  std::vector<LinkIndices> children_;  // by link
+  std::vector<bool> moves_;            // the link or one that it carries
+  std::vector<double> reach_;          // m, from the link to the farthest end of what it carries
   std::vector<bool> is_palm_;
   std::vector<std::optional<int>> joints_to_palm_;
   JointIndices hand_joints_;  // of proposal_.hand
@@ -282,11 +282,11 @@ void add_groups(const GroupProposal& proposal, RobotDescription& robot) {
 
 namespace {
 
-std::vector<int> hand_joints(const RobotModel& robot) {
+JointIndices hand_joints(const RobotModel& robot) {
   if (auto hand = robot.find_group("hand"); hand && !hand->empty()) {
     return *std::move(hand);
   }
-  std::vector<int> variables;
+  JointIndices variables;
   for (const std::string& joint : propose_groups(robot).hand_with_wrist()) {
     if (const auto variable = robot.find_variable(joint)) {
       variables.push_back(*variable);
@@ -307,7 +307,7 @@ int common_ancestor(const RobotModel& robot, int a, int b) {
 }  // namespace
 
 std::shared_ptr<const RobotModel> hand_alone(const std::shared_ptr<const RobotModel>& robot) {
-  const std::vector<int> hand = hand_joints(*robot);
+  const JointIndices hand = hand_joints(*robot);
   if (hand.empty()) {
     return robot;
   }

@@ -54,7 +54,7 @@ int past_the_wrist(const RobotModel& model, const JointIndices& hand, int carrie
   int ends = 0;
   for (int link = model.link_count() - 1; link > carrier; --link) {  // parents come first
     const LinkIndices chain = ancestors(model, link);
-    if (!contains(hand, model.drive(link).variable) ||
+    if (!contains(hand, model.mimic_mapping(link).variable) ||
         carries_moved[static_cast<std::size_t>(link)] || !contains(chain, carrier)) {
       continue;
     }
@@ -119,7 +119,7 @@ class FingerTree {
     }
     finger.links = subtree(first);
     for (const int link : finger.links) {
-      const int joint = model_.drive(link).variable;
+      const int joint = model_.mimic_mapping(link).variable;
       if (contains(hand_, joint) && !contains(finger.joints, joint)) {
         finger.joints.push_back(joint);
       }
@@ -147,7 +147,7 @@ class FingerTree {
     std::vector<bool> carries_end(is_drawn_.size());
     for (int link = model_.link_count() - 1; link > 0; --link) {
       if (!carries_end[static_cast<std::size_t>(link)] &&
-          contains(hand_, model_.drive(link).variable) && wanted(link)) {
+          contains(hand_, model_.mimic_mapping(link).variable) && wanted(link)) {
         ends_.push_back(link);
         for (const int above : ancestors(model_, link)) {
           carries_end[static_cast<std::size_t>(above)] = true;
@@ -192,7 +192,7 @@ class FingerTree {
     const auto base = [&](int link) { return model_.joint(link).X_PJ.translation(); };
     const auto axis = [&](int link) -> Eigen::Vector3d {
       return model_.joint(link).X_PJ.linear() * model_.joint(link).axis *
-             model_.drive(link).multiplier;
+             model_.mimic_mapping(link).multiplier;
     };
     return of_bar.size() < of_finger.size() && (base(bar) - base(finger)).norm() < kBesideFinger &&
            axis(bar).dot(axis(finger)) >= 0.0 &&
@@ -204,7 +204,7 @@ class FingerTree {
     JointIndices joints;
     for (const int link : subtree(branch)) {
       if (!is_fixed(model_, link)) {
-        joints.push_back(model_.drive(link).variable);
+        joints.push_back(model_.mimic_mapping(link).variable);
       }
     }
     return joints;

@@ -27,7 +27,7 @@ bool is_rigid(const Pose& X) {
 }  // namespace
 
 InverseKinematics::InverseKinematics(std::shared_ptr<const RobotModel> model, int tip_link,
-                                     std::vector<int> variables)
+                                     JointIndices variables)
     : model_(std::move(model)), tip_link_(tip_link), variables_(std::move(variables)) {
   if (tip_link_ < 0 || tip_link_ >= model_->link_count()) {
     refuse(*model_, "tip link", "index " + std::to_string(tip_link_), "a link of the robot");
@@ -73,11 +73,11 @@ void InverseKinematics::check(const Pose& X_BT, const Configuration& reference) 
   }
 }
 
-std::vector<int> chain_variables(const RobotModel& model, int link) {
-  std::vector<int> variables;
+JointIndices chain_variables(const RobotModel& model, int link) {
+  JointIndices variables;
   for (int i = link; i > 0; i = model.parent(i)) {
-    if (model.drive(i).variable >= 0) {
-      variables.push_back(model.drive(i).variable);
+    if (model.mimic_mapping(i).variable >= 0) {
+      variables.push_back(model.mimic_mapping(i).variable);
     }
   }
   std::ranges::sort(variables);

@@ -10,7 +10,7 @@ Jacobian point_jacobian(const RobotModel& model, std::span<const Pose> X_BL, int
   Jacobian J = Jacobian::Zero(6, model.variable_count());
   const Eigen::Vector3d p_BQ = X_BL[static_cast<std::size_t>(link)] * p_LQ;
   for (int i = link; i > 0; i = model.parent(i)) {
-    const RobotModel::MimicMapping& drive = model.drive(i);
+    const RobotModel::MimicMapping& drive = model.mimic_mapping(i);
     if (drive.variable < 0) {
       continue;
     }

@@ -15,13 +15,13 @@ namespace handway::geometric {
 namespace {
 
 double value_of(const RobotModel& model, int link, const Configuration& q) {
-  const auto& [variable, multiplier, offset] = model.drive(link);
+  const auto& [variable, multiplier, offset] = model.mimic_mapping(link);
   return multiplier * q[variable] + offset;
 }
 
 bool violates(const RobotModel& model, int link, const Configuration& q,
               std::span<const int> fixed) {
-  const int variable = model.drive(link).variable;
+  const int variable = model.mimic_mapping(link).variable;
   if (variable < 0 || std::ranges::count(fixed, variable) > 0) {
     return false;
   }
@@ -62,14 +62,15 @@ std::vector<LimitViolation> limit_violations(const RobotModel& model, const Conf
   for (int link = 1; link < model.link_count(); ++link) {
     if (violates(model, link, q, fixed)) {
       links.push_back(link);
-      if (const int variable = model.drive(link).variable; model.variable_link(variable) != link) {
+      if (const int variable = model.mimic_mapping(link).variable;
+          model.variable_link(variable) != link) {
         explained.insert(variable);
       }
     }
   }
   std::vector<LimitViolation> violations;
   for (const int link : links) {
-    const int variable = model.drive(link).variable;
+    const int variable = model.mimic_mapping(link).variable;
     const bool follows = model.variable_link(variable) != link;
     if (follows || !explained.contains(variable)) {
       const Joint& joint = model.joint(link);

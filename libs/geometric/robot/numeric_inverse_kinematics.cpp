@@ -24,7 +24,7 @@ namespace {
 /// Holds scratch memory: one per thread and call.
 class DampedLeastSquares {
  public:
-  DampedLeastSquares(const RobotModel& model, int tip_link, const std::vector<int>& variables,
+  DampedLeastSquares(const RobotModel& model, int tip_link, const JointIndices& variables,
                      const NumericIkOptions& options, const Pose& X_BT);
 
   /// Errors of a configuration against the target.
@@ -67,7 +67,7 @@ class DampedLeastSquares {
 
   const RobotModel& model_;
   int tip_link_;
-  const std::vector<int>& variables_;
+  const JointIndices& variables_;
   const NumericIkOptions& options_;
   const Pose& X_BT_;
   std::vector<Pose> X_BL_;
@@ -89,7 +89,7 @@ constexpr double kLeastNearing = 1e-3;     // share of the distance that a step 
 constexpr double kShortestNearing = 0.05;  // share of the requested step
 
 DampedLeastSquares::DampedLeastSquares(const RobotModel& model, int tip_link,
-                                       const std::vector<int>& variables,
+                                       const JointIndices& variables,
                                        const NumericIkOptions& options, const Pose& X_BT)
     : model_(model),
       tip_link_(tip_link),
@@ -271,13 +271,13 @@ int link_named(const RobotModel& model, std::string_view name) {
   return *link;
 }
 
-std::vector<int> variables_named(const RobotModel& model, int tip_link,
-                                 const std::vector<std::string>& joints) {
-  std::vector<int> chain = chain_variables(model, tip_link);
+JointIndices variables_named(const RobotModel& model, int tip_link,
+                             const std::vector<std::string>& joints) {
+  JointIndices chain = chain_variables(model, tip_link);
   if (joints.empty()) {
     return chain;
   }
-  std::vector<int> variables;
+  JointIndices variables;
   for (const std::string& joint : joints) {
     const std::optional<int> variable = model.find_variable(joint);
     if (!variable || !std::ranges::binary_search(chain, *variable)) {
@@ -331,12 +331,12 @@ std::string failure(const NumericIkResult& result, const NumericIkOptions& optio
 
 /// Returns the variables that may move by whole turns, as far as limits let them, without effect on
 /// the robot: no coupled joint follows them.
-std::vector<int> turning_variables(const RobotModel& model, const std::vector<int>& variables) {
-  std::vector<int> turning;
+JointIndices turning_variables(const RobotModel& model, const JointIndices& variables) {
+  JointIndices turning;
   for (const int v : variables) {
     bool comes_round = true;
     for (int link = 1; link < model.link_count(); ++link) {
-      const RobotModel::MimicMapping& drive = model.drive(link);
+      const RobotModel::MimicMapping& drive = model.mimic_mapping(link);
       comes_round = comes_round &&
                     (drive.variable != v || (model.joint(link).type == JointType::kRevolute &&
                                              drive.multiplier == std::round(drive.multiplier)));
@@ -350,7 +350,7 @@ std::vector<int> turning_variables(const RobotModel& model, const std::vector<in
 
 /// `q` with `turning` variables moved by whole turns to the values nearest to the reference within
 /// their limits.
-Configuration with_nearest_turns(const RobotModel& model, const std::vector<int>& turning,
+Configuration with_nearest_turns(const RobotModel& model, const JointIndices& turning,
                                  const Configuration& reference, Configuration q) {
   for (const int v : turning) {
     const JointLimits& limits = model.variable(v).limits;

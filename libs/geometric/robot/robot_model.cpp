@@ -225,10 +225,10 @@ void RobotModel::sort_parents_first() {
 }
 
 void RobotModel::index_variables() {
-  drives_.resize(description_.links.size());
+  mimic_mappings_.resize(description_.links.size());
   for (int i = 1; i < link_count(); ++i) {
     if (joint(i).type != JointType::kFixed && !joint(i).mimic) {
-      drives_[static_cast<std::size_t>(i)].variable = variable_count();
+      mimic_mappings_[static_cast<std::size_t>(i)].variable = variable_count();
       variable_links_.push_back(i);
     }
   }
@@ -242,22 +242,22 @@ void RobotModel::index_variables() {
       refuse(description_, "joint " + joint(i).name, "coupling to \"" + mimic.joint + "\"",
              "a joint that moves on its own");
     }
-    drives_[static_cast<std::size_t>(i)] = {*leader, mimic.multiplier, mimic.offset};
+    mimic_mappings_[static_cast<std::size_t>(i)] = {*leader, mimic.multiplier, mimic.offset};
   }
   for (int i = 1; i < link_count(); ++i) {
-    if (drive(i).variable >= 0 && joint(i).mimic) {
-      narrow_leader(description_, variable_link(drive(i).variable), i, drive(i));
+    if (mimic_mapping(i).variable >= 0 && joint(i).mimic) {
+      narrow_leader(description_, variable_link(mimic_mapping(i).variable), i, mimic_mapping(i));
     }
   }
   for (int i = 1; i < link_count(); ++i) {
-    const auto& [variable, multiplier, offset] = drive(i);
+    const auto& [variable, multiplier, offset] = mimic_mapping(i);
     steps_.push_back(forward_kinematics_step(joint(i), parent(i), variable, multiplier, offset));
   }
   set_ranges();
 }
 
 void RobotModel::set_ranges() {
-  limit_joints_with_gears();
+  tighten_limits_for_mimic_joints();
   lower_.resize(variable_count());
   upper_.resize(variable_count());
   Eigen::VectorXd turns = Eigen::VectorXd::Zero(variable_count());
@@ -272,15 +272,15 @@ void RobotModel::set_ranges() {
 
 // After a turn of a continuous joint, its followers return to their place only if they turn by
 // whole turns, too. Otherwise the joint has a distinct place for each turn, and so needs limits.
-void RobotModel::limit_joints_with_gears() {
+void RobotModel::tighten_limits_for_mimic_joints() {
   for (int i = 1; i < link_count(); ++i) {
-    if (drive(i).variable < 0 || !joint(i).mimic) {
+    if (mimic_mapping(i).variable < 0 || !joint(i).mimic) {
       continue;
     }
     Joint& leader =
-        description_.joints[static_cast<std::size_t>(variable_link(drive(i).variable) - 1)];
+        description_.joints[static_cast<std::size_t>(variable_link(mimic_mapping(i).variable) - 1)];
     const bool comes_round = joint(i).type == JointType::kRevolute &&
-                             drive(i).multiplier == std::round(drive(i).multiplier);
+                             mimic_mapping(i).multiplier == std::round(mimic_mapping(i).multiplier);
     if (leader.is_continuous() && !comes_round) {
       leader.limits.lower = -kTurn;
       leader.limits.upper = kTurn;
@@ -342,12 +342,12 @@ std::optional<int> RobotModel::find_variable(std::string_view joint_name) const 
   return std::nullopt;
 }
 
-std::optional<std::vector<int>> RobotModel::find_group(std::string_view name) const {
+std::optional<JointIndices> RobotModel::find_group(std::string_view name) const {
   const auto group = std::ranges::find(description_.groups, name, &JointGroup::name);
   if (group == description_.groups.end()) {
     return std::nullopt;
   }
-  std::vector<int> variables;
+  JointIndices variables;
   for (const std::string& joint : group->joints) {
     if (const std::optional<int> variable = find_variable(joint)) {
       variables.push_back(*variable);
@@ -372,7 +372,7 @@ bool RobotModel::moves_between(int variable, int link_a, int link_b) const {
     return link == moved;
   };
   for (int i = 1; i < link_count(); ++i) {
-    if (drive(i).variable == variable && is_above(i, link_a) != is_above(i, link_b)) {
+    if (mimic_mapping(i).variable == variable && is_above(i, link_a) != is_above(i, link_b)) {
       return true;
     }
   }
@@ -381,7 +381,7 @@ bool RobotModel::moves_between(int variable, int link_a, int link_b) const {
 
 double joint_value(const RobotModel& model, int link, const Configuration& q) {
   const auto part = [&](int of) {
-    const RobotModel::MimicMapping& drive = model.drive(of);
+    const RobotModel::MimicMapping& drive = model.mimic_mapping(of);
     return drive.multiplier * q[drive.variable] + drive.offset;
   };
   double value = part(link);
@@ -399,7 +399,7 @@ double joint_value(const RobotModel& model, int link, const Configuration& q) {
 std::vector<JointValue> joint_values(const RobotModel& model, const Configuration& q) {
   std::vector<JointValue> values;
   for (int i = 1; i < model.link_count(); ++i) {
-    if (model.drive(i).variable >= 0) {
+    if (model.mimic_mapping(i).variable >= 0) {
       values.push_back({model.joint(i).name, joint_value(model, i, q)});
     }
   }

@@ -66,7 +66,7 @@ void RobotState::set_posture(const NamedPosture& posture) {
 
 double RobotState::joint_value(std::string_view joint_name) const {
   for (int i = 1; i < model_->link_count(); ++i) {
-    if (model_->drive(i).variable >= 0 && model_->joint(i).name == joint_name) {
+    if (model_->mimic_mapping(i).variable >= 0 && model_->joint(i).name == joint_name) {
       return geometric::joint_value(*model_, i, q_);
     }
   }

@@ -129,7 +129,7 @@ Tx90Chain tx90_chain(const RobotModel& model, int tip_link) {
     throw InputError({"analytic inverse kinematics of " + model.name(), element, found, expected,
                       "Use the numeric inverse kinematics for this chain"});
   };
-  std::vector<int> links;
+  LinkIndices links;
   for (int i = tip_link; i > 0; i = model.parent(i)) {
     const Joint& joint = model.joint(i);
     if (joint.type == JointType::kFixed) {
@@ -150,7 +150,7 @@ Tx90Chain tx90_chain(const RobotModel& model, int tip_link) {
   Tx90Chain chain;
   for (std::size_t k = 0; k < 6; ++k) {
     chain.links[k] = links[5 - k];
-    chain.variables[k] = model.drive(links[5 - k]).variable;
+    chain.variables[k] = model.mimic_mapping(links[5 - k]).variable;
   }
   return chain;
 }

@@ -43,7 +43,7 @@ void remove_objects(Scene& scene, const std::vector<std::string>& names) {
     scene.display.remove(name);
   }
   // A file can't refer to a body that is gone.
-  std::erase_if(scene.may_touch, [&](const auto& entry) {
+  std::erase_if(scene.allowed_collisions, [&](const auto& entry) {
     return is_named(entry.first.first) || is_named(entry.first.second);
   });
   std::erase_if(scene.constraints, [&](const PathConstraint& constraint) {

@@ -85,7 +85,7 @@ bool same_shape(const Shape& a, const Shape& b) { return std::visit(SameShape{},
 
 std::optional<SceneDifference> scene_difference(const Scene& before, const Scene& after) {
   if (!same_robots(before, after) || !same_carried(before, after) ||
-      before.may_touch != after.may_touch) {
+      before.allowed_collisions != after.allowed_collisions) {
     return std::nullopt;
   }
   SceneDifference difference;

@@ -62,8 +62,8 @@ Configuration random_configuration(const RobotModel& model, std::mt19937_64& gen
 std::set<int> variables_between(const RobotModel& model, int link, int above) {
   std::set<int> variables;
   for (; link != above; link = model.parent(link)) {
-    if (model.drive(link).variable >= 0) {
-      variables.insert(model.drive(link).variable);
+    if (model.mimic_mapping(link).variable >= 0) {
+      variables.insert(model.mimic_mapping(link).variable);
     }
   }
   return variables;

@@ -200,7 +200,8 @@ void rename_in_query(Scene& scene, const RobotInstance& before, const RobotInsta
 /// A link of a part, by the part's own name.
 using LinkOfPart = std::pair<std::string, std::string>;
 
-// Returns links by their names in Scene::may_touch: those of the first robot by their names alone.
+// Returns links by their names in Scene::allowed_collisions: those of the first robot by their
+// names alone.
 std::map<std::string, LinkOfPart> links_by_body(const Scene& scene) {
   std::map<std::string, LinkOfPart> links;
   for (const RobotInstance& robot : scene.robots) {
@@ -230,12 +231,12 @@ void keep_collisions(const Scene& before, Scene& scene) {
     const auto now = bodies.find(link->second);
     return now == bodies.end() ? std::nullopt : std::optional(now->second);
   };
-  scene.may_touch.clear();
-  for (const auto& [pair, touch] : before.may_touch) {
+  scene.allowed_collisions.clear();
+  for (const auto& [pair, touch] : before.allowed_collisions) {
     const auto a = name_now(pair.first);
     const auto b = name_now(pair.second);
     if (a && b) {
-      scene.may_touch[std::minmax(*a, *b)] = touch;
+      scene.allowed_collisions[std::minmax(*a, *b)] = touch;
     }
   }
 }

@@ -16,20 +16,20 @@
 namespace handway::geometric {
 namespace {
 
-std::vector<int> all_variables(const RobotModel& model) {
-  std::vector<int> all(static_cast<std::size_t>(model.variable_count()));
+JointIndices all_variables(const RobotModel& model) {
+  JointIndices all(static_cast<std::size_t>(model.variable_count()));
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
 
-void sort_once(std::vector<int>& variables) {
+void sort_once(JointIndices& variables) {
   std::ranges::sort(variables);
   variables.erase(std::unique(variables.begin(), variables.end()), variables.end());
 }
 
 // Variables of a group or joint by its name in the whole robot.
-std::vector<int> of_group_or_joint(const RobotModel& model, std::string_view name) {
-  std::vector<int> named = model.find_group(name).value_or(std::vector<int>{});
+JointIndices of_group_or_joint(const RobotModel& model, std::string_view name) {
+  JointIndices named = model.find_group(name).value_or(JointIndices{});
   if (named.empty()) {
     if (const std::optional<int> variable = find_variable_of_part(model, name)) {
       named.push_back(*variable);
@@ -39,8 +39,8 @@ std::vector<int> of_group_or_joint(const RobotModel& model, std::string_view nam
 }
 
 // A part's variables in the whole robot.
-std::vector<int> of_part(const RobotModel& whole, const RobotPart& part) {
-  std::vector<int> variables;
+JointIndices of_part(const RobotModel& whole, const RobotPart& part) {
+  JointIndices variables;
   for (const auto& [own, composed] : part.joints) {
     if (const std::optional<int> variable = whole.find_variable(composed)) {
       variables.push_back(*variable);
@@ -50,16 +50,15 @@ std::vector<int> of_part(const RobotModel& whole, const RobotPart& part) {
 }
 
 // Finds by the part's own name; else a group of the whole robot, restricted to the part.
-std::vector<int> in_part(const RobotModel& whole, const RobotPart& part, std::string_view name) {
-  std::vector<int> named;
+JointIndices in_part(const RobotModel& whole, const RobotPart& part, std::string_view name) {
+  JointIndices named;
   for (const int variable : of_group_or_joint(*part.model, name)) {
     named.push_back(
         whole.find_variable(part.joints.at(part.model->variable(variable).name)).value());
   }
   if (named.empty()) {
-    const std::vector<int> own = of_part(whole, part);
-    std::ranges::copy_if(whole.find_group(name).value_or(std::vector<int>{}),
-                         std::back_inserter(named),
+    const JointIndices own = of_part(whole, part);
+    std::ranges::copy_if(whole.find_group(name).value_or(JointIndices{}), std::back_inserter(named),
                          [&](int v) { return std::ranges::count(own, v) > 0; });
   }
   return named;
@@ -94,8 +93,8 @@ void join(Scene& scene, const RobotInstance& robot) {
 
 }  // namespace
 
-std::vector<int> named_variables(const RobotInstance& robot, std::string_view name) {
-  std::vector<int> named = of_group_or_joint(*robot.model, name);
+JointIndices named_variables(const RobotInstance& robot, std::string_view name) {
+  JointIndices named = of_group_or_joint(*robot.model, name);
   if (named.empty() && robot.parts.empty()) {
     if (robot.name == name) {
       named = all_variables(*robot.model);
@@ -114,14 +113,14 @@ std::vector<int> named_variables(const RobotInstance& robot, std::string_view na
   return named;
 }
 
-std::vector<int> moving_variables(const Scene& scene) {
+JointIndices moving_variables(const Scene& scene) {
   const RobotInstance& robot = scene.robots.front();
   if (scene.group.empty()) {
     return all_variables(*robot.model);
   }
-  std::vector<int> moving;
+  JointIndices moving;
   for (const std::string& name : scene.group) {
-    const std::vector<int> named = named_variables(robot, name);
+    const JointIndices named = named_variables(robot, name);
     moving.insert(moving.end(), named.begin(), named.end());
   }
   sort_once(moving);
@@ -163,7 +162,7 @@ bool is_movable(const Scene& scene, std::string_view name) {
 void keep_still_in_goal(Scene& scene) {
   if (scene.goal) {
     Configuration goal = scene.start.value_or(scene.robots.front().configuration);
-    const std::vector<int> moving = moving_variables(scene);
+    const JointIndices moving = moving_variables(scene);
     goal(moving) = (*scene.goal)(moving);
     scene.goal = goal;
   }

@@ -201,8 +201,8 @@ RobotDescription with_setup(const RobotModel& model, const SelfCollisionSamples&
       robot.allowed_collisions.allow(pair.first, pair.second, reason);
     }
   }
-  for (const auto& [pair, may_touch] : decisions.may_touch) {
-    if (may_touch) {
+  for (const auto& [pair, allowed_collisions] : decisions.allowed_collisions) {
+    if (allowed_collisions) {
       robot.allowed_collisions.allow(pair.first, pair.second, AllowedReason::kUser);
     } else {
       robot.allowed_collisions.forbid(pair.first, pair.second);

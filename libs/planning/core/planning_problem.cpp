@@ -106,6 +106,8 @@ PlanningProblem assembled(std::shared_ptr<const geometric::Scene> scene,
                           const geometric::Preparation& preparation, GoalNeed need) {
   PlanningProblem problem;
   problem.joints = select_joints(*scene, basis.get());
+  problem.hand = geometric::HandStructure::of(*scene->robots.front().model, problem.joints.arm,
+                                              problem.joints.hand);
   problem.basis = problem.joints.moves_whole_hand ? std::move(basis) : nullptr;
   set_ends(*scene, need, problem);
   problem.scene = std::move(scene);

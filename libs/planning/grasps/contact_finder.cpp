@@ -29,7 +29,7 @@ std::vector<LinkContact> ContactFinder::contacts(geometric::CollisionChecker& ch
                                                  double tolerance) {
   std::vector<LinkContact> found;
   for (const int pair : pairs_) {
-    if (checker.pair_closeness(pair, tolerance) != geometric::Closeness::kFarther) {
+    if (checker.pair_proximity(pair, tolerance) != geometric::Proximity::kClear) {
       add_contacts(pair, X_WA(pair, checker.link_poses()), tolerance, found);
     }
   }

@@ -90,7 +90,7 @@ std::vector<FingerClosing::MovedCheck> FingerClosing::checks_of(
     joint = last[static_cast<std::size_t>(model.parent(link))];
     for (std::size_t k = 0; k < finger.joints.size(); ++k) {
       if (problem_.joints.hand[static_cast<std::size_t>(finger.joints[k])] ==
-          model.drive(link).variable) {
+          model.mimic_mapping(link).variable) {
         joint = std::max(joint, static_cast<Eigen::Index>(k));
       }
     }
@@ -130,7 +130,7 @@ bool FingerClosing::keeps_gap(const Configuration& q, std::vector<MovedCheck>& c
     const double gap = moved.concern == Concern::kObject ? limits.object_gap
                        : moved.concern == Concern::kHand ? limits.own_gap
                                                          : 0.0;
-    return gap > 0.0 ? checker_.pair_closeness(moved.check, gap) == geometric::Closeness::kFarther
+    return gap > 0.0 ? checker_.pair_proximity(moved.check, gap) == geometric::Proximity::kClear
                      : !checker_.pair_collides(moved.check);
   };
   const auto broken = std::ranges::find_if_not(checks, keeps);

@@ -49,9 +49,9 @@ Vector3d nearest_in(const geometric::Aabb& box, const Vector3d& p) {
   return p.cwiseMax(box.lower).cwiseMin(box.upper);
 }
 
-HandClosing::HandClosing(const PlanningProblem& problem, const geometric::HandStructure& hand)
-    : problem_(problem), palm_(hand.palm) {
-  std::ranges::transform(hand.fingers, std::back_inserter(fingers_),
+HandClosing::HandClosing(const PlanningProblem& problem)
+    : problem_(problem), palm_(problem.hand.palm) {
+  std::ranges::transform(problem.hand.fingers, std::back_inserter(fingers_),
                          [this](const auto& finger) { return closing_finger(finger); });
   make_preshapes();
 }

@@ -47,7 +47,7 @@ class HandClosing {
   };
 
   /// @param problem must outlive this object.
-  HandClosing(const PlanningProblem& problem, const geometric::HandStructure& hand);
+  explicit HandClosing(const PlanningProblem& problem);
 
   [[nodiscard]] bool opens() const { return !preshapes_.empty(); }
   /// m; of a hand that opens.

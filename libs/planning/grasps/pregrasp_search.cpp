@@ -140,6 +140,7 @@ PlanningProblem with_nearest_hand(const PlanningProblem& problem,
                     [&](int v) { return std::ranges::count(other->hand, v) > 0; });
     }
   }
+  of_one.hand = HandStructure::of(problem.model(), of_one.joints.arm, of_one.joints.hand);
   if (problem.basis && of_one.joints.hand.size() < problem.joints.hand.size()) {
     of_one.basis = nullptr;  // its directions are of both
   }
@@ -271,9 +272,8 @@ class PregraspSearch {
         options_(options),
         stop_(stop),
         checker_(problem.checker->clone()),
-        structure_(HandStructure::of(problem.model(), problem.joints.arm, problem.joints.hand)),
-        ik_(problem.scene->robots.front().model, structure_.palm, problem.joints.arm),
-        hand_(problem, structure_),
+        ik_(problem.scene->robots.front().model, problem.hand.palm, problem.joints.arm),
+        hand_(problem),
         box_(geometric::bounding_box(*geometric::tessellate(object.shape))),
         chords_(*geometric::tessellate(object.shape)),
         X_BO_(problem.scene->robots.front().X_WB.inverse() * object.X_PO),
@@ -507,7 +507,7 @@ class PregraspSearch {
     }
     const geometric::CollisionWorld& world = checker_->world();
     for (int check = 0; check < world.check_count(); ++check) {
-      if (checker_->pair_closeness(check, 0.0) == geometric::Closeness::kFarther) {
+      if (checker_->pair_proximity(check, 0.0) == geometric::Proximity::kClear) {
         continue;
       }
       const geometric::NamedPair pair = geometric::named_pair(world, check, 0.0);
@@ -564,7 +564,7 @@ class PregraspSearch {
   bool keeps_gaps() {
     const auto keep = [this](const std::vector<int>& pairs, double gap) {
       return std::ranges::all_of(pairs, [&](int pair) {
-        return checker_->pair_closeness(pair, gap) == geometric::Closeness::kFarther;
+        return checker_->pair_proximity(pair, gap) == geometric::Proximity::kClear;
       });
     };
     return keep(with_object_, options_.gap) && keep(of_hand_, options_.own_gap);
@@ -596,7 +596,7 @@ class PregraspSearch {
     return std::ranges::any_of(with_object_, [&](int pair) {
       const int link = world.body(world.pairs()[static_cast<std::size_t>(pair)].a).link;
       return std::ranges::count(links, link) > 0 &&
-             checker_->pair_closeness(pair, options_.gap) != geometric::Closeness::kFarther;
+             checker_->pair_proximity(pair, options_.gap) != geometric::Proximity::kClear;
     });
   }
 
@@ -710,7 +710,6 @@ class PregraspSearch {
   PregraspOptions options_;
   std::stop_token stop_;
   std::unique_ptr<geometric::CollisionChecker> checker_;
-  HandStructure structure_;
   PalmIk ik_;
   HandClosing hand_;
   geometric::Aabb box_;

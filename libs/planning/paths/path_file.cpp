@@ -39,7 +39,7 @@ constexpr std::size_t kFirstNamed = 3;       // … the first ones
 /// The link moved by the moving joint of this name; nothing without such a joint.
 std::optional<int> moving_link(const RobotModel& model, std::string_view name) {
   for (int i = 1; i < model.link_count(); ++i) {
-    if (model.joint(i).name == name && model.drive(i).variable >= 0) {
+    if (model.joint(i).name == name && model.mimic_mapping(i).variable >= 0) {
       return i;
     }
   }
@@ -81,7 +81,7 @@ class JointColumns {
     Configuration q = rest_ ? rest_->q : model_.neutral();
     for (Eigen::Index c = 0; c < values.size(); ++c) {
       const int link = links_[static_cast<std::size_t>(c)];
-      const int variable = model_.drive(link).variable;
+      const int variable = model_.mimic_mapping(link).variable;
       if (link > 0 && model_.variable_link(variable) == link) {
         q[variable] = values[c];
       }
@@ -92,7 +92,7 @@ class JointColumns {
       if (std::abs(values[c] - coupled) > kCouplingTolerance) {
         refuse(static_cast<std::size_t>(c),
                fmt::format("{:.6f}, as coupled to joint {}", coupled,
-                           model_.variable(model_.drive(link).variable).name));
+                           model_.variable(model_.mimic_mapping(link).variable).name));
       }
     }
     return q;
@@ -174,7 +174,7 @@ class TableReader {
         continue;
       }
       // The first column of a coupled joint is enough.
-      const bool is_own = model_.variable_link(model_.drive(link).variable) == link;
+      const bool is_own = model_.variable_link(model_.mimic_mapping(link).variable) == link;
       columns_.append_link(link, is_own ? count : 1);
       links_.push_back(link);
     }
@@ -331,7 +331,7 @@ std::vector<std::string> unwrap(const RobotModel& model, Path& path) {
 std::string to_csv(const Path& path, const RobotModel& model) {
   std::string text = "time";
   for (int i = 1; i < model.link_count(); ++i) {
-    if (model.drive(i).variable >= 0) {
+    if (model.mimic_mapping(i).variable >= 0) {
       text += "," + model.joint(i).name;
     }
   }

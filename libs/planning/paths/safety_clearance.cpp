@@ -43,7 +43,7 @@ double SafetyClearance::displacement(int body, int frame, const Eigen::VectorXd&
   const Eigen::Vector3d centre = X_BL[static_cast<std::size_t>(ball.link)] * ball.centre;
   double sum = 0.0;
   for (int i = ball.link; i != frame; i = model.parent(i)) {
-    const geometric::RobotModel::MimicMapping& drive = model.drive(i);
+    const geometric::RobotModel::MimicMapping& drive = model.mimic_mapping(i);
     if (drive.variable < 0) {
       continue;
     }

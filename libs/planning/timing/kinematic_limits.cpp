@@ -54,7 +54,7 @@ JointKinematicLimits of_variables(const RobotModel& model, const RatesByJoint& r
                               Eigen::VectorXd::Zero(count)};
   const std::array all{&limits.velocity, &limits.acceleration, &limits.jerk};
   for (int link = 1; link < model.link_count(); ++link) {
-    const RobotModel::MimicMapping& drive = model.drive(link);
+    const RobotModel::MimicMapping& drive = model.mimic_mapping(link);
     if (drive.variable < 0 || drive.multiplier == 0.0) {
       continue;
     }

@@ -63,7 +63,7 @@ class CheckerAgreement {
       ASSERT_NO_FATAL_FAILURE(expect_range_around(pair, distance, enough));
       for (const double tolerance : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 5e-2}) {
         if (tolerance <= enough && std::abs(distance - tolerance) > kRounding) {
-          ASSERT_EQ(bounded_.pair_closeness(pair, tolerance), closeness(pair, distance, tolerance))
+          ASSERT_EQ(bounded_.pair_proximity(pair, tolerance), proximity(pair, distance, tolerance))
               << name(pair) << " within " << tolerance << " m at " << q.transpose();
         }
       }
@@ -86,10 +86,11 @@ class CheckerAgreement {
 
   [[nodiscard]] int pair_count() const { return static_cast<int>(world_->pairs().size()); }
 
-  [[nodiscard]] geometric::Closeness closeness(int pair, double distance, double tolerance) {
-    return distance >= tolerance                                 ? geometric::Closeness::kFarther
-           : distance <= kRounding && exact_.pair_collides(pair) ? geometric::Closeness::kTouching
-                                                                 : geometric::Closeness::kCloser;
+  [[nodiscard]] geometric::Proximity proximity(int pair, double distance, double tolerance) {
+    return distance >= tolerance ? geometric::Proximity::kClear
+           : distance <= kRounding && exact_.pair_collides(pair)
+               ? geometric::Proximity::kCollision
+               : geometric::Proximity::kWithinTolerance;
   }
 
   [[nodiscard]] std::string name(int pair) const {

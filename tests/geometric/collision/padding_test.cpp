@@ -81,10 +81,10 @@ TEST(Padding, LeavesDistancesThatRemain) {
     EXPECT_NEAR(find_clearance(*checker, Eigen::Vector3d(0.3, 0, 0)).distance, 0.09, 1e-9);
     EXPECT_EQ(find_clearance(*checker, Eigen::Vector3d(0.395, 0, 0)).distance, 0.0);
     checker->place(Eigen::Vector3d(0.38, 0, 0));  // 20 mm apart, 10 mm are left
-    EXPECT_EQ(checker->pair_closeness(0, 0.0099), Closeness::kFarther);
-    EXPECT_EQ(checker->pair_closeness(0, 0.0101), Closeness::kCloser);
+    EXPECT_EQ(checker->pair_proximity(0, 0.0099), Proximity::kClear);
+    EXPECT_EQ(checker->pair_proximity(0, 0.0101), Proximity::kWithinTolerance);
     checker->place(Eigen::Vector3d(0.395, 0, 0));
-    EXPECT_EQ(checker->pair_closeness(0, 0.001), Closeness::kTouching);
+    EXPECT_EQ(checker->pair_proximity(0, 0.001), Proximity::kCollision);
     EXPECT_TRUE(is_closer_than(*checker, Eigen::Vector3d(0.38, 0, 0), 0.0101));
     EXPECT_FALSE(is_closer_than(*checker, Eigen::Vector3d(0.38, 0, 0), 0.0099));
   }

@@ -86,7 +86,7 @@ void expect_same(FclChecker& exact, ExactCollisionChecker& bounded, const Config
     ASSERT_EQ(bounded.pair_collides(pair), collides);
     for (const double tolerance : {1e-4, 1e-3, 1e-2, 1e-1}) {
       if (std::abs(distance - tolerance) > kTolerance) {
-        ASSERT_EQ(bounded.pair_closeness(pair, tolerance) == Closeness::kFarther,
+        ASSERT_EQ(bounded.pair_proximity(pair, tolerance) == Proximity::kClear,
                   distance > tolerance)
             << tolerance;
       }

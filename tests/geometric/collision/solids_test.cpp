@@ -58,8 +58,8 @@ class Solids : public testing::TestWithParam<CheckerKind> {
     const auto checker = checker_of(scene);
     const bool found = checker->first_collision(p).has_value();
     EXPECT_EQ(checker->pair_collides(0), found);
-    EXPECT_EQ(checker->pair_closeness(0, 0.01) == Closeness::kTouching, found);
-    EXPECT_EQ(checker->pair_closeness(0, 100.0) == Closeness::kTouching, found);
+    EXPECT_EQ(checker->pair_proximity(0, 0.01) == Proximity::kCollision, found);
+    EXPECT_EQ(checker->pair_proximity(0, 100.0) == Proximity::kCollision, found);
     EXPECT_EQ(checker->pair_distance(0, 100.0) == 0.0, found);
     EXPECT_EQ(checker->pair_distance_range(0, 0.01, 0.2).upper == 0.0, found);
     EXPECT_EQ(is_closer_than(*checker, p, 1e-6), found);

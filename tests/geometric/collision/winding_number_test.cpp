@@ -258,8 +258,8 @@ class Flight {
       scene_.objects.back().attachment = Attachment{scene_.robots.front().name, "pin", {"bell"}};
     }
     if (options_.allows) {
-      scene_.may_touch[{"bell", "block"}] = true;
-      scene_.may_touch[{"pin", "vessel"}] = true;
+      scene_.allowed_collisions[{"bell", "block"}] = true;
+      scene_.allowed_collisions[{"pin", "vessel"}] = true;
     }
     if (options_.upright) {
       OrientationConstraint upright;

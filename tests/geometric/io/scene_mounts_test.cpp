@@ -398,15 +398,15 @@ TEST(MountRobot, KeepsPaddingAndWhichPairsAreChecked) {
   Scene scene = files.scene(kCollisions);
   const Scene before = scene;
   mount_robot(scene, "hand", "arm", "flange", Pose(Eigen::Translation3d(0, 0, 0.1)));
-  EXPECT_EQ(scene.may_touch, (Touching{{{"box", "flange"}, true},
-                                       {{"hand/base", "other/body"}, true},
-                                       {{"box", "tip_l"}, true},
-                                       {{"hand/base", "tip_l"}, false},
-                                       {{"base", "upper"}, false}}));
+  EXPECT_EQ(scene.allowed_collisions, (Touching{{{"box", "flange"}, true},
+                                                {{"hand/base", "other/body"}, true},
+                                                {{"box", "tip_l"}, true},
+                                                {{"hand/base", "tip_l"}, false},
+                                                {{"base", "upper"}, false}}));
   EXPECT_EQ(scene.robots[0].padding,
             (Paddings{{"upper", {1.0, 0.01}}, {"hand/base", {1.0, 0.02}}, {"tip_l", {1.0, 0.03}}}));
   unmount_robot(scene, "hand");
-  EXPECT_EQ(scene.may_touch, before.may_touch);
+  EXPECT_EQ(scene.allowed_collisions, before.allowed_collisions);
   EXPECT_EQ(scene.robots[0].padding, before.robots[0].padding);
   EXPECT_EQ(scene.robots[1].padding, before.robots[1].padding);
 }
@@ -415,9 +415,9 @@ TEST(RemoveRobot, ForgetsItsPairsAndNamesTheLinksOfTheNextFirstAlone) {
   const Robots files;
   Scene scene = files.scene(kCollisions);
   remove_robot(scene, "arm");
-  EXPECT_EQ(scene.may_touch, (Touching{{{"base", "other/body"}, true},
-                                       {{"box", "tip_l"}, true},
-                                       {{"base", "tip_l"}, false}}));
+  EXPECT_EQ(scene.allowed_collisions, (Touching{{{"base", "other/body"}, true},
+                                                {{"box", "tip_l"}, true},
+                                                {{"base", "tip_l"}, false}}));
 }
 
 TEST(PutFirst, NamesLinksAsTheNewOrderHasThem) {
@@ -425,11 +425,11 @@ TEST(PutFirst, NamesLinksAsTheNewOrderHasThem) {
   Scene scene = files.scene(kCollisions);
   put_first(scene, "hand");
   EXPECT_EQ(scene.robots.front().name, "hand");
-  EXPECT_EQ(scene.may_touch, (Touching{{{"arm/flange", "box"}, true},
-                                       {{"base", "other/body"}, true},
-                                       {{"box", "tip_l"}, true},
-                                       {{"base", "tip_l"}, false},
-                                       {{"arm/base", "arm/upper"}, false}}));
+  EXPECT_EQ(scene.allowed_collisions, (Touching{{{"arm/flange", "box"}, true},
+                                                {{"base", "other/body"}, true},
+                                                {{"box", "tip_l"}, true},
+                                                {{"base", "tip_l"}, false},
+                                                {{"arm/base", "arm/upper"}, false}}));
   EXPECT_EQ(scene.robots.front().padding.size(), 2U);
 }
 

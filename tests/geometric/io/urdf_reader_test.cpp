@@ -136,10 +136,10 @@ TEST(UrdfReader, FollowsChainsOfCoupledJoints) {
                       joint("third", "revolute", "c", "d",
                             kLimit + R"(<mimic joint="second" multiplier="3" offset="5"/>)"))));
   ASSERT_EQ(model->variable_count(), 1);
-  EXPECT_EQ(model->drive(2).multiplier, 2.0);
-  EXPECT_EQ(model->drive(2).offset, 1.0);
-  EXPECT_EQ(model->drive(3).multiplier, 6.0);
-  EXPECT_EQ(model->drive(3).offset, 8.0);
+  EXPECT_EQ(model->mimic_mapping(2).multiplier, 2.0);
+  EXPECT_EQ(model->mimic_mapping(2).offset, 1.0);
+  EXPECT_EQ(model->mimic_mapping(3).multiplier, 6.0);
+  EXPECT_EQ(model->mimic_mapping(3).offset, 8.0);
 }
 
 TEST(UrdfReader, ReadsAllShapesAndColours) {

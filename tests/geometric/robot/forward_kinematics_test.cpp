@@ -33,7 +33,7 @@ std::vector<Pose> by_definition(const RobotModel& model, const Configuration& q)
   std::vector<Pose> X_BL = {Pose::Identity()};
   for (int i = 1; i < model.link_count(); ++i) {
     const Joint& joint = model.joint(i);
-    const RobotModel::MimicMapping& drive = model.drive(i);
+    const RobotModel::MimicMapping& drive = model.mimic_mapping(i);
     Pose X = X_BL[static_cast<std::size_t>(model.parent(i))] * joint.X_PJ;
     if (drive.variable >= 0) {
       const double value = drive.multiplier * q[drive.variable] + drive.offset;

@@ -1,6 +1,5 @@
 /// The hand of the shipped scene on arms of other makers, without closed-form inverse kinematics:
 /// pre-grasps of the can, paths to them, and the corridor of tool poses.
-#include "handway/geometric/robot/hand_structure.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner.h"
@@ -63,8 +62,7 @@ class ArmsWithHands : public testing::TestWithParam<const char*> {
                                  : name == "panda" ? test::panda_arm()
                                                    : test::iiwa14();
     const PlanningProblem shipped = can_on_table();
-    const int palm =
-        geometric::HandStructure::of(shipped.model(), shipped.joints.arm, shipped.joints.hand).palm;
+    const int palm = shipped.hand.palm;
     geometric::Scene scene = *shipped.scene;
     geometric::RobotInstance& robot = scene.robots.front();
     robot.model = std::make_shared<const RobotModel>(with_hand(arm, shipped.model(), palm));

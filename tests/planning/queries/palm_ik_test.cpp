@@ -1,6 +1,5 @@
 #include "handway/planning/queries/palm_ik.h"
 
-#include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/motions.h"
@@ -15,9 +14,7 @@ namespace {
 using geometric::Pose;
 
 PalmIk palm_ik(const PlanningProblem& problem) {
-  const geometric::RobotModel& model = problem.model();
-  const auto hand = geometric::HandStructure::of(model, problem.joints.arm, problem.joints.hand);
-  return {problem.scene->robots.front().model, hand.palm, problem.joints.arm};
+  return {problem.scene->robots.front().model, problem.hand.palm, problem.joints.arm};
 }
 
 TEST(PalmIk, BringsThePalmThereAndLeavesTheFingersAlone) {

@@ -32,7 +32,7 @@ Scene can_on_table() {
       {"held", geometric::Box{{0.02, 0.02, 0.02}}, geometric::Pose::Identity(), {}, {}});
   scene.objects.back().attachment = geometric::Attachment{"tx90_sah", "palm", {"palm"}};
   scene.objects.back().X_PO.translation() = Eigen::Vector3d(0.0, 0.0, 0.3);
-  scene.may_touch[{"can", "table"}] = true;
+  scene.allowed_collisions[{"can", "table"}] = true;
   scene.robots.front().padding["palm"] = {1.0, 0.002};
   return scene;
 }

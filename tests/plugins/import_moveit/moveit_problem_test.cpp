@@ -385,7 +385,7 @@ allowed_collision_matrix:
 
   const auto saved = problem.folder() / "saved.yaml";
   geometric::write_scene(*scene, saved);
-  EXPECT_EQ(geometric::read_scene(saved).may_touch, scene->may_touch);
+  EXPECT_EQ(geometric::read_scene(saved).allowed_collisions, scene->allowed_collisions);
 }
 
 TEST(MoveitProblem, KeepsThePairsOfTheSrdfForLinksThatTheMatrixDoesNotName) {

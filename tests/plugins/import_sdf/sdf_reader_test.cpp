@@ -169,7 +169,7 @@ TEST(SdfReader, CouplesJointsThatMimicOthers) {
       following("<multiplier>-2</multiplier><offset>0.1</offset><reference>0.3</reference>")
           .model();
   EXPECT_EQ(model.variable_count(), 2);
-  const RobotModel::MimicMapping& wheel = model.drive(model.find_link("wheel").value());
+  const RobotModel::MimicMapping& wheel = model.mimic_mapping(model.find_link("wheel").value());
   EXPECT_EQ(wheel.variable, model.find_variable("lift"));
   EXPECT_EQ(wheel.multiplier, -2.0);
   EXPECT_DOUBLE_EQ(wheel.offset, 0.7);

@@ -100,7 +100,7 @@ struct ExactCollisionChecker::Scratch {
 
   BroadPhase::Placement placement;
   OrientedBoxes::LastAxes axes;
-  std::vector<int> near;
+  PairIndices near;
   std::vector<std::uint32_t> triangles;
   std::vector<UndecidedPair> undecided;
 };
@@ -126,11 +126,11 @@ void ExactCollisionChecker::do_place() {
   volumes_->broad_phase->place(body_poses(), scratch_->placement);
 }
 
-void ExactCollisionChecker::do_near_pairs(double distance, std::vector<int>& pairs) {
+void ExactCollisionChecker::do_near_pairs(double distance, PairIndices& pairs) {
   volumes_->broad_phase->find_near(scratch_->placement, distance, pairs);
 }
 
-void ExactCollisionChecker::do_closest_first(double distance, std::vector<int>& pairs) {
+void ExactCollisionChecker::do_closest_first(double distance, PairIndices& pairs) {
   std::vector<std::pair<double, int>> bounds;
   bounds.reserve(pairs.size());
   for (const int pair : pairs) {
@@ -157,9 +157,9 @@ std::optional<int> ExactCollisionChecker::do_first_collision(int hint) {
     return std::pair(candidate.relative_distance, candidate.pair);
   });
   const auto touching = std::ranges::find_if(undecided, [&](const UndecidedPair& candidate) {
-    const Closeness closeness = exact_closeness(candidate.pair, collision_distance(candidate.pair));
-    return closeness == Closeness::kTouching ||
-           (closeness == Closeness::kCloser && world().padding(candidate.pair) > 0.0);
+    const Proximity proximity = exact_proximity(candidate.pair, collision_distance(candidate.pair));
+    return proximity == Proximity::kCollision ||
+           (proximity == Proximity::kWithinTolerance && world().padding(candidate.pair) > 0.0);
   });
   return touching == undecided.end() ? std::nullopt : std::optional(touching->pair);
 }
@@ -221,11 +221,11 @@ bool ExactCollisionChecker::touches(int pair) const {
 }
 
 bool ExactCollisionChecker::do_pair_collides(int pair) {
-  return do_pair_closeness(pair, kTouch) == Closeness::kTouching;
+  return do_pair_proximity(pair, kTouch) == Proximity::kCollision;
 }
 
-Closeness ExactCollisionChecker::do_pair_closeness(int pair, double tolerance) {
-  return root_bound(pair) >= tolerance ? Closeness::kFarther : nearby_closeness(pair, tolerance);
+Proximity ExactCollisionChecker::do_pair_proximity(int pair, double tolerance) {
+  return root_bound(pair) >= tolerance ? Proximity::kClear : nearby_proximity(pair, tolerance);
 }
 
 bool ExactCollisionChecker::boxes_are_apart(int pair, double distance) {
@@ -237,25 +237,25 @@ bool ExactCollisionChecker::is_separated(int pair, double distance) {
   return cached_distance(pair) >= distance || boxes_are_apart(pair, distance);
 }
 
-Closeness ExactCollisionChecker::nearby_closeness(int pair, double tolerance) {
-  return is_separated(pair, std::max(tolerance, kTouch)) ? Closeness::kFarther
-                                                         : exact_closeness(pair, tolerance);
+Proximity ExactCollisionChecker::nearby_proximity(int pair, double tolerance) {
+  return is_separated(pair, std::max(tolerance, kTouch)) ? Proximity::kClear
+                                                         : exact_proximity(pair, tolerance);
 }
 
-Closeness ExactCollisionChecker::exact_closeness(int pair, double tolerance) {
+Proximity ExactCollisionChecker::exact_proximity(int pair, double tolerance) {
   NarrowPhaseQuery surfaces = query(pair, body_poses());
-  const Closeness closeness = surfaces.closeness(tolerance);
+  const Proximity proximity = surfaces.proximity(tolerance);
   if (surfaces.was_exact()) {
     count_exact_test();
   }
-  const bool doubtful = closeness == Closeness::kTouching && !surfaces.surely_crosses();
-  if (doubtful ? touches(pair) : closeness == Closeness::kTouching) {
-    return Closeness::kTouching;
+  const bool doubtful = proximity == Proximity::kCollision && !surfaces.surely_crosses();
+  if (doubtful ? touches(pair) : proximity == Proximity::kCollision) {
+    return Proximity::kCollision;
   }
   if (is_contained(pair, surfaces)) {
-    return Closeness::kTouching;
+    return Proximity::kCollision;
   }
-  return doubtful ? Closeness::kCloser : closeness;
+  return doubtful ? Proximity::kWithinTolerance : proximity;
 }
 
 bool ExactCollisionChecker::is_contained(int pair, const NarrowPhaseQuery& surfaces) const {

@@ -22,7 +22,7 @@ constexpr double kGrowth = 0.01;
 constexpr double kMarginGrowth = 0.02;
 
 // Constraints are checked after the pairs.
-void add_constraints(const CollisionWorld& world, std::vector<int>& pairs) {
+void add_constraints(const CollisionWorld& world, PairIndices& pairs) {
   for (int check = static_cast<int>(world.pairs().size()); check < world.check_count(); ++check) {
     pairs.push_back(check);
   }
@@ -55,7 +55,7 @@ EdgeEnd make_edge_end(CollisionChecker& checker, const Configuration& q, double 
   checker.place(q);
   const double near = 2.0 * resolution;
   const double near_in_margin = margin > 0.0 ? margin + 4.0 * resolution : near;
-  std::vector<int> pairs;
+  PairIndices pairs;
   checker.near_pairs(near_in_margin, pairs);
   add_constraints(checker.world(), pairs);
   for (const int pair : pairs) {
@@ -102,12 +102,12 @@ std::optional<int> ContinuousCollisionChecker::too_near(const Configuration& q) 
     return std::nullopt;
   }
   checker_.place(q);
-  std::vector<int> pairs;
+  PairIndices pairs;
   checker_.near_pairs(margin_, pairs);
   const Eigen::VectorXd everything = Eigen::VectorXd::Ones(q.size());
   const auto too_near = std::ranges::find_if(pairs, [&](int pair) {
     return keeps_margin(checker_, pair) && bounds_->bound(pair, everything) > 0.0 &&
-           checker_.pair_closeness(pair, required(pair, q, 0.0)) != Closeness::kFarther;
+           checker_.pair_proximity(pair, required(pair, q, 0.0)) != Proximity::kClear;
   });
   return too_near == pairs.end() ? std::nullopt : std::optional(*too_near);
 }
@@ -118,7 +118,7 @@ bool ContinuousCollisionChecker::is_stopped(std::uint64_t checks) const {
 
 EdgeResult ContinuousCollisionChecker::check(const Configuration& from, const Configuration& to,
                                              std::uint64_t most_checks) {
-  return search(from, to, most_checks, [&](std::vector<int>& pairs) {
+  return search(from, to, most_checks, [&](PairIndices& pairs) {
     checker_.near_pairs(0.5 * motion_.most_over_edge() + std::max(resolution_, margin_), pairs);
     add_constraints(checker_.world(), pairs);
     std::ranges::reverse(pairs);  // what stands still comes last in it, and is hit most often
@@ -130,20 +130,20 @@ EdgeResult ContinuousCollisionChecker::check_among(std::span<const int> among,
                                                    const Configuration& to,
                                                    std::uint64_t most_checks) {
   return search(from, to, most_checks,
-                [&](std::vector<int>& pairs) { pairs.assign(among.begin(), among.end()); });
+                [&](PairIndices& pairs) { pairs.assign(among.begin(), among.end()); });
 }
 
-EdgeResult ContinuousCollisionChecker::search(
-    const Configuration& from, const Configuration& to, std::uint64_t most_checks,
-    const std::function<void(std::vector<int>&)>& list_pairs) {
+EdgeResult ContinuousCollisionChecker::search(const Configuration& from, const Configuration& to,
+                                              std::uint64_t most_checks,
+                                              const std::function<void(PairIndices&)>& list_pairs) {
   const Configuration delta = to - from;
   motion_.set_edge(delta);
   EdgeResult result;
-  std::vector<int> pairs;
+  PairIndices pairs;
   std::vector<Stretch> level{{0.5, 0.5, 0, 0}};
   while (!level.empty()) {
     std::vector<Stretch> next_level;
-    std::vector<int> unsettled;
+    PairIndices unsettled;
     for (Stretch& stretch : level) {
       if (result.checks >= most_checks || is_stopped(result.checks)) {
         return result;
@@ -166,13 +166,13 @@ EdgeResult ContinuousCollisionChecker::search(
         }
         const double need = motion_.within(pair, stretch.half);
         const double keep = required(pair, middle, motion);
-        const Closeness closeness = is_out_of_reach(pair, need)
-                                        ? closeness_of_spheres(pair)
-                                        : closeness_within(pair, need, keep);
-        if (closeness == Closeness::kFarther) {
+        const Proximity proximity = is_out_of_reach(pair, need)
+                                        ? proximity_of_spheres(pair)
+                                        : proximity_within(pair, need, keep);
+        if (proximity == Proximity::kClear) {
           continue;
         }
-        if (closeness == Closeness::kTouching ||
+        if (proximity == Proximity::kCollision ||
             2.0 * need <= std::min(keep, kept_ * resolution_)) {
           result.pair = pair;
           result.at = stretch.middle;
@@ -201,22 +201,23 @@ bool ContinuousCollisionChecker::is_out_of_reach(int pair, double distance) {
   return distance > checker_.pair_quick_bound(pair) + kLikelyGain * size;
 }
 
-Closeness ContinuousCollisionChecker::closeness_of_spheres(int pair) {
+Proximity ContinuousCollisionChecker::proximity_of_spheres(int pair) {
   return checker_.pair_quick_bound(pair) <= 0.0 && checker_.pair_collides(pair)
-             ? Closeness::kTouching
-             : Closeness::kCloser;
+             ? Proximity::kCollision
+             : Proximity::kWithinTolerance;
 }
 
-Closeness ContinuousCollisionChecker::closeness_within(int pair, double need, double required) {
+Proximity ContinuousCollisionChecker::proximity_within(int pair, double need, double required) {
   const double tolerance = need + required;
   if (need + std::min(required, resolution_) <= kWorthExact) {
-    return checker_.pair_closeness(pair, tolerance);
+    return checker_.pair_proximity(pair, tolerance);
   }
   const double bound = checker_.pair_bound(pair, tolerance);
   if (bound >= tolerance) {
-    return Closeness::kFarther;
+    return Proximity::kClear;
   }
-  return bound <= 0.0 && checker_.pair_collides(pair) ? Closeness::kTouching : Closeness::kCloser;
+  return bound <= 0.0 && checker_.pair_collides(pair) ? Proximity::kCollision
+                                                      : Proximity::kWithinTolerance;
 }
 
 struct ContinuousCollisionChecker::Clearance {
@@ -261,7 +262,7 @@ NamedPair ContinuousCollisionChecker::clearance(std::span<const Configuration> w
 
 void ContinuousCollisionChecker::look_at_waypoint(const Configuration& q, Clearance& found) {
   checker_.place(q);
-  std::vector<int> near;
+  PairIndices near;
   checker_.near_pairs_closest_first(found.at_most, near);
   for (const int pair : near) {
     static_cast<void>(found.settle(
@@ -273,7 +274,7 @@ void ContinuousCollisionChecker::look_along(const Configuration& from, const Con
                                             Clearance& found) {
   const Configuration delta = to - from;
   motion_.set_edge(delta);
-  std::vector<std::pair<Stretch, std::vector<int>>> waiting{{{0.5, 0.5, 0, 0}, {}}};
+  std::vector<std::pair<Stretch, PairIndices>> waiting{{{0.5, 0.5, 0, 0}, {}}};
   for (std::uint64_t checks = 0; !waiting.empty(); ++checks) {
     if (is_stopped(checks)) {
       for (const EdgeEnd& end : ends_) {

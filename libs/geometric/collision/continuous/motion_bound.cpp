@@ -20,7 +20,7 @@ double slide(const RobotModel& model, int link) {
     return 0.0;
   }
   // A coupled slide follows the limits of its leader, not its own.
-  const RobotModel::MimicMapping& drive = model.drive(link);
+  const RobotModel::MimicMapping& drive = model.mimic_mapping(link);
   return std::max(std::abs(drive.multiplier * model.lower()[drive.variable] + drive.offset),
                   std::abs(drive.multiplier * model.upper()[drive.variable] + drive.offset));
 }
@@ -153,7 +153,7 @@ MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_mode
   for (int i = 1; i < model.link_count(); ++i) {
     for (int b = 0; b < static_cast<int>(moving.size()); ++b) {
       const Carried& body = moving[static_cast<std::size_t>(b)];
-      if (model.drive(i).variable >= 0 && is_above(model, i, body.link)) {
+      if (model.mimic_mapping(i).variable >= 0 && is_above(model, i, body.link)) {
         const bool turns = model.joint(i).type == JointType::kRevolute;
         of_link_(i, b) = turns ? geometric::reach(model, body, i) : body.is_direction ? 0.0 : 1.0;
       }
@@ -162,11 +162,11 @@ MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_mode
   reach_ = Eigen::MatrixXd::Zero(model.variable_count(), static_cast<Eigen::Index>(motions.size()));
   farthest_ = Eigen::VectorXd::Zero(model.variable_count());
   for (int i = 1; i < model.link_count(); ++i) {
-    const int variable = model.drive(i).variable;
+    const int variable = model.mimic_mapping(i).variable;
     if (variable < 0) {
       continue;
     }
-    const double multiplier = std::abs(model.drive(i).multiplier);
+    const double multiplier = std::abs(model.mimic_mapping(i).multiplier);
     if (bodies > 0) {
       farthest_[variable] += multiplier * of_link_.row(i).head(bodies).maxCoeff();
     }
@@ -194,7 +194,7 @@ void EdgeMotion::set_edge(const Configuration& delta) {
   travel_ = motion_->bounds(delta.cwiseAbs());
   most_ = motion_->pair_motions() > 0 ? travel_.head(motion_->pair_motions()).maxCoeff() : 0.0;
   for (int i = 1; i < model.link_count(); ++i) {
-    const RobotModel::MimicMapping& drive = model.drive(i);
+    const RobotModel::MimicMapping& drive = model.mimic_mapping(i);
     rates_[static_cast<std::size_t>(i)] =
         drive.variable < 0 ? 0.0 : drive.multiplier * delta[drive.variable];
   }

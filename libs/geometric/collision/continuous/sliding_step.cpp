@@ -63,12 +63,12 @@ FreeStep straight_step(CollisionChecker& checker, const Configuration& from,
 }
 
 FreeStep sliding_step(CollisionChecker& checker, const Configuration& from, const Configuration& to,
-                      std::span<const std::vector<int>> groups, double resolution) {
+                      std::span<const JointIndices> groups, double resolution) {
   FreeStep step = straight_step(checker, from, to, resolution);
   if (!step.pair || checker.first_collision(step.q)) {
     return step;
   }
-  for (const std::vector<int>& group : groups) {
+  for (const JointIndices& group : groups) {
     slide_along(checker, to, group, resolution, step);
   }
   for (int variable = 0; variable < to.size(); ++variable) {

@@ -110,19 +110,19 @@ bool NarrowPhaseQuery::may_be_nearer_than(double tolerance) {
   return root_is_near();
 }
 
-Closeness NarrowPhaseQuery::closeness(double tolerance) {
+Proximity NarrowPhaseQuery::proximity(double tolerance) {
   start(tolerance);
   ends_at_ = tolerance;
   visit_all();
   if (least_ >= tolerance) {
-    return Closeness::kFarther;
+    return Proximity::kClear;
   }
   if (least_ >= kTouch) {  // closer than the tolerance: only touching is of interest now
     start(kTouch);
     ends_at_ = kTouch;
     visit_all();
   }
-  return least_ < kTouch ? Closeness::kTouching : Closeness::kCloser;
+  return least_ < kTouch ? Proximity::kCollision : Proximity::kWithinTolerance;
 }
 
 void NarrowPhaseQuery::visit_all() {

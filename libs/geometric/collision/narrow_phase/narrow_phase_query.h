@@ -36,7 +36,7 @@ class NarrowPhaseQuery {
   [[nodiscard]] float relative_distance() const { return relative_distance_; }
 
   /// Returns whether the surfaces are closer than `tolerance` (m). "Touching" below kTouch.
-  [[nodiscard]] Closeness closeness(double tolerance);
+  [[nodiscard]] Proximity proximity(double tolerance);
 
   /// Returns whether the hulls are known to be separated, so that neither body is in the other.
   [[nodiscard]] bool hulls_are_apart() const { return hull_gap_ > 0.0; }

@@ -200,12 +200,12 @@ TEST_F(EditingAScene, SavesWhatWasEdited) {
 TEST_F(EditingAScene, KeepsPairsThatAreNotCheckedToObjectsThatAreThere) {
   gui::SceneState state = editor().state();
   geometric::Scene with_pair = *state.scene;
-  with_pair.may_touch[{"palm", "post"}] = true;
+  with_pair.allowed_collisions[{"palm", "post"}] = true;
   state.scene = std::make_shared<const geometric::Scene>(std::move(with_pair));
   state = gui::with_renamed_object(state, "post", "a pole");
-  EXPECT_EQ(state.scene->may_touch,
+  EXPECT_EQ(state.scene->allowed_collisions,
             (std::map<geometric::AllowedCollisions::Pair, bool>{{{"a pole", "palm"}, true}}));
-  EXPECT_TRUE(gui::without_objects(state, {"a pole"}).scene->may_touch.empty());
+  EXPECT_TRUE(gui::without_objects(state, {"a pole"}).scene->allowed_collisions.empty());
 }
 
 }  // namespace

@@ -109,8 +109,8 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   std::shared_ptr<const geometric::RobotModel> hand_;
   RetargetingSettings settings_;
   RobotFingers fingers_;
-  std::vector<double> scales_;  ///< From a person's finger to the robot's, as fingers_.
-  std::vector<int> variables_;  ///< Variables of the fingers; the others stay.
+  std::vector<double> scales_;         ///< From a person's finger to the robot's, as fingers_.
+  geometric::JointIndices variables_;  ///< Variables of the fingers; the others stay.
   std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: self-collision is allowed.
   mutable std::mutex checking_;                           ///< Guards checker_ (one thread).
 };

@@ -17,7 +17,7 @@ struct RobotFinger {
   Finger finger = Finger::kThumb;  ///< The corresponding human finger.
   int tip_link = -1;
   Eigen::Vector3d p_LT = Eigen::Vector3d::Zero();  ///< The fingertip in its link's frame, m.
-  std::vector<int> variables;  ///< Moving joints from the palm to the tip, as variables.
+  geometric::JointIndices variables;  ///< Moving joints from the palm to the tip, as variables.
   /// Values of the variables that align the phalanges with each other and the palm, rad: shape
   /// [variables].
   std::vector<double> straight;

@@ -38,10 +38,10 @@ struct DistanceRange {
 };
 
 /// Result of a tolerance query.
-enum class Closeness {
-  kFarther,   ///< At least the tolerance apart.
-  kCloser,    ///< Closer than that, not touching.
-  kTouching,  ///< In collision.
+enum class Proximity {
+  kClear,            ///< At least the tolerance apart.
+  kWithinTolerance,  ///< Nearer than that, without a collision.
+  kCollision,        ///< In collision.
 };
 
 /// A connected piece of a body's surface inside of another body's hollow closed shape.
@@ -105,7 +105,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   }
 
   /// Returns whether the pair is closer than `tolerance` (m). Cheaper than its distance.
-  [[nodiscard]] Closeness pair_closeness(int pair, double tolerance);
+  [[nodiscard]] Proximity pair_proximity(int pair, double tolerance);
 
   /// A cheap lower bound of the pair's distance, at most `enough`; it may be far below the
   /// distance.
@@ -127,10 +127,10 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
 
   /// Sets `pairs` to all that may be nearer than `distance` (m) by their bounding volumes, in
   /// order. In a large scene not every pair is tested. No constraints.
-  void near_pairs(double distance, std::vector<int>& pairs) { do_near_pairs(distance, pairs); }
+  void near_pairs(double distance, PairIndices& pairs) { do_near_pairs(distance, pairs); }
 
   /// Lists near_pairs(), the likely closest ones first where an estimate is cheap.
-  void near_pairs_closest_first(double distance, std::vector<int>& pairs) {
+  void near_pairs_closest_first(double distance, PairIndices& pairs) {
     do_near_pairs(distance, pairs);
     do_closest_first(distance, pairs);
   }
@@ -171,14 +171,14 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   [[nodiscard]] virtual bool do_pair_collides(int pair) = 0;
   [[nodiscard]] virtual double do_pair_distance(int pair, double enough) = 0;
   [[nodiscard]] virtual DistanceRange do_pair_distance_range(int pair, double enough, double share);
-  [[nodiscard]] virtual Closeness do_pair_closeness(int pair, double tolerance);
+  [[nodiscard]] virtual Proximity do_pair_proximity(int pair, double tolerance);
   [[nodiscard]] virtual double do_pair_bound(int pair, double enough) {
     return do_pair_distance(pair, enough);
   }
   [[nodiscard]] virtual double do_pair_quick_bound(int /*pair*/) { return 0.0; }
   /// Queries about all pairs take their padding into account.
-  virtual void do_near_pairs(double distance, std::vector<int>& pairs);
-  virtual void do_closest_first(double /*distance*/, std::vector<int>& /*pairs*/) {}
+  virtual void do_near_pairs(double distance, PairIndices& pairs);
+  virtual void do_closest_first(double /*distance*/, PairIndices& /*pairs*/) {}
   /// Tests `hint` first, then all in a fixed order. @pre there are pairs.
   [[nodiscard]] virtual std::optional<int> do_first_collision(int hint);
 
@@ -218,8 +218,8 @@ struct NamedPair {
     CollisionChecker& checker, const Configuration& q);
 
 /// Indices into world().pairs() of all that touch in `q`, in order.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> touching_pairs(CollisionChecker& checker,
-                                                                       const Configuration& q);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT PairIndices touching_pairs(CollisionChecker& checker,
+                                                                  const Configuration& q);
 
 /// All pairs that touch in `q`, in pair order.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<NamedPair> find_collisions(

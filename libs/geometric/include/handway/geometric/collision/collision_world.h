@@ -51,6 +51,11 @@ struct BodyPair {
   int b = -1;
 };
 
+/// Bodies, by their indices in a CollisionWorld.
+using BodyIndices = std::vector<int>;
+/// Pairs of bodies and constraints, by their indices in a CollisionWorld.
+using PairIndices = std::vector<int>;
+
 /// Bodies of a scene and the pairs to check for collisions, for the scene's first robot. Immutable;
 /// shared by all threads.
 ///
@@ -121,10 +126,10 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
                     std::vector<Pose>& X_WBody) const;
 
   /// Indices of the moving bodies, ascending.
-  [[nodiscard]] const std::vector<int>& moving() const { return moving_; }
+  [[nodiscard]] const BodyIndices& moving() const { return moving_; }
 
   /// Pairs with a fixed body of that name, in order.
-  [[nodiscard]] std::vector<int> pairs_with(std::string_view still_body) const;
+  [[nodiscard]] PairIndices pairs_with(std::string_view still_body) const;
 
  private:
   void add_constraints(const Scene& scene);
@@ -145,11 +150,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   std::shared_ptr<const RobotModel> model_;
   Pose X_WB_ = Pose::Identity();
   std::vector<CollisionBody> bodies_;
-  std::vector<int> moving_;
+  BodyIndices moving_;
   std::vector<BodyPair> pairs_;
   std::vector<double> paddings_;  ///< Per pair, m; empty if all are 0.
   std::vector<LinkConstraint> constraints_;
-  std::map<AllowedCollisions::Pair, bool> may_touch_;  ///< Allowed collisions of the scene.
+  std::map<AllowedCollisions::Pair, bool>
+      allowed_collisions_;  ///< Allowed collisions of the scene.
 };
 
 /// The triangles of all collision shapes of a link, in the link's frame; may be empty.

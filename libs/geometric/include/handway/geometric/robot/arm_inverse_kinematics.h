@@ -14,19 +14,19 @@ namespace handway::geometric {
 /// @param arm the arm's variables.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<InverseKinematics>
 closed_form_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int tip_link,
-                               const std::vector<int>& arm);
+                               const JointIndices& arm);
 
 /// Iterative solver with those of the arm's variables that move the link.
 /// @throws InputError if no variable does, or as NumericInverseKinematics.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<NumericInverseKinematics>
 iterative_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int tip_link,
-                             const std::vector<int>& arm, const NumericIkOptions& options);
+                             const JointIndices& arm, const NumericIkOptions& options);
 
 /// In closed form if available, else iterative.
 /// @throws InputError as iterative_inverse_kinematics().
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<InverseKinematics>
 make_arm_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int tip_link,
-                            const std::vector<int>& arm, const NumericIkOptions& options);
+                            const JointIndices& arm, const NumericIkOptions& options);
 
 /// A ball that contains the origin of a link in all configurations, in the robot's base frame.
 struct ReachBall {
@@ -42,7 +42,7 @@ struct ReachBall {
 /// @param q joints that are not the arm's, shape [variable_count].
 /// @throws InputError if no variable of the arm moves the link.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT ReachBall reach_ball(const RobotModel& model, int link,
-                                                            const std::vector<int>& arm,
+                                                            const JointIndices& arm,
                                                             const Configuration& q);
 
 }  // namespace handway::geometric

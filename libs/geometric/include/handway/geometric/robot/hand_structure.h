@@ -8,9 +8,6 @@
 
 namespace handway::geometric {
 
-/// Links of one robot, by their indices in its model.
-using LinkIndices = std::vector<int>;
-
 /// One finger of a hand: the links that hang from one place of the palm and end in one fingertip.
 struct HandFinger {
   /// Joints that move the finger against the palm, from the palm to the tip. A joint that follows

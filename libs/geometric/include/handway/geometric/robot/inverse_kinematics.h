@@ -53,7 +53,7 @@ class HANDWAY_GEOMETRIC_EXPORT InverseKinematics {
   [[nodiscard]] const RobotModel& model() const { return *model_; }
   [[nodiscard]] int tip_link() const { return tip_link_; }
   /// Indices of the variables solved for, in ascending order.
-  [[nodiscard]] const std::vector<int>& variables() const { return variables_; }
+  [[nodiscard]] const JointIndices& variables() const { return variables_; }
 
   /// @param X_BT pose of the tip link's frame in the robot's base frame.
   /// @param reference shape [model().variable_count()]: configuration to stay near to, with the
@@ -69,8 +69,7 @@ class HANDWAY_GEOMETRIC_EXPORT InverseKinematics {
  protected:
   /// @throws InputError if tip_link or a variable is not the model's, or there
   /// is no variable. @pre model is not null.
-  InverseKinematics(std::shared_ptr<const RobotModel> model, int tip_link,
-                    std::vector<int> variables);
+  InverseKinematics(std::shared_ptr<const RobotModel> model, int tip_link, JointIndices variables);
 
   /// The derived class's solver; arguments are checked. The result needs no order.
   [[nodiscard]] virtual IkResult do_solve(const Pose& X_BT,
@@ -82,11 +81,11 @@ class HANDWAY_GEOMETRIC_EXPORT InverseKinematics {
  private:
   std::shared_ptr<const RobotModel> model_;
   int tip_link_;
-  std::vector<int> variables_;
+  JointIndices variables_;
 };
 
 /// Variables of the joints on the chain from the root to `link`, ascending.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> chain_variables(const RobotModel& model,
-                                                                        int link);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT JointIndices chain_variables(const RobotModel& model,
+                                                                    int link);
 
 }  // namespace handway::geometric

@@ -8,9 +8,6 @@
 
 namespace handway::geometric {
 
-/// Independent joints (variables) of one robot, by their indices in a Configuration.
-using JointIndices = std::vector<int>;
-
 /// The joints of one robot, split by their part in a motion: the same indices for planners, window,
 /// command line and devices. Every joint is either in `moving` or in `fixed`.
 struct HANDWAY_GEOMETRIC_EXPORT JointSelection {

@@ -100,7 +100,7 @@ class HANDWAY_GEOMETRIC_EXPORT NumericInverseKinematics : public InverseKinemati
   [[nodiscard]] IkResult do_solve(const Pose& X_BT, const Configuration& reference) const override;
 
   NumericIkOptions options_;
-  std::vector<int> turning_;  ///< Variables that may move by whole turns.
+  JointIndices turning_;  ///< Variables that may move by whole turns.
 };
 
 }  // namespace handway::geometric

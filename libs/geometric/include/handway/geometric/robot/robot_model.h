@@ -16,6 +16,11 @@
 
 namespace handway::geometric {
 
+/// Independent joints (variables) of one robot, by their indices in a Configuration.
+using JointIndices = std::vector<int>;
+/// Links of one robot, by their indices in its model.
+using LinkIndices = std::vector<int>;
+
 /// Data of one joint that forward kinematics needs, without names and in one piece of
 /// memory: X_BL = X_BP * X_PJ * motion(value), value = multiplier * q[variable] +
 /// offset.
@@ -77,8 +82,8 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   [[nodiscard]] const Joint& joint(int link) const {
     return description_.joints[static_cast<std::size_t>(link - 1)];
   }
-  [[nodiscard]] const MimicMapping& drive(int link) const {
-    return drives_[static_cast<std::size_t>(link)];
+  [[nodiscard]] const MimicMapping& mimic_mapping(int link) const {
+    return mimic_mappings_[static_cast<std::size_t>(link)];
   }
   [[nodiscard]] std::optional<int> find_link(std::string_view name) const;
 
@@ -118,7 +123,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
 
   /// Variables of the group's joints, in configuration order; coupled and fixed
   /// joints of the group are left out. nullopt if there is no such group.
-  [[nodiscard]] std::optional<std::vector<int>> find_group(std::string_view name) const;
+  [[nodiscard]] std::optional<JointIndices> find_group(std::string_view name) const;
 
   /// The middle of every joint's range, limits that contain 0 giving 0.
   [[nodiscard]] Configuration neutral() const;
@@ -135,13 +140,13 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
  private:
   void sort_parents_first();
   void index_variables();
-  void limit_joints_with_gears();
+  void tighten_limits_for_mimic_joints();
   void set_ranges();
 
   RobotDescription description_;
-  std::vector<int> parents_;
-  std::vector<MimicMapping> drives_;
-  std::vector<int> variable_links_;
+  LinkIndices parents_;
+  std::vector<MimicMapping> mimic_mappings_;
+  LinkIndices variable_links_;
   std::vector<ForwardKinematicsStep> steps_;  ///< One per joint, of link i at i - 1.
   Configuration lower_;
   Configuration upper_;

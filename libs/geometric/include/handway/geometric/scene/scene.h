@@ -110,7 +110,7 @@ struct Scene {
   std::vector<PathConstraint> constraints;  ///< Constraints on paths of robots[0].
   /// Pairs of bodies (links of robots[0], objects, "robot/link" of others): true: never checked;
   /// false: checked although the robot's own matrix excludes them.
-  std::map<AllowedCollisions::Pair, bool> may_touch;
+  std::map<AllowedCollisions::Pair, bool> allowed_collisions;
   std::vector<NamedPosture> postures;  ///< Postures of robots[0] or a part of it; names are unique.
   std::filesystem::path hand_basis;    ///< PMD basis file as the scene names it; may be empty.
   PlannerRequest planner;              ///< Read by planning alone.

@@ -12,12 +12,12 @@ namespace handway::geometric {
 /// The variables of a robot named by `name`: those of a group, of the robot or a part of it, or of
 /// a joint. `PART/NAME` means a group or joint of that part, by the part's own name for it.
 /// @returns ascending; empty if the robot has no independent joint of that name.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> named_variables(const RobotInstance& robot,
-                                                                        std::string_view name);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT JointIndices named_variables(const RobotInstance& robot,
+                                                                    std::string_view name);
 
 /// The moving variables of robots[0] by Scene::group, ascending; all if it is empty.
 /// @pre the scene has a robot.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> moving_variables(const Scene& scene);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT JointIndices moving_variables(const Scene& scene);
 
 /// Names that Scene::group may contain: groups of the first robot, robots, their parts, joints.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> movable_names(const Scene& scene);

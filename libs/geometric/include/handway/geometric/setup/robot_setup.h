@@ -38,7 +38,7 @@ enum class WristOwner { kUndecided, kArm, kHand };
 /// Decisions of the user about a robot.
 struct SetupDecisions {
   WristOwner wrist = WristOwner::kUndecided;
-  std::map<AllowedCollisions::Pair, bool> may_touch = {};
+  std::map<AllowedCollisions::Pair, bool> allowed_collisions = {};
 };
 
 /// Returns the robot with the sampled allowed-collision matrix and the groups and end effectors

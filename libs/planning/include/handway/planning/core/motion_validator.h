@@ -58,8 +58,8 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
 
   /// Outcome of `count` independent configurations, the first free one in order.
   struct FirstFree {
-    std::optional<int> index;          ///< Empty: none is free.
-    std::vector<int> rejecting_pairs;  ///< One for each one before it, in order.
+    std::optional<int> index;                ///< Empty: none is free.
+    geometric::PairIndices rejecting_pairs;  ///< One for each one before it, in order.
   };
   /// Tests `candidate(i)` for i = 0, 1, … on all threads and stops at the first free one; the
   /// result is that of testing one after the other.
@@ -111,7 +111,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
   const PlanRequest& request_;
   PlanStatistics& statistics_;
   ThreadPool& threads_;
-  std::vector<int> arm_pairs_;
+  geometric::PairIndices arm_pairs_;
   std::vector<geometric::EdgeEnd> ends_;
   int last_rejecting_pair_ = 0;  ///< Tested first: neighbours in space collide in the same pair.
   std::unique_ptr<Workers> workers_;

@@ -4,6 +4,7 @@
 #include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/math/pose.h"
+#include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/robot/joint_selection.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/pose_goals.h"
@@ -32,6 +33,7 @@ struct PlanningProblem {
   std::shared_ptr<const geometric::Scene> scene;
   std::shared_ptr<const sampling::PmdBasis> basis;  ///< Basis of the hand; null: none.
   geometric::JointSelection joints;  ///< Its arm, hand, moving and fixed joints: select_joints().
+  geometric::HandStructure hand;     ///< Palm and fingers of the joints' hand.
   Configuration start;               ///< c_ini
   Configuration goal;                ///< c_goal
   /// Configurations that reach a goal pose of the scene. `goal` is the first, and planners may take

@@ -68,7 +68,7 @@ class HANDWAY_PLANNING_EXPORT SafetyClearance {
   std::unique_ptr<geometric::CollisionChecker> checker_;
   std::shared_ptr<const geometric::MotionBound> motion_;
   double margin_;
-  std::vector<int> near_;
+  geometric::PairIndices near_;
   std::optional<ClearanceShortfall> worst_;
   double share_ = 1.0;  ///< Share of the needed clearance at the worst place.
 };

@@ -35,11 +35,11 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   [[nodiscard]] double do_pair_distance(int pair, double enough) override;
   [[nodiscard]] DistanceRange do_pair_distance_range(int pair, double enough,
                                                      double share) override;
-  [[nodiscard]] Closeness do_pair_closeness(int pair, double tolerance) override;
+  [[nodiscard]] Proximity do_pair_proximity(int pair, double tolerance) override;
   [[nodiscard]] double do_pair_bound(int pair, double enough) override;
   [[nodiscard]] double do_pair_quick_bound(int pair) override;
-  void do_near_pairs(double distance, std::vector<int>& pairs) override;
-  void do_closest_first(double distance, std::vector<int>& pairs) override;
+  void do_near_pairs(double distance, PairIndices& pairs) override;
+  void do_closest_first(double distance, PairIndices& pairs) override;
   [[nodiscard]] std::optional<int> do_first_collision(int hint) override;
 
   [[nodiscard]] NarrowPhaseQuery query(int pair, std::span<const Pose> X_WBody);
@@ -50,11 +50,11 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   /// The distance (m) below which the pair collides.
   [[nodiscard]] double collision_distance(int pair) const;
 
-  /// The closeness of a pair whose bounding volumes leave it undecided.
-  [[nodiscard]] Closeness nearby_closeness(int pair, double tolerance);
+  /// The proximity of a pair whose bounding volumes leave it undecided.
+  [[nodiscard]] Proximity nearby_proximity(int pair, double tolerance);
 
   /// Tests the triangles, and then whether one body contains the other.
-  [[nodiscard]] Closeness exact_closeness(int pair, double tolerance);
+  [[nodiscard]] Proximity exact_proximity(int pair, double tolerance);
 
   /// Returns whether a piece of either body is inside of the other, tested after the surfaces,
   /// which do not touch.

@@ -129,7 +129,7 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   /// @param list_pairs sets the pairs to check once the middle of the edge is in place.
   [[nodiscard]] EdgeResult search(const Configuration& from, const Configuration& to,
                                   std::uint64_t most_checks,
-                                  const std::function<void(std::vector<int>&)>& list_pairs);
+                                  const std::function<void(PairIndices&)>& list_pairs);
   [[nodiscard]] bool is_stopped(std::uint64_t checks) const;
 
   /// Returns the distance that the pair requires (m) far from the ends.
@@ -140,9 +140,9 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   /// Returns whether the pair is likely to be farther apart than `distance`, in the configuration
   /// in place, as the next two. Pairs with large requirements may be reported closer than they are.
   [[nodiscard]] bool is_out_of_reach(int pair, double distance);
-  [[nodiscard]] Closeness closeness_of_spheres(int pair);
+  [[nodiscard]] Proximity proximity_of_spheres(int pair);
   /// @param need possible approach, m. @param required distance to keep nevertheless, m.
-  [[nodiscard]] Closeness closeness_within(int pair, double need, double required);
+  [[nodiscard]] Proximity proximity_within(int pair, double need, double required);
 
   struct Clearance;  // what clearance() has found so far
   void look_at_waypoint(const Configuration& q, Clearance& found);

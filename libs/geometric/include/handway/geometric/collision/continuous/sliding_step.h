@@ -30,8 +30,10 @@ struct FreeStep {
 /// group in turn goes on alone, so that a touching finger stops while arm and other fingers move
 /// on. Then each remaining variable does.
 /// @param groups variables that belong together, such as arm and fingers; may be empty.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT FreeStep
-sliding_step(CollisionChecker& checker, const Configuration& from, const Configuration& to,
-             std::span<const std::vector<int>> groups, double resolution = 0.02);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT FreeStep sliding_step(CollisionChecker& checker,
+                                                             const Configuration& from,
+                                                             const Configuration& to,
+                                                             std::span<const JointIndices> groups,
+                                                             double resolution = 0.02);
 
 }  // namespace handway::geometric
