@@ -40,8 +40,8 @@ using geometric::Configuration;
 using geometric::InputError;
 using geometric::Scene;
 
-planning::LoadedScene load(const std::filesystem::path& file, const std::string& basis) {
-  planning::LoadedScene loaded = planning::load_scene(file, plugin_manager());
+planning::SceneState load(const std::filesystem::path& file, const std::string& basis) {
+  planning::SceneState loaded = planning::load_scene(file, plugin_manager());
   if (loaded.scene->robots.empty()) {
     throw InputError({file.string(), "robots", "none", "a robot to plan for", ""});
   }

@@ -60,7 +60,7 @@ class SceneModel {
       const std::vector<geometric::PoseGoal>& goal_poses = {}) const;
 
  private:
-  explicit SceneModel(const planning::LoadedScene& loaded)
+  explicit SceneModel(const planning::SceneState& loaded)
       : SceneModel(loaded.scene, loaded.basis) {}
 
   std::shared_ptr<const geometric::Scene> scene_;  ///< The scene as read.

@@ -95,7 +95,7 @@ struct BenchOptions {
 
 /// A scene to run planners on.
 struct BenchScene {
-  planning::LoadedScene loaded;
+  planning::SceneState loaded;
   std::vector<std::string> settings;  ///< Settings of the scene's own planner.
 };
 
@@ -111,7 +111,7 @@ SceneBench bench_checks(const fs::path& file, const BenchOptions& options,
                         const planning::PluginManager& plugins) {
   reset_peak_memory();
   const auto begin = std::chrono::steady_clock::now();
-  const planning::LoadedScene loaded = load(file, options, plugins).loaded;
+  const planning::SceneState loaded = load(file, options, plugins).loaded;
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   SceneBench bench;
@@ -153,7 +153,7 @@ std::vector<std::uint64_t> all_seeds(const BenchOptions& options) {
   return seeds;
 }
 
-PlanBench bench_plan(planning::Planner& planner, const planning::LoadedScene& loaded,
+PlanBench bench_plan(planning::Planner& planner, const planning::SceneState& loaded,
                      const std::string& checker, double time_limit_s, const BenchOptions& options,
                      const std::vector<std::uint64_t>& seeds) {
   planning::PlanRequest request;
@@ -266,7 +266,7 @@ std::vector<PlanBench> bench_variant(const BenchScene& scene, const BenchOptions
 template <typename Use>
 VariantBench make_variants(const fs::path& file, const BenchOptions& options,
                            const planning::PluginManager& plugins, const Use& use) {
-  planning::LoadedScene loaded = planning::load_scene(file, plugins);
+  planning::SceneState loaded = planning::load_scene(file, plugins);
   set_group(options.group, loaded);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const VariantGenerator generator(problem);

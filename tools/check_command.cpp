@@ -55,7 +55,7 @@ void print_shortfall(const planning::PlanningProblem& problem, const planning::P
 int check(const CheckOptions& options) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
-  planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
+  planning::SceneState loaded = planning::load_scene(options.scene, plugins);
   add_uprights(options.uprights, loaded);
   set_group(options.group, loaded);
   set_goal_poses(options.goal_poses, loaded);

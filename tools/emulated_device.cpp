@@ -78,7 +78,7 @@ void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice
 EmulatedPosture scene_posture(const std::filesystem::path& scene, const std::string& kind) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
-  const planning::LoadedScene loaded = planning::load_scene(scene, plugins);
+  const planning::SceneState loaded = planning::load_scene(scene, plugins);
   const planning::PlanningProblem problem =
       planning::make_problem(loaded.scene, loaded.basis, {}, planning::GoalNeed::kOptional);
   const geometric::JointIndices variables = problem.joints.of_part(kind);

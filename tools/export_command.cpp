@@ -26,7 +26,7 @@ int export_scene(const ExportChoice& choice, const planning::SceneExporter& expo
     throw CLI::ValidationError("path",
                                "--to " + choice.to + " is of a scene alone, without a path");
   }
-  planning::LoadedScene loaded = planning::load_scene(choice.timing.scene, plugins);
+  planning::SceneState loaded = planning::load_scene(choice.timing.scene, plugins);
   set_group(choice.timing.group, loaded);
   print_warnings(*loaded.scene);
   for (const std::filesystem::path& file : exporter.write(*loaded.scene, choice.out)) {

@@ -208,7 +208,7 @@ int find_grasps(const GraspOptions& options) {
     throw geometric::InputError({"--test", "", "no plugin that simulates grasps", "simulate_mujoco",
                                  "Build Handway with libmujoco-dev"});
   }
-  planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
+  planning::SceneState loaded = planning::load_scene(options.scene, plugins);
   set_group(options.group, loaded);
   const planning::PlanningProblem problem =
       planning::make_problem(loaded.scene, loaded.basis, {}, planning::GoalNeed::kOptional);

@@ -272,7 +272,7 @@ bool is_round(const geometric::Shape& shape) {
          !std::holds_alternative<geometric::Mesh>(shape);
 }
 
-void print_text(const std::filesystem::path& file, const planning::LoadedScene& loaded,
+void print_text(const std::filesystem::path& file, const planning::SceneState& loaded,
                 const std::vector<End>& ends,
                 const std::optional<planning::PoseGoalSolutions>& solutions,
                 const geometric::CollisionChecker* checker,
@@ -328,7 +328,7 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
 int info(const std::filesystem::path& file, bool as_json) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
-  const planning::LoadedScene loaded = planning::load_scene(file, plugins);
+  const planning::SceneState loaded = planning::load_scene(file, plugins);
   const geometric::Scene& scene = *loaded.scene;
   std::unique_ptr<geometric::CollisionChecker> checker;
   std::vector<End> ends;

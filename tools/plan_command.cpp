@@ -145,7 +145,7 @@ int plan(PlanOptions options) {
   const auto begin = std::chrono::steady_clock::now();
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
-  planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
+  planning::SceneState loaded = planning::load_scene(options.scene, plugins);
   choose_basis(options.settings, loaded);
   add_uprights(options.uprights, loaded);
   set_group(options.group, loaded);

@@ -265,7 +265,7 @@ class FilmMaker {
                                      ReproducedFigure& made) const {
     const fs::path scene =
         geometric::resource_dir().parent_path() / "scenes" / fmt::format("{}.yaml", row.scene);
-    const planning::LoadedScene loaded = planning::load_scene(scene, plugins_);
+    const planning::SceneState loaded = planning::load_scene(scene, plugins_);
     const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
     const planning::PlanResult result =
         plugins_.planners().create(row.planner)->plan(problem, {.time_limit_s = time_limit_s_});

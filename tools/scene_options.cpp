@@ -27,7 +27,7 @@
 #include <vector>
 
 namespace handway::tools {
-void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& scene) {
+void choose_basis(std::vector<std::string>& settings, planning::SceneState& scene) {
   const std::string key = "basis=";
   for (const std::string& setting : settings) {
     if (!setting.starts_with(key)) {
@@ -156,7 +156,7 @@ void add_upright_option(CLI::App& command, std::vector<std::string>& uprights) {
       });
 }
 
-void add_uprights(const std::vector<std::string>& uprights, planning::LoadedScene& loaded) {
+void add_uprights(const std::vector<std::string>& uprights, planning::SceneState& loaded) {
   if (uprights.empty()) {
     return;
   }
@@ -191,7 +191,7 @@ void add_group_option(CLI::App& command, std::vector<std::string>& group) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void set_group(const std::vector<std::string>& group, planning::LoadedScene& loaded) {
+void set_group(const std::vector<std::string>& group, planning::SceneState& loaded) {
   if (group.empty()) {
     return;
   }
@@ -238,7 +238,7 @@ std::optional<GivenPose> given_pose_of(const std::string& text) {
 
 // The palm of the moving hand, or the arm's other tool.
 // @throws InputError if several hands are possible.
-std::string palm_of(const std::string& option, const planning::LoadedScene& loaded) {
+std::string palm_of(const std::string& option, const planning::SceneState& loaded) {
   const geometric::Scene& scene = *loaded.scene;
   const geometric::RobotModel& model = *scene.robots.front().model;
   const geometric::JointSelection chosen = planning::select_joints(scene, loaded.basis.get());
@@ -268,7 +268,7 @@ std::string palm_of(const std::string& option, const planning::LoadedScene& load
 
 // Returns the link named `name` or, if it is empty, palm_of().
 std::string goal_link_of(const std::string& name, const std::string& option,
-                         const planning::LoadedScene& loaded) {
+                         const planning::SceneState& loaded) {
   const geometric::Scene& scene = *loaded.scene;
   const geometric::RobotModel& model = *scene.robots.front().model;
   if (name.empty()) {
@@ -317,7 +317,7 @@ void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options) {
       ->check(number_in(0.0, 1e4));
 }
 
-void set_goal_poses(const GoalPoseOptions& options, planning::LoadedScene& loaded) {
+void set_goal_poses(const GoalPoseOptions& options, planning::SceneState& loaded) {
   if (options.poses.empty()) {
     return;
   }

@@ -17,7 +17,7 @@ namespace handway::tools {
 /// Takes `basis=FILE` out of the settings, and replaces the scene's basis by that one. FILE is a
 /// path or the name of a basis that ships.
 /// @throws InputError if it can't be read or is for another hand than the scene's basis.
-void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& scene);
+void choose_basis(std::vector<std::string>& settings, planning::SceneState& scene);
 
 /// The planner called `name` (empty: the scene's, or else the first in the registry). The scene's
 /// settings are applied if they are for it; another planner's are ignored.
@@ -47,14 +47,14 @@ void add_upright_option(CLI::App& command, std::vector<std::string>& uprights);
 /// Adds a constraint to the scene for each OBJECT:DEGREES of the option: the z axis of the object,
 /// or of the robot's link of that name, stays within that angle of the world's.
 /// @throws InputError if the robot has no such link and carries no such object.
-void add_uprights(const std::vector<std::string>& uprights, planning::LoadedScene& scene);
+void add_uprights(const std::vector<std::string>& uprights, planning::SceneState& scene);
 
 /// Adds `--group`, names with commas between them, a repeatable option.
 void add_group_option(CLI::App& command, std::vector<std::string>& group);
 
 /// Replaces the scene's group (geometric::set_moving_group()); does nothing without names. @throws
 /// InputError for a name that no robot of the scene has.
-void set_group(const std::vector<std::string>& group, planning::LoadedScene& scene);
+void set_group(const std::vector<std::string>& group, planning::SceneState& scene);
 
 /// Goals as poses of a link, from the command line.
 struct GoalPoseOptions {
@@ -69,6 +69,6 @@ void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options);
 /// Replaces the scene's goal by the goal poses; its values remain for joints that don't move their
 /// links. Does nothing without poses. @throws InputError for a link that the robot lacks or that no
 /// joint moves.
-void set_goal_poses(const GoalPoseOptions& options, planning::LoadedScene& scene);
+void set_goal_poses(const GoalPoseOptions& options, planning::SceneState& scene);
 
 }  // namespace handway::tools

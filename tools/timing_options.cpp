@@ -54,7 +54,7 @@ void add_timing_options(CLI::App& command, TimingChoice& choice) {
 
 planning::PlanningProblem read_problem(const TimingChoice& choice,
                                        const planning::PluginManager& plugins) {
-  planning::LoadedScene loaded = planning::load_scene(choice.scene, plugins);
+  planning::SceneState loaded = planning::load_scene(choice.scene, plugins);
   set_group(choice.group, loaded);
   return planning::make_problem(loaded.scene, loaded.basis, {}, planning::GoalNeed::kOptional);
 }

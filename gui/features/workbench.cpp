@@ -68,7 +68,7 @@ Workbench::~Workbench() {
 void Workbench::follow_document() {
   connect(&document, &Document::configuration_changed, &collisions, &CollisionMonitor::check);
   connect(&document, &Document::configuration_changed, &view, &SceneView::set_configuration);
-  connect(&document, &Document::edited, this, [this](const SceneState& before) {
+  connect(&document, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document.scene()) {
       collisions.set_problem(document.problem());
     }

@@ -1,6 +1,6 @@
 #include "view3d/overlay.h"
 
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "model/settings/options.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/robot_node.h"
@@ -208,7 +208,7 @@ Drawing make_reach_node(const Eigen::Vector3d& target, const Eigen::Vector3d& to
 Drawing make_constraints_node(const geometric::Scene& scene, const geometric::Configuration& q) {
   auto separator = make_coin<SoSeparator>();
   for (const geometric::PathConstraint& constraint : scene.constraints) {
-    const std::optional<geometric::Pose> X_WB = body_pose(scene, q, constraint.body);
+    const std::optional<geometric::Pose> X_WB = planning::body_pose(scene, q, constraint.body);
     if (!X_WB) {
       continue;
     }

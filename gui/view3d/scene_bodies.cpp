@@ -4,7 +4,6 @@
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/mesh/convex_hull.h"
 #include "handway/geometric/scene/scene_difference.h"
-#include "model/document/scene_edits.h"
 #include "model/meshes/shaded_meshes.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/robot_node.h"

@@ -165,7 +165,7 @@ void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   rebuild_floor();
 }
 
-void SceneGraph::update_scene(const SceneState& state) {
+void SceneGraph::update_scene(const planning::SceneState& state) {
   if (state.scene != bodies_.scene()) {
     bodies_.update(state.scene);
     show_frontier({});

@@ -55,7 +55,7 @@ class SceneGraph {
 
   void set_scene(std::shared_ptr<const geometric::Scene> scene);
   /// Shows an edited scene with the same robots; redraws only what looks different.
-  void update_scene(const SceneState& state);
+  void update_scene(const planning::SceneState& state);
   /// Shows an object or a robot's base elsewhere, for a while.
   void preview(const SceneItem& item, const geometric::Pose& X_WO);
   /// Draws meshes in place of the bodies' looks, where there are any.

@@ -130,7 +130,7 @@ void SceneView::change_robots(std::shared_ptr<const geometric::Scene> scene) {
   change();
 }
 
-void SceneView::update_scene(const SceneState& state) {
+void SceneView::update_scene(const planning::SceneState& state) {
   graph_->update_scene(state);
   change();
 }

@@ -71,7 +71,7 @@ class SceneView : public QOpenGLWidget {
   /// Shows the scene with other robots, from where one looks already.
   void change_robots(std::shared_ptr<const geometric::Scene> scene);
   /// Shows an edited scene with the same robots, from where one looks already.
-  void update_scene(const SceneState& state);
+  void update_scene(const planning::SceneState& state);
   void set_colors(const ViewColors& colors);
 
   /// @param q of the first robot, shape [variable_count].

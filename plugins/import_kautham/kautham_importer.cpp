@@ -78,7 +78,7 @@ class SceneBuilder {
   explicit SceneBuilder(const KauthamProblem& problem)
       : problem_(problem), folder_(problem.file.parent_path()) {}
 
-  planning::LoadedScene build() {
+  planning::SceneState build() {
     scene_->name = problem_.name;
     scene_->file = problem_.file;
     scene_->warnings = problem_.warnings;
@@ -289,7 +289,7 @@ class SceneBuilder {
 /// for; `basis` is its hand's.
 /// @throws InputError if one of the files can't be read, or the query's number
 /// of controls is not that of the robots.
-planning::LoadedScene make_scene(const KauthamProblem& problem) {
+planning::SceneState make_scene(const KauthamProblem& problem) {
   return SceneBuilder(problem).build();
 }
 
@@ -299,7 +299,7 @@ bool is_robot_file(const std::filesystem::path& file) {
 
 /// A scene with just this robot, all controls in the middle, nothing around it.
 /// @param file a `.rob` file.
-planning::LoadedScene make_robot_scene(const std::filesystem::path& file) {
+planning::SceneState make_robot_scene(const std::filesystem::path& file) {
   KauthamProblem problem;
   problem.file = file;
   problem.name = file.stem().string();
@@ -319,7 +319,7 @@ bool KauthamImporter::can_read(const std::filesystem::path& file) const {
   return geometric::head_of(file, 4096).find(is_robot ? "<Robot" : "<Problem") != std::string::npos;
 }
 
-planning::LoadedScene KauthamImporter::read(const std::filesystem::path& file) const {
+planning::SceneState KauthamImporter::read(const std::filesystem::path& file) const {
   return is_robot_file(file) ? make_robot_scene(file) : make_scene(read_kautham_problem(file));
 }
 

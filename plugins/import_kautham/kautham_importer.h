@@ -10,7 +10,7 @@ class KauthamImporter final : public planning::Importer {
  public:
   [[nodiscard]] std::string name() const override;
   [[nodiscard]] bool can_read(const std::filesystem::path& file) const override;
-  [[nodiscard]] planning::LoadedScene read(const std::filesystem::path& file) const override;
+  [[nodiscard]] planning::SceneState read(const std::filesystem::path& file) const override;
 };
 
 }  // namespace handway::import_kautham

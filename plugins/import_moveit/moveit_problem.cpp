@@ -156,7 +156,7 @@ class ProblemReader {
     }
   }
 
-  [[nodiscard]] planning::LoadedScene read() {
+  [[nodiscard]] planning::SceneState read() {
     top_.refuse_slips({"name", "robot_state", "robot_model_name", "fixed_frame_transforms",
                        "allowed_collision_matrix", "link_padding", "link_scale", "object_colors",
                        "world", "is_diff"});
@@ -411,7 +411,7 @@ class ProblemReader {
 
 }  // namespace
 
-planning::LoadedScene read_moveit_problem(const ProblemFiles& files) {
+planning::SceneState read_moveit_problem(const ProblemFiles& files) {
   return ProblemReader(files).read();
 }
 
@@ -423,7 +423,7 @@ bool MoveitImporter::can_read(const std::filesystem::path& file) const {
           is_moveit_file(file));
 }
 
-planning::LoadedScene MoveitImporter::read(const std::filesystem::path& file) const {
+planning::SceneState MoveitImporter::read(const std::filesystem::path& file) const {
   const std::filesystem::path whole = std::filesystem::absolute(file);
   return read_moveit_problem(is_scene_text(file) ? ProblemFiles{whole, std::nullopt}
                                                  : problem_files(whole));

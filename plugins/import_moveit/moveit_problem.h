@@ -15,14 +15,14 @@ namespace handway::import_moveit {
 /// Chamzas et al., "MotionBenchMaker: a tool to generate and benchmark motion planning
 /// datasets", IEEE RA-L 7(2), 2022, doi:10.1109/LRA.2021.3133603.
 /// @throws InputError naming file, line, element, the value found and the expected one.
-[[nodiscard]] planning::LoadedScene read_moveit_problem(const ProblemFiles& files);
+[[nodiscard]] planning::SceneState read_moveit_problem(const ProblemFiles& files);
 
 /// Problems of MoveIt: a planning scene and a motion plan request as YAML files.
 class MoveitImporter final : public planning::Importer {
  public:
   [[nodiscard]] std::string name() const override;
   [[nodiscard]] bool can_read(const std::filesystem::path& file) const override;
-  [[nodiscard]] planning::LoadedScene read(const std::filesystem::path& file) const override;
+  [[nodiscard]] planning::SceneState read(const std::filesystem::path& file) const override;
 };
 
 }  // namespace handway::import_moveit

@@ -28,7 +28,7 @@ constexpr double kStep = 0.01;  // m
 PlanningProblem problem_of(const std::string& scene) {
   const std::vector<test::KnownProblem> all = test::known_problems();
   const auto found = std::ranges::find(all, scene, &test::KnownProblem::name);
-  const LoadedScene loaded = test::load(*found);
+  const SceneState loaded = test::load(*found);
   return make_problem(loaded.scene, loaded.basis);
 }
 

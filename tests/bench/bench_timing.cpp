@@ -14,7 +14,7 @@ namespace handway::planning {
 namespace {
 
 void bm_time_path(benchmark::State& state, const test::KnownProblem& known, double deviation) {
-  const LoadedScene loaded = test::load(known);
+  const SceneState loaded = test::load(known);
   const PlanningProblem problem = make_problem(loaded.scene, loaded.basis);
   const PlannerRegistry registry;
   const PlanResult plan = registry.create(registry.names().front())->plan(problem, {});

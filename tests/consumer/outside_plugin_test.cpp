@@ -87,7 +87,7 @@ TEST(OutsidePlugin, IsBuiltOnTheInstalledLibrariesAndPlans) {
   std::ofstream(scene) << "handway: 1\n"
                           "robots:\n  - model: lever.urdf\n"
                           "start: {swing: -2}\ngoal: {swing: 0.5}\n";
-  const LoadedScene loaded = load_scene(scene, plugins);
+  const SceneState loaded = load_scene(scene, plugins);
   const auto planner = plugins.planners().create("straight");
   const PlanResult result = planner->plan(make_problem(loaded.scene, loaded.basis), {});
   EXPECT_TRUE(result.solved()) << result.reason;

@@ -250,7 +250,7 @@ TEST(ConstraintRefusals, AMotionThatWasTimedWithoutThemIsNotCleared) {
 PlanningProblem carried_can(double degrees) {
   const auto known = test::known_problems();
   const auto table = std::ranges::find(known, "can_on_table", &test::KnownProblem::name);
-  const LoadedScene loaded = test::load(*table);
+  const SceneState loaded = test::load(*table);
   geometric::Scene scene = *loaded.scene;
   std::erase_if(scene.objects, [](const auto& object) { return object.name == "table"; });
   const geometric::RobotModel& model = *scene.robots.front().model;

@@ -18,7 +18,7 @@ TEST(DynamicRoadmapOfCanOnTable, FollowsTheCanWithFewerChecksThanPlanningAnew) {
   const std::vector<test::KnownProblem> all = test::known_problems();
   const auto found = std::ranges::find(all, "can_on_table", &test::KnownProblem::name);
   ASSERT_NE(found, all.end());
-  const LoadedScene loaded = test::load(*found);
+  const SceneState loaded = test::load(*found);
   DynamicRoadmap roadmap(make_problem(loaded.scene, loaded.basis));
   ASSERT_TRUE(roadmap.plan({}).solved());
   geometric::Pose X_WCan = geometric::find_object(*loaded.scene, "can")->X_PO;

@@ -31,7 +31,7 @@ class Margin : public testing::TestWithParam<std::string> {
   [[nodiscard]] static PlanningProblem problem() {
     const std::vector<test::KnownProblem> known = test::known_problems();
     const auto found = std::ranges::find(known, GetParam(), &test::KnownProblem::name);
-    const LoadedScene scene = test::load(*found);
+    const SceneState scene = test::load(*found);
     return make_problem(scene.scene, scene.basis);
   }
 };
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Margin, testing::Values("can_in_box", "can_on_t
                          [](const auto& scene) { return scene.param; });
 
 TEST(MarginOfARequest, IsNeverNegative) {
-  const LoadedScene scene = test::load(test::known_problems().front());
+  const SceneState scene = test::load(test::known_problems().front());
   const PlanningProblem problem = make_problem(scene.scene, scene.basis);
   EXPECT_THROW(static_cast<void>(planned_with_margin(problem, -1.0)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(planned_with_margin(problem, std::nan(""))),
@@ -86,7 +86,7 @@ TEST(MarginOfARequest, IsNeverNegative) {
 }
 
 TEST(MarginOfARequest, OfNothingNamesNothing) {
-  const LoadedScene scene = test::load(test::known_problems().front());
+  const SceneState scene = test::load(test::known_problems().front());
   const PlanResult result = planned_with_margin(make_problem(scene.scene, scene.basis), 0.0);
   EXPECT_TRUE(result.solved()) << result.reason;
   EXPECT_THAT(result.out_of_margin, testing::IsEmpty());

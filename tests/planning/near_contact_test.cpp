@@ -24,7 +24,7 @@ using geometric::metres;
 PlanningProblem can_on_table() {
   for (const test::KnownProblem& known : test::known_problems()) {
     if (known.name == "can_on_table") {
-      const LoadedScene scene = test::load(known);
+      const SceneState scene = test::load(known);
       return make_problem(scene.scene, scene.basis);
     }
   }
@@ -35,7 +35,7 @@ TEST(ExpansiveTrees, SolveEveryKnownProblem) {
   constexpr std::uint64_t kChecks = 60'000;  // trees that draw targets take 100,000 on one of them
   for (const test::KnownProblem& known : test::known_problems()) {
     SCOPED_TRACE(known.name);
-    const LoadedScene scene = test::load(known);
+    const SceneState scene = test::load(known);
     const PlanningProblem problem = make_problem(scene.scene, scene.basis);
     for (const std::string corridor : {"joint", "cartesian"}) {
       const auto planner = PlannerRegistry().create("pmd-rrt-connect");

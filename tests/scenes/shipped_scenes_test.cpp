@@ -90,7 +90,7 @@ class ShippedScene : public testing::TestWithParam<std::string> {
 
  private:
   fs::path file_;
-  LoadedScene loaded_;
+  SceneState loaded_;
   PlanningProblem problem_;
 };
 

@@ -116,7 +116,7 @@ double seconds(Clock::duration duration) { return std::chrono::duration<double>(
 /// A scene that changes at random: obstacles come, move, change and go.
 class ChangingScene {
  public:
-  ChangingScene(const planning::LoadedScene& loaded, std::uint64_t seed)
+  ChangingScene(const planning::SceneState& loaded, std::uint64_t seed)
       : basis_(loaded.basis), scene_(*loaded.scene), own_(scene_.objects.size()), random_(seed) {
     Scene all = scene_;
     for (int i = 0; i < kShapes; ++i) {
@@ -661,7 +661,7 @@ class Witness final : public execution::MotionObserver {
 };
 
 template <typename MakeDevices>
-Tally soak_motions(const planning::LoadedScene& loaded, int count, std::uint64_t seed,
+Tally soak_motions(const planning::SceneState& loaded, int count, std::uint64_t seed,
                    const MakeDevices& make_devices) {
   Tally tally;
   for (int i = 0; tally.tried < count; ++i) {
@@ -743,7 +743,7 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "no scene {}\n", name);
     return 2;
   }
-  const planning::LoadedScene loaded = load(*found);
+  const planning::SceneState loaded = load(*found);
   int failed = 0;
   const auto report = [&](const char* what, const Tally& tally) {
     print(what, tally);

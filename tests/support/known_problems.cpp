@@ -33,7 +33,7 @@ std::vector<KnownProblem> known_problems() {
   return problems;
 }
 
-planning::LoadedScene load(const KnownProblem& problem) {
+planning::SceneState load(const KnownProblem& problem) {
   return problem.file.extension() == ".xml"
              ? import_kautham::KauthamImporter().read(problem.file)
              : planning::load_scene(problem.file, planning::PluginManager());

@@ -33,7 +33,7 @@ class SendThatIs : public testing::TestWithParam<int> {
  protected:
   SendThatIs() {
     const planning::PluginManager plugins;
-    const planning::LoadedScene loaded = planning::load_scene(scene(), plugins);
+    const planning::SceneState loaded = planning::load_scene(scene(), plugins);
     problem_ = std::make_unique<planning::PlanningProblem>(
         planning::make_problem(loaded.scene, loaded.basis));
     line_.write("path.csv", planned_path());

@@ -271,7 +271,7 @@ void DeviceSession::time_again() {
 }
 
 // An edit revokes the clearance at once; the path is timed and checked in the new scene.
-void DeviceSession::take_edit(const SceneState& before) {
+void DeviceSession::take_edit(const planning::SceneState& before) {
   if (before.scene == document_.scene() || !document_.problem()) {
     return;
   }

@@ -23,7 +23,7 @@ class DevicesPanel;
 class Document;
 class PathPlayer;
 class Workbench;
-struct SceneState;
+struct planning::SceneState;
 
 /// Controls of the program's windows that stop the robot: keys that no dialog, popup or text field
 /// keeps for itself, and a STOP button in the main window and along the top of every dialog, also
@@ -101,7 +101,7 @@ class DeviceSession : public QObject {
   void on_state_changed(MotionDriver::State state);
   void show_stop(bool active);
   void take_measured(const Eigen::VectorXd& q);
-  void take_edit(const SceneState& before);
+  void take_edit(const planning::SceneState& before);
   /// The document's robot as it is measured, if that is wanted.
   void mirror();
   void take_outcome(const execution::MotionOutcome& outcome,

@@ -1,7 +1,9 @@
 #include "features/editing/array_tool.h"
 
+#include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/resizing.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "model/document/scene_editor.h"
-#include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
@@ -156,7 +158,7 @@ void ArrayCard::begin(const QString& objects, const geometric::Aabb& box) {
 
 std::vector<geometric::Pose> ArrayCard::motions(const Eigen::Vector3d& p_W) const {
   if (pages_->currentIndex() == 0) {
-    LinearArray rows;
+    planning::LinearArray rows;
     for (int i = 0; i < 3; ++i) {
       const auto k = static_cast<std::size_t>(i);
       rows.count[i] = counts_.at(k)->value();
@@ -164,7 +166,7 @@ std::vector<geometric::Pose> ArrayCard::motions(const Eigen::Vector3d& p_W) cons
     }
     return rows.motions();
   }
-  CircularArray circle;
+  planning::CircularArray circle;
   circle.count = around_->value();
   circle.axis = axis_->currentIndex();
   for (int i = 0; i < 3; ++i) {
@@ -241,12 +243,12 @@ void ArrayTool::show_copies() {
 }
 
 void ArrayTool::finish() {
-  ObjectNames all = names_;
+  planning::ObjectNames all = names_;
   all.insert(all.end(), copies_.names.begin(), copies_.names.end());
-  SceneState made = copies_.state;
+  planning::SceneState made = copies_.state;
   if (card_->groups()) {
-    const std::string group =
-        unused_group(*made.scene, names_.size() == 1 ? names_.front() : tr("array").toStdString());
+    const std::string group = planning::unused_group(
+        *made.scene, names_.size() == 1 ? names_.front() : tr("array").toStdString());
     made = with_changed_display(made, all, [&](auto& display) { display.group = group; });
   }
   editor_.apply(tr("Array of %1").arg(SceneEditor::words_for(names_)), std::move(made), all);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/arranging.h"
 #include "widgets/panels/floating_card.h"
 
 #include <QObject>
@@ -91,8 +91,8 @@ class ArrayTool : public QObject {
   SceneEditor& editor_;
   SceneView& view_;
   ArrayCard* card_;
-  ObjectNames names_;  ///< Names of the objects to copy.
-  Copies copies_;
+  planning::ObjectNames names_;  ///< Names of the objects to copy.
+  planning::Copies copies_;
 };
 
 }  // namespace handway::gui

@@ -3,7 +3,8 @@
 #include "features/editing/array_tool.h"
 #include "features/workbench.h"
 #include "handway/geometric/io/resources.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "model/document/selection.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/style/theme.h"
@@ -237,10 +238,12 @@ void EditActions::update_enabled() {
   add_button_->setEnabled(no_scene.isEmpty());
   allow(*remove,
         editor_.can_remove_robot() || editor_.selected_goal_pose() ? QString() : unchangeable);
-  allow(*rename,
-        !can_change || rigid_parts(*editor_.state().scene, editor_.selected_objects()).size() == 1
-            ? unchangeable
-            : tr("Select one object, or one group."));
+  allow(
+      *rename,
+      !can_change ||
+              planning::rigid_parts(*editor_.state().scene, editor_.selected_objects()).size() == 1
+          ? unchangeable
+          : tr("Select one object, or one group."));
   for (QAction* action : {copy, duplicate, hide, lock}) {
     allow(*action, no_object);
   }
@@ -329,9 +332,10 @@ void ArrangeActions::place_actions() {
 }
 
 void ArrangeActions::fill_align_menu() {
-  const std::array<std::pair<AlignTo, QString>, 3> kinds{{{AlignTo::kLeast, tr("%1: lower sides")},
-                                                          {AlignTo::kCentre, tr("%1: centres")},
-                                                          {AlignTo::kMost, tr("%1: upper sides")}}};
+  const std::array<std::pair<planning::AlignTo, QString>, 3> kinds{
+      {{planning::AlignTo::kLeast, tr("%1: lower sides")},
+       {planning::AlignTo::kCentre, tr("%1: centres")},
+       {planning::AlignTo::kMost, tr("%1: upper sides")}}};
   for (int axis = 0; axis < 3; ++axis) {
     align_menu_->addSeparator();
     for (const auto& [to, text] : kinds) {
@@ -359,7 +363,8 @@ void ArrangeActions::refresh_icons() {
 void ArrangeActions::update_enabled() {
   const auto& scene = editor_.state().scene;
   const std::vector<std::string>& objects = editor_.selected_objects();
-  const std::size_t parts = scene && editor_.can_change() ? rigid_parts(*scene, objects).size() : 0;
+  const std::size_t parts =
+      scene && editor_.can_change() ? planning::rigid_parts(*scene, objects).size() : 0;
   const bool in_group = std::ranges::any_of(objects, [this](const std::string& name) {
     return !editor_.state().display_of(name).group.empty();
   });
@@ -375,9 +380,10 @@ void ArrangeActions::update_enabled() {
   allow(*arranging_, no_object);
 }
 
-void ArrangeActions::align(int axis, AlignTo to) {
+void ArrangeActions::align(int axis, planning::AlignTo to) {
   const std::vector<std::string>& objects = editor_.selected_objects();
-  SceneState next = aligned(editor_.state(), editor_.document().configuration(), objects, axis, to);
+  planning::SceneState next =
+      aligned(editor_.state(), editor_.document().configuration(), objects, axis, to);
   if (next != editor_.state()) {
     editor_.apply(tr("Align %1 along %2").arg(SceneEditor::words_for(objects), axis_name(axis)),
                   std::move(next), objects);
@@ -386,7 +392,8 @@ void ArrangeActions::align(int axis, AlignTo to) {
 
 void ArrangeActions::distribute(int axis) {
   const std::vector<std::string>& objects = editor_.selected_objects();
-  SceneState next = distributed(editor_.state(), editor_.document().configuration(), objects, axis);
+  planning::SceneState next =
+      distributed(editor_.state(), editor_.document().configuration(), objects, axis);
   if (next != editor_.state()) {
     editor_.apply(
         tr("Distribute %1 along %2").arg(SceneEditor::words_for(objects), axis_name(axis)),
@@ -396,7 +403,8 @@ void ArrangeActions::distribute(int axis) {
 
 void ArrangeActions::make_group() {
   const std::vector<std::string> objects = editor_.selected_objects();
-  const std::string name = unused_group(*editor_.state().scene, tr("group").toStdString());
+  const std::string name =
+      planning::unused_group(*editor_.state().scene, tr("group").toStdString());
   editor_.apply(
       tr("Group %1").arg(SceneEditor::words_for(objects)),
       with_changed_display(editor_.state(), objects, [&](auto& display) { display.group = name; }),
@@ -415,8 +423,8 @@ void ArrangeActions::rename_group(const std::string& name, const std::string& ne
   if (new_name.empty() || new_name == name) {
     return;
   }
-  const std::vector<std::string> members = group_members(*editor_.state().scene, name);
-  const std::string unused = unused_group(*editor_.state().scene, new_name);
+  const std::vector<std::string> members = planning::group_members(*editor_.state().scene, name);
+  const std::string unused = planning::unused_group(*editor_.state().scene, new_name);
   editor_.apply(tr("Rename group %1").arg(QString::fromStdString(name)),
                 with_changed_display(editor_.state(), members,
                                      [&](auto& display) { display.group = unused; }),

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "handway/planning/edits/arranging.h"
 #include "model/document/scene_editor.h"
-#include "model/document/scene_edits.h"
 
 #include <QAction>
 #include <QList>
@@ -84,7 +84,7 @@ class ArrangeActions : public QObject {
   /// Enables the commands that apply to the present selection.
   void update_enabled();
 
-  void align(int axis, AlignTo to);
+  void align(int axis, planning::AlignTo to);
   void distribute(int axis);
   void make_group();
   void ungroup();

@@ -64,11 +64,12 @@ std::vector<PoseReached> reached_poses(const planning::PlanningProblem& problem)
 GoalPoseTool::GoalPoseTool(Workbench& workbench) : workbench_(workbench) {
   add_command();
   connect(&workbench_, &Workbench::scene_shown, this, &GoalPoseTool::show);
-  connect(&workbench_.document, &Document::edited, this, [this](const SceneState& before) {
-    if (before.scene != workbench_.document.scene()) {
-      show();
-    }
-  });
+  connect(&workbench_.document, &Document::edited, this,
+          [this](const planning::SceneState& before) {
+            if (before.scene != workbench_.document.scene()) {
+              show();
+            }
+          });
   connect(&workbench_.view, &SceneView::dragged, this, &GoalPoseTool::drag);
   connect(&workbench_.view, &SceneView::dropped, this, [this] { ik_.reset(); });
 }
@@ -155,7 +156,7 @@ void GoalPoseTool::drag(const SceneItem& item, const geometric::Pose& X_WG) {
       static_cast<std::size_t>(goal - workbench_.document.scene()->goal_poses.data());
   std::vector<PoseReached> reached(index + 1, PoseReached::kUnknown);
   reached[index] = follow(*goal, X_WG) ? PoseReached::kYes : PoseReached::kNo;
-  const SceneState tried = with_goal_pose(workbench_.editor.state(), index, [&] {
+  const planning::SceneState tried = with_goal_pose(workbench_.editor.state(), index, [&] {
     geometric::PoseGoal moved = *goal;
     moved.X_WG = X_WG;
     return moved;

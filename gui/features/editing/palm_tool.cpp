@@ -2,11 +2,12 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
 #include "model/document/reach_words.h"
 #include "model/document/scene_editor.h"
-#include "model/document/scene_edits.h"
 #include "model/planning/planning_session.h"
 #include "model/playback/path_player.h"
 #include "view3d/overlay.h"

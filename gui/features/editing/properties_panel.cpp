@@ -2,7 +2,9 @@
 
 #include "features/editing/goal_pose_form.h"
 #include "handway/geometric/math/units.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/robot_edits.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/shape_form.h"
@@ -133,8 +135,9 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   connect(mount_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
     const std::string robot = mount_->itemData(row, Qt::UserRole).toString().toStdString();
     const std::string link = mount_->itemData(row, Qt::UserRole + 1).toString().toStdString();
-    emit mount_requested(editor_.selection().robot,
-                         row == 0 ? std::nullopt : std::optional(LinkOfRobot{robot, link}));
+    emit mount_requested(
+        editor_.selection().robot,
+        row == 0 ? std::nullopt : std::optional(planning::LinkOfRobot{robot, link}));
   });
   connect(shape_, &ShapeForm::shape_edited, &editor_,
           [this](const geometric::Shape& shape) { editor_.set_shape(shape); });
@@ -244,7 +247,7 @@ void PropertiesPanel::show_objects(const geometric::SceneObject& last) {
   show_parts(true, true, true);
   const std::vector<std::string>& names = editor_.selected_objects();
   const bool editable = editor_.can_change();
-  const bool is_group = rigid_parts(*editor_.state().scene, names).size() == 1;
+  const bool is_group = planning::rigid_parts(*editor_.state().scene, names).size() == 1;
   show_text(*name_, is_group ? QString::fromStdString(editor_.state().display_of(last.name).group)
                              : tr("%1 objects").arg(names.size()));
   name_->setReadOnly(true);
@@ -286,20 +289,20 @@ void PropertiesPanel::show_robot(const std::string& robot) {
   show_text(*name_, QString::fromStdString(robot));
   name_->setReadOnly(true);
   kind_->setText(tr("Robot"));
-  const auto on = carrier_of(scene, robot);
-  X_WF_ = carrier_pose(scene, q, robot);
+  const auto on = planning::carrier_of(scene, robot);
+  X_WF_ = planning::carrier_pose(scene, q, robot);
   pose_title_->setText(on ? tr("Base in %1").arg(QString::fromStdString(on->link)) : tr("Base"));
-  pose_->show_pose(X_WF_.inverse() * *base_pose(scene, q, robot));
+  pose_->show_pose(X_WF_.inverse() * *planning::base_pose(scene, q, robot));
   pose_->set_editable(true);
   list_mounts(robot);
 }
 
 void PropertiesPanel::list_mounts(const std::string& robot) {
   const geometric::Scene& scene = *editor_.state().scene;
-  const auto on = carrier_of(scene, robot);
+  const auto on = planning::carrier_of(scene, robot);
   std::vector<ShownChoice> choices{{tr("World")}};
   int current = 0;
-  for (const LinkOfRobot& place : mounting_places(scene, robot)) {
+  for (const planning::LinkOfRobot& place : planning::mounting_places(scene, robot)) {
     const QString carrier = QString::fromStdString(place.robot);
     const QString link = QString::fromStdString(place.link);
     current = on == place ? static_cast<int>(choices.size()) : current;
@@ -358,15 +361,16 @@ void PropertiesPanel::connect_constraints() {
   connect(constraints_, &ConstraintForm::upright_switched, &editor_, [this](bool on) {
     switch_constraint<Upright>(
         editor_,
-        new_upright(*editor_.state().scene, editor_.document().configuration(),
-                    editor_.constrained_body()),
+        planning::new_upright(*editor_.state().scene, editor_.document().configuration(),
+                              editor_.constrained_body()),
         on);
   });
   connect(constraints_, &ConstraintForm::region_switched, &editor_, [this](bool on) {
-    switch_constraint<Region>(editor_,
-                              new_region(*editor_.state().scene, editor_.document().configuration(),
-                                         editor_.constrained_body()),
-                              on);
+    switch_constraint<Region>(
+        editor_,
+        planning::new_region(*editor_.state().scene, editor_.document().configuration(),
+                             editor_.constrained_body()),
+        on);
   });
 }
 

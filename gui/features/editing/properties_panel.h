@@ -36,7 +36,7 @@ class PropertiesPanel : public PanelArea {
   void attach_requested(const std::string& robot, const std::string& link);
   /// Emitted to mount the selected robot on a link; nothing: to place it in the world.
   void mount_requested(const std::string& robot,
-                       const std::optional<handway::gui::LinkOfRobot>& on);
+                       const std::optional<handway::planning::LinkOfRobot>& on);
 
  private:
   QWidget* make_header();

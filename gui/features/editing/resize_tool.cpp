@@ -2,8 +2,9 @@
 
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/scene/scene_difference.h"
+#include "handway/planning/edits/resizing.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "model/document/scene_editor.h"
-#include "model/document/scene_edits.h"
 #include "view3d/gizmo_node.h"
 #include "view3d/scene_view.h"
 
@@ -55,7 +56,7 @@ bool ResizeTool::update() {
                      !editor_.state().is_hidden(object->name);
   if (shown) {
     object_ = object->name;
-    knobs_ = resize_knobs(object->shape);
+    knobs_ = planning::resize_knobs(object->shape);
     X_WO_ = editor_.selected_pose().value();
   } else if (std::exchange(object_, {}).empty()) {
     return false;
@@ -69,7 +70,7 @@ bool ResizeTool::update() {
 
 std::vector<QPoint> ResizeTool::places() const {
   std::vector<QPoint> places;
-  for (const ResizeKnob& knob : knobs_) {
+  for (const planning::ResizeKnob& knob : knobs_) {
     places.push_back(place_of(view_.camera(), view_.size(), X_WO_ * knob.p_O).toPoint());
   }
   return places;
@@ -77,7 +78,7 @@ std::vector<QPoint> ResizeTool::places() const {
 
 void ResizeTool::draw() {
   std::vector<Eigen::Vector3d> points;
-  for (const ResizeKnob& knob : knobs_) {
+  for (const planning::ResizeKnob& knob : knobs_) {
     if (!drag_ || knob == drag_->knob) {
       points.emplace_back(X_WO_ * knob.p_O);
     }
@@ -135,9 +136,9 @@ bool ResizeTool::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ResizeTool::take_hold(const QPoint& place) {
-  const ResizeKnob knob = knobs_[static_cast<std::size_t>(*knob_at(place))];
+  const planning::ResizeKnob knob = knobs_[static_cast<std::size_t>(*knob_at(place))];
   const GizmoFrame along{X_WO_ * knob.p_O, X_WO_.linear(), 1.0};
-  const Resized before{editor_.selected_object()->shape, X_WO_};
+  const planning::Resized before{editor_.selected_object()->shape, X_WO_};
   const Ray ray = ray_through(view_.camera(), view_.size(), place);
   drag_.emplace(Drag{knob, GizmoDrag({GizmoHandle::Kind::kArrow, knob.axis}, along, X_WO_, ray),
                      before, before});
@@ -147,10 +148,11 @@ void ResizeTool::take_hold(const QPoint& place) {
 void ResizeTool::pull(const QPoint& place, bool snap) {
   (void)drag_->pull.moved_to(ray_through(view_.camera(), view_.size(), place), false);
   const double outwards = drag_->knob.sign * drag_->pull.amount()[drag_->knob.axis];
-  drag_->now = resized(drag_->before.shape, drag_->before.X_WO, drag_->knob, outwards, snap);
+  drag_->now =
+      planning::resized(drag_->before.shape, drag_->before.X_WO, drag_->knob, outwards, snap);
   X_WO_ = drag_->now.X_WO;
-  knobs_ = resize_knobs(drag_->now.shape);
-  SceneState state =
+  knobs_ = planning::resize_knobs(drag_->now.shape);
+  planning::SceneState state =
       with_changed_object(editor_.state(), object_, [&](geometric::SceneObject& object) {
         object.shape = drag_->now.shape;
         object.X_PO = in_parent(*editor_.state().scene, editor_.document().configuration(), object,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/resizing.h"
 #include "view3d/gizmo_node.h"
 
 #include <QObject>
@@ -32,17 +32,17 @@ class ResizeTool : public QObject {
 
  signals:
   /// The scene as it would be if the knob stayed where it is now.
-  void tried(const handway::gui::SceneState& state);
+  void tried(const handway::planning::SceneState& state);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Drag {
-    ResizeKnob knob;
+    planning::ResizeKnob knob;
     GizmoDrag pull;
-    Resized before;
-    Resized now;
+    planning::Resized before;
+    planning::Resized now;
   };
 
   [[nodiscard]] std::optional<int> knob_at(const QPoint& place) const;
@@ -56,7 +56,7 @@ class ResizeTool : public QObject {
   SceneView& view_;
   bool wanted_ = false;
   std::string object_;  ///< Empty: no knobs.
-  std::vector<ResizeKnob> knobs_;
+  std::vector<planning::ResizeKnob> knobs_;
   geometric::Pose X_WO_ = geometric::Pose::Identity();
   std::optional<int> hot_;
   std::optional<Drag> drag_;

@@ -9,8 +9,9 @@
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/resizing.h"
 #include "model/document/document.h"
-#include "model/document/scene_edits.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
@@ -52,7 +53,7 @@ Recovery::Recovery(Workbench& workbench)
       emit failed(message);
     }
   });
-  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+  connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document_.scene()) {
       store(std::nullopt);
     }
@@ -212,8 +213,8 @@ void SceneEditing::connect_view() {
   view_.installEventFilter(this);
   view_.set_face_snap([this](const geometric::Pose& X_WO, double reach) {
     const auto state = editor_.placed(X_WO);
-    return state ? shift_to_sides(*state->scene, document_.configuration(), editor_.changeable(),
-                                  reach)
+    return state ? planning::shift_to_sides(*state->scene, document_.configuration(),
+                                            editor_.changeable(), reach)
                  : Eigen::Vector3d::Zero().eval();
   });
   connect(&resize_, &ResizeTool::tried, &workbench_.session, &PlanningSession::try_scene);
@@ -326,7 +327,7 @@ void SceneEditing::show_selection() {
   update_gizmo();
 }
 
-void SceneEditing::show_edit(const SceneState& /*before*/) {
+void SceneEditing::show_edit(const planning::SceneState& /*before*/) {
   view_.update_scene(editor_.state());
   tree_->update_scene(editor_.state());
   show_selection();
@@ -352,7 +353,7 @@ void SceneEditing::update_gizmo() {
                                                                        : std::nullopt);
 }
 
-void SceneEditing::preview(const SceneState& state) {
+void SceneEditing::preview(const planning::SceneState& state) {
   for (const std::string& name : editor_.changeable()) {
     view_.preview(object_item(name),
                   object_pose(*state.scene, document_.configuration(), *state.find(name)));
@@ -408,7 +409,7 @@ void SceneEditing::import_mesh(const QString& file) {
     if (dialog.exec() != QDialog::Accepted) {
       return;
     }
-    mesh = scaled(mesh, dialog.scale());
+    mesh = planning::scaled(mesh, dialog.scale());
     R_WO = dialog.orientation();
     is_hollow = dialog.is_hollow();
   }

@@ -78,9 +78,9 @@ class SceneEditing : public QObject {
   void connect_tree();
   void add_docks();
   void show_selection();
-  void show_edit(const SceneState& before);
+  void show_edit(const planning::SceneState& before);
   void update_gizmo();
-  void preview(const SceneState& state);
+  void preview(const planning::SceneState& state);
   void attach(const std::string& robot, const std::string& link);
   /// @throws InputError if the mesh can't be read.
   void import_mesh(const QString& file);

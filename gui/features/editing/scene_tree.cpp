@@ -104,7 +104,7 @@ std::vector<std::string> SceneTree::objects_of(const QList<QTreeWidgetItem*>& ro
     if (item.kind == Kind::kObject) {
       names.push_back(item.name);
     } else if (item.kind == Kind::kGroup) {
-      const std::vector<std::string> members = group_members(*state_.scene, item.name);
+      const std::vector<std::string> members = planning::group_members(*state_.scene, item.name);
       names.insert(names.end(), members.begin(), members.end());
     }
   }
@@ -186,7 +186,7 @@ void SceneTree::take_object_change(const SceneItem& changed, const std::string& 
     return;
   }
   const std::vector<std::string> names =
-      is_group ? group_members(*state_.scene, changed.name) : std::vector{changed.name};
+      is_group ? planning::group_members(*state_.scene, changed.name) : std::vector{changed.name};
   const auto is_hidden = [this](const std::string& name) { return state_.is_hidden(name); };
   if (shown ? std::ranges::any_of(names, is_hidden) : !std::ranges::all_of(names, is_hidden)) {
     emit objects_toggled(names, shown);
@@ -220,7 +220,7 @@ void SceneTree::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   rebuild();
 }
 
-void SceneTree::update_scene(const SceneState& state) {
+void SceneTree::update_scene(const planning::SceneState& state) {
   state_ = state;
   std::vector<SceneItem> folded, unticked;
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
@@ -359,7 +359,7 @@ void SceneTree::add_objects(const geometric::Scene& scene) {
 
 QTreeWidgetItem* SceneTree::group_row(const geometric::Scene& scene,
                                       const std::string& group) const {
-  const std::vector<std::string> members = group_members(scene, group);
+  const std::vector<std::string> members = planning::group_members(scene, group);
   const auto hidden = std::ranges::count_if(
       members, [this](const std::string& name) { return state_.is_hidden(name); });
   const bool locked = std::ranges::all_of(
@@ -451,7 +451,7 @@ void SceneTree::select(const Selection& selection) {
     const SceneItem item = item_at(*it);
     bool marked = item.kind != Kind::kNone && item == selection.item;
     if (item.kind == Kind::kGroup) {
-      const std::vector<std::string> members = group_members(*state_.scene, item.name);
+      const std::vector<std::string> members = planning::group_members(*state_.scene, item.name);
       marked = members.size() > 1 && std::ranges::all_of(members, is_selected);
     } else if (item.kind == Kind::kObject) {
       marked = is_selected(item.name) && !((*it)->parent() && (*it)->parent()->isSelected());
@@ -465,6 +465,6 @@ void SceneTree::select(const Selection& selection) {
   }
 }
 
-void SceneTree::refresh_icons() { update_scene(SceneState(state_)); }
+void SceneTree::refresh_icons() { update_scene(planning::SceneState(state_)); }
 
 }  // namespace handway::gui

@@ -28,7 +28,7 @@ class SceneTree : public QTreeWidget {
   /// Sets the scene; null empties the tree.
   void set_scene(std::shared_ptr<const geometric::Scene> scene);
   /// Shows an edited scene, unfolded as before.
-  void update_scene(const SceneState& state);
+  void update_scene(const planning::SceneState& state);
   /// Begins to edit the name of the object or group that is selected.
   void edit_name();
   /// Selects the item without telling anyone.
@@ -80,7 +80,7 @@ class SceneTree : public QTreeWidget {
   /// Returns the item onto which dragged objects can be dropped at this position, or nothing.
   [[nodiscard]] std::optional<SceneItem> drop_place(const QPoint& position) const;
 
-  SceneState state_;
+  planning::SceneState state_;
   Selection selection_;
 };
 

@@ -246,7 +246,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
   time_again();
 }
 
-void ExportDialog::take_edit(const SceneState& before) {
+void ExportDialog::take_edit(const planning::SceneState& before) {
   if (before.scene != document_.scene()) {
     time_again();
   }

@@ -29,7 +29,7 @@ namespace handway::gui {
 class Document;
 class TimePlot;
 class Workbench;
-struct SceneState;
+struct planning::SceneState;
 
 /// Makes and writes the files of a motion off the GUI thread. Only the answer to the latest
 /// request counts.
@@ -110,7 +110,7 @@ class ExportDialog : public QDialog {
   QWidget* make_settings();
   QWidget* make_destination();
   [[nodiscard]] std::string format() const;
-  void take_edit(const SceneState& before);
+  void take_edit(const planning::SceneState& before);
   void time_again();
   void export_now();
   /// Returns whether the motion may be exported: cleared, and confirmed where it is too close.

@@ -337,7 +337,7 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
   connect(card_, &GraspCard::film_wanted, this,
           [this](int index, bool wanted) { wanted ? begin_film(index) : look_at(index); });
   connect(&document_, &Document::opened, this, &GraspTool::end);
-  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+  connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document_.scene()) {
       end();  // what was found is of another scene
     }

@@ -382,7 +382,7 @@ MicroscopePanel::MicroscopePanel(Document& document, PlanSettings& planning, Sce
     state_->setText(tr("Nothing to show: %1").arg(message));
   });
   connect(&document_, &Document::opened, &microscope_, &Microscope::forget);
-  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+  connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document_.scene() && microscope_.run()) {
       microscope_.forget();
     }

@@ -322,7 +322,7 @@ QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, 
     take({});  // what was found is of the scene before
     examine();
   });
-  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+  connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document_.scene()) {
       examine();
     }
@@ -332,7 +332,7 @@ QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, 
   connect(card_, &DoctorCard::shown, &posing, &Posing::set);
   connect(card_, &DoctorCard::remedied, &editor,
           [&editor](const planning::CollisionRemedy& remedy) {
-            SceneState next = editor.state();
+            planning::SceneState next = editor.state();
             next.scene =
                 std::make_shared<const geometric::Scene>(planning::remedied(*next.scene, remedy));
             const QString what = SceneEditor::words_for(remedy.objects);

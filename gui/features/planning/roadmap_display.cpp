@@ -335,7 +335,7 @@ FrontierDisplay::FrontierDisplay(Document& document, PlanningSession& session, S
   });
   connect(&session, &PlanningSession::path_changed, this, &FrontierDisplay::clear);
   connect(&document_, &Document::opened, this, &FrontierDisplay::clear);
-  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+  connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document_.scene()) {
       clear();
     }

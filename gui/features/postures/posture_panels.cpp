@@ -119,7 +119,7 @@ void PosturePanels::connect_panels() {
     joints_->set_configuration(q);
     hand_->set_configuration(q);
   });
-  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+  connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document_.scene()) {
       postures_->set_scene(document_.scene());
     }

@@ -51,7 +51,7 @@ QString ask_for(QWidget* parent, const QString& title, const QString& filter) {
 // A robot that a scene is made of already is one robot from here on.
 RobotInstance read_robot(const std::filesystem::path& file,
                          const planning::PluginManager& plugins) {
-  const planning::LoadedScene loaded = planning::load_scene(file, plugins);
+  const planning::SceneState loaded = planning::load_scene(file, plugins);
   RobotInstance robot = loaded.scene->robots.front();
   if (!robot.parts.empty()) {
     robot.parts.clear();
@@ -171,10 +171,10 @@ void AddRobotDialog::list_library() {
 }
 
 void AddRobotDialog::list_links() {
-  const std::optional<LinkOfRobot> before = chosen_link();
+  const std::optional<planning::LinkOfRobot> before = chosen_link();
   on_->clear();
   on_->addItem(tr("Nothing: it stands in the world"));
-  for (const LinkOfRobot& place : mounting_places(*editor_.state().scene, "")) {
+  for (const planning::LinkOfRobot& place : planning::mounting_places(*editor_.state().scene, "")) {
     const QString carrier = QString::fromStdString(place.robot);
     const QString link = QString::fromStdString(place.link);
     on_->addItem(tr("%1 of %2").arg(link, carrier), carrier);
@@ -182,20 +182,20 @@ void AddRobotDialog::list_links() {
   }
   if (before) {
     choose_link(*before);
-  } else if (const auto end = end_of_arm(*editor_.state().scene)) {
+  } else if (const auto end = planning::end_of_arm(*editor_.state().scene)) {
     choose_link(*end);
   }
 }
 
-std::optional<LinkOfRobot> AddRobotDialog::chosen_link() const {
+std::optional<planning::LinkOfRobot> AddRobotDialog::chosen_link() const {
   if (on_->currentIndex() <= 0) {
     return std::nullopt;
   }
-  return LinkOfRobot{on_->currentData().toString().toStdString(),
-                     on_->currentData(kLinkRole).toString().toStdString()};
+  return planning::LinkOfRobot{on_->currentData().toString().toStdString(),
+                               on_->currentData(kLinkRole).toString().toStdString()};
 }
 
-void AddRobotDialog::choose_link(const LinkOfRobot& link) {
+void AddRobotDialog::choose_link(const planning::LinkOfRobot& link) {
   for (int row = 1; row < on_->count(); ++row) {
     if (on_->itemData(row).toString().toStdString() == link.robot &&
         on_->itemData(row, kLinkRole).toString().toStdString() == link.link) {
@@ -207,7 +207,7 @@ void AddRobotDialog::choose_link(const LinkOfRobot& link) {
 
 void AddRobotDialog::follow_selection(const SceneItem& item) {
   if (item.kind == SceneItem::Kind::kLink) {
-    choose_link(own_link(*editor_.state().scene, item.robot, item.name));
+    choose_link(planning::own_link(*editor_.state().scene, item.robot, item.name));
   }
 }
 
@@ -257,7 +257,7 @@ void AddRobotDialog::read_chosen() {
 
 void AddRobotDialog::take_robot(RobotInstance robot) {
   const geometric::RobotModel& model = *robot.model;
-  name_->setText(QString::fromStdString(unused_name(*editor_.state().scene, robot.name)));
+  name_->setText(QString::fromStdString(planning::unused_name(*editor_.state().scene, robot.name)));
   QString words =
       tr("%1 links, %2 independent joints.").arg(model.link_count()).arg(model.variable_count());
   const auto warnings = static_cast<int>(model.description().warnings.size());
@@ -287,10 +287,10 @@ void AddRobotDialog::add() {
     return;
   }
   RobotInstance robot = *robot_;
-  robot.name = unused_name(*editor_.state().scene, name_->text().trimmed().isEmpty()
-                                                       ? robot.name
-                                                       : name_->text().trimmed().toStdString());
-  const std::optional<LinkOfRobot> on = chosen_link();
+  robot.name = planning::unused_name(
+      *editor_.state().scene,
+      name_->text().trimmed().isEmpty() ? robot.name : name_->text().trimmed().toStdString());
+  const std::optional<planning::LinkOfRobot> on = chosen_link();
   robot.X_WB = on ? geometric::Pose::Identity() : X_;
   QStringList warnings;
   for (const std::string& warning : robot.model->description().warnings) {

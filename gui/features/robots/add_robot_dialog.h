@@ -1,8 +1,8 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
+#include "handway/planning/edits/robot_edits.h"
 #include "handway/planning/extensions/plugin.h"
-#include "model/document/robot_edits.h"
 #include "model/document/scene_editor.h"
 #include "model/jobs/background.h"
 
@@ -66,8 +66,8 @@ class AddRobotDialog : public QDialog {
   void show_note(const QString& note, bool is_problem);
   void show_place();
   void follow_selection(const SceneItem& item);
-  [[nodiscard]] std::optional<LinkOfRobot> chosen_link() const;
-  void choose_link(const LinkOfRobot& link);
+  [[nodiscard]] std::optional<planning::LinkOfRobot> chosen_link() const;
+  void choose_link(const planning::LinkOfRobot& link);
   void add();
 
   std::shared_ptr<const planning::PluginManager> plugins_;

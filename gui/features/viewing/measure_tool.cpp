@@ -3,7 +3,6 @@
 #include "features/workbench.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/math/units.h"
-#include "model/document/scene_edits.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"

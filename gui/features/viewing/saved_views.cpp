@@ -3,7 +3,6 @@
 #include "features/viewing/measure_tool.h"
 #include "features/viewing/section_tool.h"
 #include "features/workbench.h"
-#include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 

@@ -135,7 +135,7 @@ void SectionTool::turn_on(bool on) {
     workbench_.view.set_section({});
     return;
   }
-  const ObjectNames& selected = workbench_.editor.selected_objects();
+  const planning::ObjectNames& selected = workbench_.editor.selected_objects();
   cut(bounds(*workbench_.document.scene(), workbench_.document.configuration(),
              selected.empty() ? all_objects() : selected)
           .centre());
@@ -147,8 +147,8 @@ void SectionTool::cut(const Eigen::Vector3d& before) {
       before, workbench_.view.camera().orientation().col(2));
 }
 
-ObjectNames SectionTool::all_objects() const {
-  ObjectNames all;
+planning::ObjectNames SectionTool::all_objects() const {
+  planning::ObjectNames all;
   for (const geometric::SceneObject& object : workbench_.document.scene()->objects) {
     all.push_back(object.name);
   }

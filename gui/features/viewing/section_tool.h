@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/mesh/triangle_mesh.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/arranging.h"
 #include "widgets/panels/floating_card.h"
 
 #include <QObject>
@@ -65,7 +65,7 @@ class SectionTool : public QObject {
   void open_up();
   /// @param before a point (world, m) of the plane, open towards the camera.
   void cut(const Eigen::Vector3d& before);
-  [[nodiscard]] ObjectNames all_objects() const;
+  [[nodiscard]] planning::ObjectNames all_objects() const;
 
   Workbench& workbench_;
   QAction* action_;

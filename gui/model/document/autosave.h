@@ -17,7 +17,7 @@ namespace handway::gui {
 
 /// Data kept of a scene with unsaved changes.
 struct UnsavedScene {
-  planning::LoadedScene loaded;
+  planning::SceneState loaded;
   geometric::Configuration shown;  ///< Configuration of the first robot.
   geometric::PlannerRequest planner;
   std::filesystem::path file;  ///< File it was opened from; may be empty.

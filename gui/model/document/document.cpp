@@ -8,9 +8,9 @@
 #include "handway/geometric/setup/mounting.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/select_joints.h"
+#include "handway/planning/edits/scene_state.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "model/document/new_scene.h"
-#include "model/document/robot_edits.h"
 #include "model/meshes/shaded_meshes.h"
 
 #include <algorithm>
@@ -95,7 +95,7 @@ void RecordedHand::read() {
   emit changed();
 }
 
-void save_scene(const planning::LoadedScene& loaded, const geometric::Configuration& shown,
+void save_scene(const planning::SceneState& loaded, const geometric::Configuration& shown,
                 const geometric::PlannerRequest& planner, const std::filesystem::path& file) {
   geometric::Scene scene = *loaded.scene;
   scene.planner = planner;
@@ -127,7 +127,7 @@ void SceneLoader::create(const std::string& robot, const std::string& hand) {
   run([robot, hand, plugins = plugins_] { return new_scene(robot, hand, *plugins); });
 }
 
-void SceneLoader::run(std::function<planning::LoadedScene()> read) {
+void SceneLoader::run(std::function<planning::SceneState()> read) {
   const int generation = ++generation_;
   const auto deliver = [this, generation](std::function<void()> report) {
     QMetaObject::invokeMethod(
@@ -141,7 +141,7 @@ void SceneLoader::run(std::function<planning::LoadedScene()> read) {
   };
   threads_.run([this, deliver, read = std::move(read)] {
     try {
-      const planning::LoadedScene scene = read();
+      const planning::SceneState scene = read();
       shade_meshes(*scene.scene);
       deliver([this, scene] { emit loaded(scene); });
     } catch (const std::exception& error) {
@@ -197,7 +197,7 @@ planning::Revision after_edit(planning::Revision revision, const geometric::Scen
 
 Document::Document(std::shared_ptr<const planning::PluginManager> plugins, QObject* parent)
     : QObject(parent), loader_(std::move(plugins)) {
-  connect(&loader_, &SceneLoader::loaded, this, [this](const planning::LoadedScene& scene) {
+  connect(&loader_, &SceneLoader::loaded, this, [this](const planning::SceneState& scene) {
     stamp_ = requested_stamp_;
     set_scene(scene, requested_);
   });
@@ -252,7 +252,7 @@ void Document::save(const std::filesystem::path& file, const geometric::PlannerR
   stamp_ = stamp_of(file);
 }
 
-void Document::set_scene(planning::LoadedScene scene, const std::filesystem::path& file) {
+void Document::set_scene(planning::SceneState scene, const std::filesystem::path& file) {
   hide_measured();
   loaded_ = std::move(scene);
   state_ = {loaded_.scene, loaded_.basis};
@@ -282,9 +282,9 @@ void Document::use_first_robot(const geometric::Configuration& q) {
   recorded_hand_.set_basis(loaded_.basis);
 }
 
-void Document::change_robots(SceneState state) {
+void Document::change_robots(planning::SceneState state) {
   hide_measured();
-  const SceneState before = std::exchange(state_, std::move(state));
+  const planning::SceneState before = std::exchange(state_, std::move(state));
   const geometric::Configuration q = configuration_in(*before.scene, q_, *state_.scene);
   revision_ = after_edit(revision_, *before.scene, *state_.scene);
   revision_.basis += before.basis == state_.basis ? 0 : 1;
@@ -295,12 +295,12 @@ void Document::change_robots(SceneState state) {
   emit configuration_changed(q_);
 }
 
-void Document::set_state(SceneState state) {
+void Document::set_state(planning::SceneState state) {
   if (state.scene != state_.scene && !has_same_robots(*state_.scene, *state.scene)) {
     change_robots(std::move(state));
     return;
   }
-  const SceneState before = std::exchange(state_, std::move(state));
+  const planning::SceneState before = std::exchange(state_, std::move(state));
   const bool has_other_hand =
       robot() && (before.basis != state_.basis || before.scene->group != state_.scene->group);
   if (has_other_hand) {

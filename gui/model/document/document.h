@@ -4,11 +4,11 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/edits/scene_state.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "model/document/prepared_problem.h"
-#include "model/document/scene_edits.h"
 #include "model/jobs/background.h"
 
 #include <QObject>
@@ -76,7 +76,7 @@ class RecordedHand : public QObject {
 /// The hand's basis of an imported problem goes into `STEM_hand.yaml` beside it.
 /// @param shown shape [variable_count] of the first robot; unused without robots.
 /// @throws InputError if a file can't be written.
-void save_scene(const planning::LoadedScene& loaded, const geometric::Configuration& shown,
+void save_scene(const planning::SceneState& loaded, const geometric::Configuration& shown,
                 const geometric::PlannerRequest& planner, const std::filesystem::path& file);
 
 /// Reads scene files off the GUI thread.
@@ -97,12 +97,12 @@ class SceneLoader : public QObject {
   void cancel() { ++generation_; }
 
  signals:
-  void loaded(const handway::planning::LoadedScene& scene);
+  void loaded(const handway::planning::SceneState& scene);
   /// @param message one sentence for a person.
   void failed(const QString& message);
 
  private:
-  void run(std::function<planning::LoadedScene()> read);
+  void run(std::function<planning::SceneState()> read);
 
   std::shared_ptr<const planning::PluginManager> plugins_;
   int generation_ = 0;
@@ -136,8 +136,8 @@ class Document : public QObject {
     return state_.scene;
   }
   /// The scene, and which objects are hidden or locked.
-  [[nodiscard]] const SceneState& state() const { return state_; }
-  [[nodiscard]] const planning::LoadedScene& loaded() const { return loaded_; }
+  [[nodiscard]] const planning::SceneState& state() const { return state_; }
+  [[nodiscard]] const planning::SceneState& loaded() const { return loaded_; }
   /// Returns the revision that present results depend on. Any edit changes it, undo included.
   [[nodiscard]] const planning::Revision& revision() const { return revision_; }
   /// Returns the problem for planning and collision checks; null if there is no robot.
@@ -165,13 +165,13 @@ class Document : public QObject {
   /// @throws InputError if a file can't be written.
   void save(const std::filesystem::path& file, const geometric::PlannerRequest& planner);
   /// Shows another scene, that is in memory already.
-  void set_scene(planning::LoadedScene scene, const std::filesystem::path& file = {});
+  void set_scene(planning::SceneState scene, const std::filesystem::path& file = {});
   /// Shows none.
   void close();
   /// Replaces the scene by an edited one, and the hand's basis; opened() follows where its robots
   /// are others, edited() in any case. Joints that the first robot has in both stay where they are
   /// shown.
-  void set_state(SceneState state);
+  void set_state(planning::SceneState state);
   /// Moves the first robot, unless it is shown as measured. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
   /// Sets the joints that the posture names, unless the robot is shown as measured.
@@ -186,7 +186,7 @@ class Document : public QObject {
   void opening(const QString& file);
   void opened(handway::gui::Document::Opened what);
   /// An edit, of which `before` was the state.
-  void edited(const handway::gui::SceneState& before);
+  void edited(const handway::planning::SceneState& before);
   /// An edit of the hand's basis, and with it of which joints are arm and hand.
   void hand_changed();
   /// The scene from before stays.
@@ -199,12 +199,12 @@ class Document : public QObject {
   /// Updates the data that follow from the robot and the hand's basis.
   void take_hand();
   void use_first_robot(const geometric::Configuration& q);
-  void change_robots(SceneState state);
+  void change_robots(planning::SceneState state);
 
   SceneLoader loader_;
   PreparationQueue preparations_;
-  SceneState state_;
-  planning::LoadedScene loaded_;  ///< With scene and basis of `state_`.
+  planning::SceneState state_;
+  planning::SceneState loaded_;  ///< With scene and basis of `state_`.
   planning::Revision revision_;
   std::shared_ptr<const PreparedProblem> problem_;
   RecordedHand recorded_hand_;

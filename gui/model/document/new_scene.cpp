@@ -9,9 +9,10 @@
 #include "handway/geometric/setup/placing.h"
 #include "handway/geometric/setup/seat.h"
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/robot_edits.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "handway/sampling/postures/pmd_basis.h"
-#include "model/document/robot_edits.h"
 
 #include <QString>
 
@@ -39,7 +40,7 @@ constexpr double kTableAhead = 0.35;   // m, of its middle before the robot
 constexpr geometric::Color kTableColor{0.72F, 0.70F, 0.66F, 1.0F};
 
 RobotInstance library_robot(const std::string& name, const planning::PluginManager& plugins) {
-  const planning::LoadedScene loaded = planning::load_scene(
+  const planning::SceneState loaded = planning::load_scene(
       geometric::find_resource(ResourceKind::kRobot, name, geometric::resource_dir()), plugins);
   return loaded.scene->robots.front();
 }
@@ -131,7 +132,7 @@ void clear_posture(Scene& scene) {
 
 /// Mounts a hand on the end of the scene's arm.
 void mount_hand(Scene& scene, const std::string& hand, const planning::PluginManager& plugins) {
-  const std::optional<LinkOfRobot> end = end_of_arm(scene);
+  const std::optional<planning::LinkOfRobot> end = planning::end_of_arm(scene);
   if (!end) {
     throw geometric::InputError({"", "robot " + scene.robots.front().name, "no end of an arm",
                                  "an arm without a hand", ""});
@@ -164,12 +165,12 @@ Configuration ready_posture(const geometric::RobotModel& model) {
   return q;
 }
 
-planning::LoadedScene new_scene(const std::string& robot, const std::string& hand,
-                                const planning::PluginManager& plugins) {
+planning::SceneState new_scene(const std::string& robot, const std::string& hand,
+                               const planning::PluginManager& plugins) {
   Scene scene;
   scene.robots = {library_robot(robot, plugins)};
-  const bool is_arm =
-      end_of_arm(scene).has_value() || scene.robots.front().model->find_group("arm").has_value();
+  const bool is_arm = planning::end_of_arm(scene).has_value() ||
+                      scene.robots.front().model->find_group("arm").has_value();
   if (!hand.empty()) {
     mount_hand(scene, hand, plugins);
   }
@@ -180,7 +181,7 @@ planning::LoadedScene new_scene(const std::string& robot, const std::string& han
   }
   clear_posture(scene);
   std::shared_ptr<const sampling::PmdBasis> basis;
-  if (auto fitting = fitting_basis(*scene.robots.front().model)) {
+  if (auto fitting = planning::fitting_basis(*scene.robots.front().model)) {
     scene.hand_basis = fitting->first;
     basis = std::make_shared<const sampling::PmdBasis>(std::move(fitting->second));
   }

@@ -12,8 +12,8 @@ namespace handway::gui {
 /// hand is turned on its seat, or the nearest free posture is taken.
 /// @param hand of the library, mounted on the end of the robot's arm; empty: none.
 /// @throws InputError if there is no such robot, or the robot has no end to mount a hand on.
-[[nodiscard]] planning::LoadedScene new_scene(const std::string& robot, const std::string& hand,
-                                              const planning::PluginManager& plugins);
+[[nodiscard]] planning::SceneState new_scene(const std::string& robot, const std::string& hand,
+                                             const planning::PluginManager& plugins);
 
 /// The posture that a robot is best shown in first: of each of its groups the one that its files
 /// call "ready" or "home", or else the neutral one.

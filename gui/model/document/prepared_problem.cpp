@@ -64,7 +64,7 @@ std::shared_ptr<const geometric::Scene> with_query(std::shared_ptr<const geometr
 
 }  // namespace
 
-PreparedProblem::PreparedProblem(planning::LoadedScene loaded, const planning::Revision& revision,
+PreparedProblem::PreparedProblem(planning::SceneState loaded, const planning::Revision& revision,
                                  PreparationQueue& queue, const PreparedProblem* before)
     : revision_(revision) {
   if (before) {
@@ -78,7 +78,7 @@ PreparedProblem::PreparedProblem(planning::LoadedScene loaded, const planning::R
   queue.run(wanted_, [promise = std::move(promise), loaded = std::move(loaded), known = known_,
                       preparation] {
     try {
-      const planning::LoadedScene complete{with_query(loaded.scene), loaded.basis};
+      const planning::SceneState complete{with_query(loaded.scene), loaded.basis};
       promise->set_value(std::make_shared<const planning::PlanningProblem>(
           known ? planning::updated_problem(*known, complete.scene, complete.basis, preparation)
                 : planning::make_problem(complete.scene, complete.basis, preparation)));

@@ -59,7 +59,7 @@ class PreparedProblem {
   /// for both.
   /// @param before that of the scene before an edit, which saves work; null for a scene that was
   /// just opened.
-  PreparedProblem(planning::LoadedScene loaded, const planning::Revision& revision,
+  PreparedProblem(planning::SceneState loaded, const planning::Revision& revision,
                   PreparationQueue& queue, const PreparedProblem* before = nullptr);
   ~PreparedProblem();
   PreparedProblem(const PreparedProblem&) = delete;

@@ -2,8 +2,10 @@
 
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
+#include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/robot_edits.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "model/document/edit.h"
-#include "model/document/scene_edits.h"
 #include "model/meshes/shaded_meshes.h"
 
 #include <QStandardPaths>
@@ -65,7 +67,7 @@ bool SceneEditor::is_modified() const {
   return saved < 0;
 }
 
-void SceneEditor::push(const QString& text, SceneState next, Selection select,
+void SceneEditor::push(const QString& text, planning::SceneState next, Selection select,
                        const std::string& kind) {
   stack_.push(new ValueEdit<Edited>(text, kind, true, {state(), selection_},
                                     {std::move(next), std::move(select)},
@@ -75,7 +77,8 @@ void SceneEditor::push(const QString& text, SceneState next, Selection select,
                                     }));
 }
 
-void SceneEditor::apply(const QString& text, SceneState next, std::vector<std::string> select) {
+void SceneEditor::apply(const QString& text, planning::SceneState next,
+                        std::vector<std::string> select) {
   push(text, std::move(next), selection_of(std::move(select)));
 }
 
@@ -121,7 +124,7 @@ std::optional<Pose> SceneEditor::selected_pose() const {
     return object_pose(*state().scene, document_.configuration(), *object);
   }
   if (state().scene && selection().kind == Kind::kRobot) {
-    return base_pose(*state().scene, document_.configuration(), selection().robot);
+    return planning::base_pose(*state().scene, document_.configuration(), selection().robot);
   }
   if (const geometric::PoseGoal* goal = selected_goal_pose()) {
     return goal->X_WG;
@@ -156,7 +159,7 @@ void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
     return;
   }
   SceneObject object;
-  object.name = unused_name(*state().scene, name);
+  object.name = planning::unused_name(*state().scene, name);
   object.shape = shape;
   object.color = color;
   object.X_PO.linear() = R_WO;
@@ -174,7 +177,7 @@ void SceneEditor::add_room(const std::string& name, const geometric::Shape& shap
     return;
   }
   SceneObject object;
-  object.name = unused_name(*state().scene, name);
+  object.name = planning::unused_name(*state().scene, name);
   object.shape = shape;
   object.color = color;
   object.X_PO = X_WO;
@@ -226,8 +229,8 @@ void SceneEditor::remove_constraint(const std::string& name) {
   push(tr("Remove constraint %1").arg(words(name)), without_constraint(state(), name), selection_);
 }
 
-void SceneEditor::compose(const QString& text, std::function<SceneState()> make, Selection select,
-                          const std::string& kind, Outcome outcome) {
+void SceneEditor::compose(const QString& text, std::function<planning::SceneState()> make,
+                          Selection select, const std::string& kind, Outcome outcome) {
   end_composing(tr("Another edit came first."));
   outcome_ = outcome ? std::move(outcome) : [this, text](const QString& problem) {
     if (!problem.isEmpty()) {
@@ -236,7 +239,7 @@ void SceneEditor::compose(const QString& text, std::function<SceneState()> make,
   };
   composing_.run([this, text, make = std::move(make), select = std::move(select), kind,
                   from = state()](const std::stop_token&) -> LatestJob::Answer {
-    SceneState next = make();
+    planning::SceneState next = make();
     shade_meshes(*next.scene);
     return [this, text, next = std::move(next), select, kind, from] {
       const bool is_current = state() == from;
@@ -254,8 +257,9 @@ void SceneEditor::end_composing(const QString& problem) {
   }
 }
 
-void SceneEditor::add_robot(geometric::RobotInstance robot, const std::optional<LinkOfRobot>& on,
-                            const Pose& X_LB, Outcome outcome) {
+void SceneEditor::add_robot(geometric::RobotInstance robot,
+                            const std::optional<planning::LinkOfRobot>& on, const Pose& X_LB,
+                            Outcome outcome) {
   const std::string name = robot.name;
   compose(
       on ? tr("Mount %1").arg(words(name)) : tr("Add %1").arg(words(name)),
@@ -265,8 +269,8 @@ void SceneEditor::add_robot(geometric::RobotInstance robot, const std::optional<
       selection_of({Kind::kRobot, name, ""}), {}, std::move(outcome));
 }
 
-void SceneEditor::mount(const std::string& robot, const std::optional<LinkOfRobot>& on) {
-  if (on != carrier_of(*state().scene, robot)) {
+void SceneEditor::mount(const std::string& robot, const std::optional<planning::LinkOfRobot>& on) {
+  if (on != planning::carrier_of(*state().scene, robot)) {
     compose(
         on ? tr("Mount %1").arg(words(robot)) : tr("Take off %1").arg(words(robot)),
         [state = state(), q = document_.configuration(), robot, on] {
@@ -289,7 +293,8 @@ void SceneEditor::set_model(const std::string& robot,
 
 bool SceneEditor::can_remove_robot() const {
   return selection().kind == Kind::kRobot &&
-         (state().scene->robots.size() > 1 || carrier_of(*state().scene, selection().robot));
+         (state().scene->robots.size() > 1 ||
+          planning::carrier_of(*state().scene, selection().robot));
 }
 
 void SceneEditor::put_first(const std::string& robot) {
@@ -323,8 +328,8 @@ void SceneEditor::duplicate() {
     return;
   }
   const geometric::Configuration& q = document_.configuration();
-  Copies copies =
-      gui::copied(state(), q, names, {motion_into_free(*state().scene, q, *state().scene, names)});
+  planning::Copies copies = planning::copied(
+      state(), q, names, {motion_into_free(*state().scene, q, *state().scene, names)});
   apply(tr("Duplicate %1").arg(words_for(names)), std::move(copies.state), std::move(copies.names));
 }
 
@@ -349,7 +354,7 @@ void SceneEditor::paste(const std::string& text) {
     return;
   }
   const geometric::Configuration& q = document_.configuration();
-  Copies copies =
+  planning::Copies copies =
       with_objects_of(state(), added, motion_into_free(*state().scene, q, added, names));
   const QString text_of_edit = tr("Paste %1").arg(words_for(copies.names));
   apply(text_of_edit, std::move(copies.state), std::move(copies.names));
@@ -362,7 +367,7 @@ void SceneEditor::put_at(const std::vector<std::string>& objects, const Eigen::V
     return;
   }
   const geometric::Configuration& q = document_.configuration();
-  const SceneState others = without_objects(state(), names);
+  const planning::SceneState others = without_objects(state(), names);
   const geometric::Aabb box = bounds(*state().scene, q, names);
   const Eigen::Vector3d from(box.centre().x(), box.centre().y(), box.lower.z());
   const Eigen::Vector3d to = free_foot(*others.scene, q, box.size(), foot);
@@ -390,7 +395,7 @@ void SceneEditor::rename(const std::string& name) {
   if (!can_change() || has_several() || name.empty() || name == old) {
     return;
   }
-  if (const std::string robot = owner_of_name(*state().scene, name); !robot.empty()) {
+  if (const std::string robot = planning::owner_of_name(*state().scene, name); !robot.empty()) {
     emit refused(tr("%1 keeps its name").arg(words(old)),
                  name == robot
                      ? tr("%1 is the name of a robot. Choose another one.").arg(words(name))
@@ -398,7 +403,7 @@ void SceneEditor::rename(const std::string& name) {
                            .arg(words(name), words(robot)));
     return;
   }
-  const std::string unused = unused_name(*state().scene, name);
+  const std::string unused = planning::unused_name(*state().scene, name);
   push(tr("Rename %1").arg(words(old)), with_renamed_object(state(), old, unused),
        selection_of(object_item(unused)));
 }
@@ -431,7 +436,7 @@ void SceneEditor::place(const Pose& X_WO) {
   if (selection().kind == Kind::kRobot) {
     const std::string robot = selection().robot;
     const QString text = tr("Move %1").arg(words(robot));
-    if (!carrier_of(*state().scene, robot)) {
+    if (!planning::carrier_of(*state().scene, robot)) {
       push(text, with_base(state(), robot, X_WO), selection_, "base " + robot);
       return;
     }
@@ -444,7 +449,7 @@ void SceneEditor::place(const Pose& X_WO) {
     return;
   }
   const std::optional<Pose> before = selected_pose();
-  const std::optional<SceneState> next = placed(X_WO);
+  const std::optional<planning::SceneState> next = placed(X_WO);
   if (next) {
     const bool only_turned = X_WO.translation() == before->translation();
     change_selected(only_turned ? tr("Turn %1") : tr("Move %1"), only_turned ? "turn" : "move",
@@ -452,7 +457,7 @@ void SceneEditor::place(const Pose& X_WO) {
   }
 }
 
-std::optional<SceneState> SceneEditor::placed(const Pose& X_WO) const {
+std::optional<planning::SceneState> SceneEditor::placed(const Pose& X_WO) const {
   const std::vector<std::string> names = changeable();
   if (names.empty()) {
     return std::nullopt;
@@ -489,7 +494,7 @@ void SceneEditor::drop() {
   if (names.empty()) {
     return;
   }
-  const SceneState next = dropped(state(), document_.configuration(), names);
+  const planning::SceneState next = dropped(state(), document_.configuration(), names);
   if (next != state()) {
     push(tr("Drop %1").arg(words_for(names)), next, selection_);
   }
@@ -570,7 +575,7 @@ void SceneEditor::add_goal_pose() {
   goal.link = robot.model->link(document_.palm()).name;
   goal.X_WG = *link_pose(*state().scene, document_.configuration(), robot.name, goal.link);
   const std::size_t index = state().scene->goal_poses.size();
-  SceneState next = with_goal_pose(state(), index, goal);
+  planning::SceneState next = with_goal_pose(state(), index, goal);
   if (!next.scene->start) {
     next = with_start(next, document_.configuration());
   }
@@ -592,7 +597,7 @@ void SceneEditor::set_group(const std::vector<std::string>& group) {
   }
   const QString text =
       tr("Let %1 move").arg(names.isEmpty() ? tr("all joints") : names.join(QStringLiteral(", ")));
-  if (joins_robots(*state().scene, group)) {
+  if (planning::joins_robots(*state().scene, group)) {
     compose(
         text,
         [state = state(), q = document_.configuration(), group] {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/robot_edits.h"
 #include "model/document/document.h"
-#include "model/document/robot_edits.h"
-#include "model/document/scene_edits.h"
 #include "model/document/selection.h"
 #include "model/jobs/background.h"
 
@@ -31,7 +31,7 @@ class SceneEditor : public QObject {
   [[nodiscard]] QUndoStack& undo_stack() { return stack_; }
   /// Returns whether there are edits that the scene's file does not hold yet.
   [[nodiscard]] bool is_modified() const;
-  [[nodiscard]] const SceneState& state() const { return document_.state(); }
+  [[nodiscard]] const planning::SceneState& state() const { return document_.state(); }
   [[nodiscard]] const Document& document() const { return document_; }
 
   /// Returns the item that was selected last.
@@ -83,11 +83,11 @@ class SceneEditor : public QObject {
   /// Edits of robots make their model in the background: the scene shows them once that is there.
   [[nodiscard]] bool is_composing() const { return composing_.is_busy(); }
   /// Adds a robot and selects it. @param on nothing: it stands in the world at its X_WB.
-  void add_robot(geometric::RobotInstance robot, const std::optional<LinkOfRobot>& on,
+  void add_robot(geometric::RobotInstance robot, const std::optional<planning::LinkOfRobot>& on,
                  const geometric::Pose& X_LB, Outcome outcome);
   /// Mounts a robot, or one that is mounted already, on another link, at its origin; or takes it
   /// off where `on` is nothing.
-  void mount(const std::string& robot, const std::optional<LinkOfRobot>& on);
+  void mount(const std::string& robot, const std::optional<planning::LinkOfRobot>& on);
   /// Replaces the model of a robot or part by one with other groups, or other pairs of links that
   /// may touch.
   void set_model(const std::string& robot, std::shared_ptr<const geometric::RobotModel> model,
@@ -118,7 +118,7 @@ class SceneEditor : public QObject {
   /// emits palm_placed().
   void place(const geometric::Pose& X_WO);
   /// Returns the result of place() for objects; nothing for anything else.
-  [[nodiscard]] std::optional<SceneState> placed(const geometric::Pose& X_WO) const;
+  [[nodiscard]] std::optional<planning::SceneState> placed(const geometric::Pose& X_WO) const;
   /// @param X_WO where the resized object goes.
   void set_shape(const geometric::Shape& shape, const std::optional<geometric::Pose>& X_WO = {});
   void set_color(const geometric::Color& color);
@@ -135,7 +135,7 @@ class SceneEditor : public QObject {
               const std::vector<std::string>& touching);
   void detach();
   /// Any other edit. @param select afterwards.
-  void apply(const QString& text, SceneState next, std::vector<std::string> select);
+  void apply(const QString& text, planning::SceneState next, std::vector<std::string> select);
   /// "can", or "3 objects".
   [[nodiscard]] static QString words_for(const std::vector<std::string>& objects);
 
@@ -181,15 +181,16 @@ class SceneEditor : public QObject {
 
  private:
   struct Edited {
-    SceneState state;
+    planning::SceneState state;
     Selection selection;
   };
   /// @param kind see Edit.
-  void push(const QString& text, SceneState next, Selection select, const std::string& kind = {});
+  void push(const QString& text, planning::SceneState next, Selection select,
+            const std::string& kind = {});
   void set_selection(Selection selection);
   /// Makes the next state in the background and pushes it, unless the scene was edited meanwhile.
   /// @param outcome empty: problems are refused().
-  void compose(const QString& text, std::function<SceneState()> make, Selection select,
+  void compose(const QString& text, std::function<planning::SceneState()> make, Selection select,
                const std::string& kind = {}, Outcome outcome = {});
   void end_composing(const QString& problem);
   /// @param text with a place for what is changed. @param what empty: each an edit of its own.

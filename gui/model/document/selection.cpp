@@ -20,12 +20,12 @@ bool same_set(Names a, Names b) {
 }
 
 // The object with its group; it comes last.
-Names with_group(const SceneState& state, const std::string& object) {
+Names with_group(const planning::SceneState& state, const std::string& object) {
   const std::string group = state.display_of(object).group;
   if (group.empty()) {
     return {object};
   }
-  Names members = group_members(*state.scene, group);
+  Names members = planning::group_members(*state.scene, group);
   std::erase(members, object);
   members.push_back(object);
   return members;
@@ -37,7 +37,8 @@ SceneItem object_item(const std::string& name) { return {Kind::kObject, "", name
 
 SceneItem goal_pose_item(std::size_t index) { return {Kind::kGoalPose, "", std::to_string(index)}; }
 
-const geometric::PoseGoal* find_goal_pose(const SceneState& state, const SceneItem& item) {
+const geometric::PoseGoal* find_goal_pose(const planning::SceneState& state,
+                                          const SceneItem& item) {
   if (item.kind != Kind::kGoalPose || !state.scene) {
     return nullptr;
   }
@@ -59,17 +60,7 @@ Selection selection_of(std::vector<std::string> objects) {
   return {once.empty() ? SceneItem{} : object_item(once.back()), once};
 }
 
-std::vector<std::string> group_members(const geometric::Scene& scene, const std::string& group) {
-  Names members;
-  for (const geometric::SceneObject& object : scene.objects) {
-    if (!group.empty() && scene.display.of(object.name).group == group) {
-      members.push_back(object.name);
-    }
-  }
-  return members;
-}
-
-Selection clicked(const SceneState& state, const Selection& now, const SceneItem& item) {
+Selection clicked(const planning::SceneState& state, const Selection& now, const SceneItem& item) {
   if (item.kind != Kind::kObject) {
     return selection_of(item);
   }
@@ -77,7 +68,7 @@ Selection clicked(const SceneState& state, const Selection& now, const SceneItem
   return same_set(group, now.objects) ? selection_of(item) : selection_of(group);
 }
 
-Selection toggled(const SceneState& state, const Selection& now, const SceneItem& item) {
+Selection toggled(const planning::SceneState& state, const Selection& now, const SceneItem& item) {
   if (item.kind != Kind::kObject) {
     return now.objects.empty() ? selection_of(item) : now;
   }
@@ -92,7 +83,7 @@ Selection toggled(const SceneState& state, const Selection& now, const SceneItem
   return selection_of(std::move(objects));
 }
 
-Selection still_there(const SceneState& state, Selection selection) {
+Selection still_there(const planning::SceneState& state, Selection selection) {
   if (selection.item.kind == Kind::kGoalPose && !find_goal_pose(state, selection.item)) {
     return {};
   }
@@ -110,24 +101,6 @@ Selection still_there(const SceneState& state, Selection selection) {
     return is_there ? selection : Selection{};
   }
   return selection;
-}
-
-std::vector<std::vector<std::string>> rigid_parts(const geometric::Scene& scene,
-                                                  const std::vector<std::string>& objects) {
-  std::vector<Names> parts;
-  Names done;
-  for (const std::string& name : objects) {
-    if (holds(done, name)) {
-      continue;
-    }
-    const Names group = group_members(scene, scene.display.of(name).group);
-    const bool whole = !group.empty() && std::ranges::all_of(group, [&](const std::string& member) {
-      return holds(objects, member);
-    });
-    parts.push_back(whole ? group : Names{name});
-    done.insert(done.end(), parts.back().begin(), parts.back().end());
-  }
-  return parts;
 }
 
 }  // namespace handway::gui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/scene_state.h"
 
 #include <Eigen/Core>
 
@@ -54,7 +54,7 @@ struct Selection {
 [[nodiscard]] SceneItem object_item(const std::string& name);
 [[nodiscard]] SceneItem goal_pose_item(std::size_t index);
 /// The goal pose that the item stands for; nullptr if it is none of the scene's.
-[[nodiscard]] const geometric::PoseGoal* find_goal_pose(const SceneState& state,
+[[nodiscard]] const geometric::PoseGoal* find_goal_pose(const planning::SceneState& state,
                                                         const SceneItem& item);
 
 /// One item, whatever it is.
@@ -62,24 +62,15 @@ struct Selection {
 /// Returns a selection of these objects, each once; the others are aligned to the last one.
 [[nodiscard]] Selection selection_of(std::vector<std::string> objects);
 
-/// The objects of a group, as the scene lists them.
-[[nodiscard]] std::vector<std::string> group_members(const geometric::Scene& scene,
-                                                     const std::string& group);
-
 /// Returns the selection after a click on an object: it with its group, or it alone if exactly that
 /// group is selected already.
-[[nodiscard]] Selection clicked(const SceneState& state, const Selection& now,
+[[nodiscard]] Selection clicked(const planning::SceneState& state, const Selection& now,
                                 const SceneItem& item);
 /// Returns the selection after a click with Ctrl or Shift: the items of a plain click are added to
 /// the selection, or removed if they were in it.
-[[nodiscard]] Selection toggled(const SceneState& state, const Selection& now,
+[[nodiscard]] Selection toggled(const planning::SceneState& state, const Selection& now,
                                 const SceneItem& item);
 /// Returns the part of the selection that is still in the scene.
-[[nodiscard]] Selection still_there(const SceneState& state, Selection selection);
-
-/// The objects in parts that move as one: each group that is selected whole, and each other
-/// object by itself; in the order of the selection.
-[[nodiscard]] std::vector<std::vector<std::string>> rigid_parts(
-    const geometric::Scene& scene, const std::vector<std::string>& objects);
+[[nodiscard]] Selection still_there(const planning::SceneState& state, Selection selection);
 
 }  // namespace handway::gui

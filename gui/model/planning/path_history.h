@@ -1,9 +1,9 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
+#include "handway/planning/edits/scene_state.h"
 #include "handway/planning/planners/planner.h"
 #include "handway/planning/queries/human_likeness.h"
-#include "model/document/scene_edits.h"
 #include "model/playback/motion_analysis.h"
 
 #include <QObject>
@@ -31,7 +31,7 @@ struct PathRecord;
 struct PlanRun {
   int number = 0;  ///< From 1, in the order in which runs began.
   QTime begun;
-  SceneState state;                   ///< Robots, objects, start and goal.
+  planning::SceneState state;         ///< Robots, objects, start and goal.
   geometric::PlannerRequest planner;  ///< With the settings that are not its own values.
   QString preset;                     ///< In words.
   planning::PlanRequest request;

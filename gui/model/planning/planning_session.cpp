@@ -289,7 +289,7 @@ void PlanningSession::show_none(const QString& note) {
   emit ended(false, note);
 }
 
-void PlanningSession::take_edit(const SceneState& before) {
+void PlanningSession::take_edit(const planning::SceneState& before) {
   if (before.scene == document_.scene()) {
     return;
   }
@@ -305,7 +305,7 @@ void PlanningSession::take_edit(const SceneState& before) {
 }
 
 // Its times, and whether it is valid, are found again.
-void PlanningSession::keep_opened(const SceneState& before) {
+void PlanningSession::keep_opened(const planning::SceneState& before) {
   const geometric::RobotInstance* robot = document_.robot();
   if (!robot || before.scene->robots.front().model != robot->model) {
     forget();
@@ -314,7 +314,9 @@ void PlanningSession::keep_opened(const SceneState& before) {
   replace_path(planning::Path(player_.timeline().path()), {});
 }
 
-void PlanningSession::try_scene(const SceneState& state) { live_.follow(state.scene, {}); }
+void PlanningSession::try_scene(const planning::SceneState& state) {
+  live_.follow(state.scene, {});
+}
 
 void PlanningSession::take_replanned(const DerivedResult& derived, const QString& origin) {
   const planning::PlanResult& result = derived.value;

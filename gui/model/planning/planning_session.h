@@ -58,7 +58,7 @@ class PlanningSession : public QObject {
   [[nodiscard]] const SharedRoadmap& roadmap() const { return roadmap_; }
 
   /// Plans for a scene that is only tried, such as while an object is dragged.
-  void try_scene(const SceneState& state);
+  void try_scene(const planning::SceneState& state);
 
  signals:
   void started();
@@ -100,8 +100,8 @@ class PlanningSession : public QObject {
   void forget_optimizing();
   /// The player plays a path from where it is in the one before.
   void replace_path(const planning::Path& path, const planning::Revision& made_from);
-  void take_edit(const SceneState& before);
-  void keep_opened(const SceneState& before);
+  void take_edit(const planning::SceneState& before);
+  void keep_opened(const planning::SceneState& before);
   void take_replanned(const DerivedResult& derived, const QString& origin);
   void forget_roadmap();
   void take_failure(const QString& message);

@@ -88,7 +88,7 @@ MotionAnalysis::MotionAnalysis(Document& document, PathPlayer& player, QObject* 
   calm_.setInterval(kCalmMs);
   connect(&calm_, &QTimer::timeout, this, &MotionAnalysis::time_path);
   connect(&player_, &PathPlayer::timeline_changed, this, &MotionAnalysis::begin);
-  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+  connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document_.scene()) {
       begin();  // times and clearance are of the scene before
     }

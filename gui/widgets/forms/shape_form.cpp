@@ -1,6 +1,6 @@
 #include "widgets/forms/shape_form.h"
 
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/resizing.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/typed_input.h"
@@ -103,7 +103,7 @@ void ShapeForm::add_scale() {
     const auto& mesh = std::get<geometric::Mesh>(shape_);
     const double factor = scale_->value() / std::abs(mesh.scale.x());
     if (std::abs(factor - 1.0) > 1e-6) {
-      emit shape_edited(scaled(mesh, factor));
+      emit shape_edited(planning::scaled(mesh, factor));
     }
   });
 }

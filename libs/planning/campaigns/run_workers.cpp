@@ -59,7 +59,7 @@ RunExecutor::RunExecutor(Campaign campaign, const PluginManager& plugins)
     : campaign_(std::move(campaign)), plugins_(plugins) {
   for (CampaignProblem& problem : campaign_.problems) {
     const geometric::FilesRead notes;
-    const LoadedScene loaded = load_scene(problem.file, plugins);
+    const SceneState loaded = load_scene(problem.file, plugins);
     problem.files = notes.files();
     problems_.push_back(make_problem(loaded.scene, loaded.basis));
   }

@@ -192,7 +192,7 @@ namespace {
 
 using geometric::ResourceKind;
 
-LoadedScene read_own_format(const fs::path& file) {
+SceneState read_own_format(const fs::path& file) {
   geometric::Scene scene = geometric::read_scene(file);
   std::shared_ptr<const sampling::PmdBasis> basis;
   if (!scene.hand_basis.empty()) {
@@ -203,7 +203,7 @@ LoadedScene read_own_format(const fs::path& file) {
   return {std::make_shared<const geometric::Scene>(std::move(scene)), std::move(basis)};
 }
 
-LoadedScene scene_of_robot(const fs::path& file) {
+SceneState scene_of_robot(const fs::path& file) {
   const fs::path path = fs::absolute(file).lexically_normal();
   geometric::RobotInstance robot;
   robot.model = geometric::load_robot(path);
@@ -244,7 +244,7 @@ LoadedScene scene_of_robot(const fs::path& file) {
 
 namespace {
 
-LoadedScene read_any(const fs::path& file, const PluginManager& plugins) {
+SceneState read_any(const fs::path& file, const PluginManager& plugins) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
     const std::vector<std::string> robots = geometric::resource_names(ResourceKind::kRobot);
@@ -304,8 +304,8 @@ void hollow_out(geometric::Scene& scene) {
 
 }  // namespace
 
-LoadedScene load_scene(const fs::path& file, const PluginManager& plugins) {
-  LoadedScene loaded = read_any(file, plugins);
+SceneState load_scene(const fs::path& file, const PluginManager& plugins) {
+  SceneState loaded = read_any(file, plugins);
   auto scene = std::make_shared<geometric::Scene>(*loaded.scene);
   scene->warnings = geometric::merged_alike(scene->warnings);
   hollow_out(*scene);

@@ -1,7 +1,6 @@
 /// Tests habits of users, for which controls have to be and behave as expected.
 #include "features/grasping/grasp_tool.h"
 #include "handway/geometric/formats/scene_file.h"
-#include "model/document/scene_edits.h"
 #include "patience.h"
 #include "view3d/scene_graph.h"
 #include "view3d/scene_view.h"

@@ -8,7 +8,6 @@
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 #include "layout_audit.h"
-#include "model/document/scene_edits.h"
 #include "patience.h"
 #include "reader_names.h"
 #include "small_cell.h"

@@ -13,13 +13,13 @@ namespace {
 TEST(SaveScene, WritesWhatOpensAsTheSame) {
   const SmallCell cell;
   const planning::PluginManager plugins;
-  const planning::LoadedScene before = planning::load_scene(cell.post(), plugins);
+  const planning::SceneState before = planning::load_scene(cell.post(), plugins);
   geometric::Configuration shown = before.scene->robots.front().configuration;
   shown[0] = 0.25;
   const std::filesystem::path file = cell.folder() / "saved.yaml";
   gui::save_scene(before, shown, {"rrt-connect", {{"step", "0.1"}}}, file);
 
-  const planning::LoadedScene after = planning::load_scene(file, plugins);
+  const planning::SceneState after = planning::load_scene(file, plugins);
   EXPECT_EQ(after.scene->robots.front().configuration, shown);
   EXPECT_EQ(after.scene->goal, before.scene->goal);
   EXPECT_EQ(after.scene->planner.name, "rrt-connect");
@@ -32,14 +32,14 @@ TEST(SaveScene, WritesWhatOpensAsTheSame) {
 TEST(SaveScene, KeepsWhereATaskWithoutAStartBegins) {
   const SmallCell cell;
   const planning::PluginManager plugins;
-  const planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
+  const planning::SceneState loaded = planning::load_scene(cell.post(), plugins);
   geometric::Scene scene = *loaded.scene;
   scene.start.reset();
   const geometric::Configuration stood = scene.robots.front().configuration;
   const std::filesystem::path file = cell.folder() / "saved.yaml";
   gui::save_scene({std::make_shared<const geometric::Scene>(scene), loaded.basis}, *scene.goal, {},
                   file);
-  const planning::LoadedScene after = planning::load_scene(file, plugins);
+  const planning::SceneState after = planning::load_scene(file, plugins);
   EXPECT_EQ(after.scene->start, stood);
   EXPECT_EQ(after.scene->robots.front().configuration, *scene.goal);
 
@@ -51,7 +51,7 @@ TEST(SaveScene, KeepsWhereATaskWithoutAStartBegins) {
 TEST(SaveScene, PutsTheBasisOfAnImportedProblemBesideIt) {
   const SmallCell cell;
   const planning::PluginManager plugins;
-  planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
+  planning::SceneState loaded = planning::load_scene(cell.post(), plugins);
   geometric::Scene imported = *loaded.scene;
   imported.hand_basis.clear();
   auto longer = std::make_shared<sampling::PmdBasis>(*loaded.basis);
@@ -60,7 +60,7 @@ TEST(SaveScene, PutsTheBasisOfAnImportedProblemBesideIt) {
 
   const std::filesystem::path file = cell.folder() / "saved.yaml";
   gui::save_scene(loaded, imported.robots.front().configuration, {}, file);
-  const planning::LoadedScene after = planning::load_scene(file, plugins);
+  const planning::SceneState after = planning::load_scene(file, plugins);
   ASSERT_TRUE(after.basis);
   const Eigen::VectorXd corner = Eigen::VectorXd::Ones(1);
   EXPECT_TRUE(sampling::map_to_posture(*after.basis, corner)
@@ -75,12 +75,12 @@ TEST(SaveScene, FindsTheFilesOfOpenedRobotsFromAnyFolder) {
     <joint name="turn" type="revolute"><parent link="base"/><child link="tip"/>
       <limit lower="-1" upper="1" velocity="1" effort="1"/></joint></robot>)";
   const planning::PluginManager plugins;
-  const planning::LoadedScene opened = planning::load_scene(robot, plugins);
+  const planning::SceneState opened = planning::load_scene(robot, plugins);
   for (const char* place : {"robots/arm", "robots", "elsewhere/deep/down"}) {
     const std::filesystem::path file = folder.path() / place / "saved.yaml";
     std::filesystem::create_directories(file.parent_path());
     gui::save_scene(opened, opened.scene->robots.front().configuration, {}, file);
-    const planning::LoadedScene saved = planning::load_scene(file, plugins);
+    const planning::SceneState saved = planning::load_scene(file, plugins);
     EXPECT_EQ(saved.scene->robots.front().model->description().file, robot) << place;
   }
 }

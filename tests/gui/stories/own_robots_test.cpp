@@ -2,7 +2,6 @@
 /// the mouse alone, as by a first-time user. Each step leaves a picture.
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"
-#include "model/document/robot_edits.h"
 #include "patience.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"

@@ -3,8 +3,8 @@
 #include "features/devices/device_session.h"
 #include "features/devices/devices_panel.h"
 #include "handway/planning/core/objective.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/paths/path_check.h"
-#include "model/document/scene_edits.h"
 #include "small_cell.h"
 #include "story.h"
 #include "view3d/scene_view.h"
@@ -276,7 +276,7 @@ TEST_F(Story, MovesEmulatedDevicesAndTellsWhatAnEditRevokes) {
   wall.name = "wall";
   wall.shape = geometric::Box{{1.5, 0.02, 3.0}};
   wall.X_PO.translation() = Eigen::Vector3d(0.6, 0.3, 1.0);
-  editor().apply("Add a wall", gui::with_object(editor().state(), wall), {"wall"});
+  editor().apply("Add a wall", planning::with_object(editor().state(), wall), {"wall"});
   EXPECT_FALSE(button("devices_armed")->isEnabled());
   auto* motion = window().findChild<QLabel*>(QStringLiteral("devices_motion"));
   EXPECT_TRUE(wait_for([&] { return motion->text().contains(QStringLiteral("wall")); }));

@@ -1,4 +1,3 @@
-#include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
 #include "window_test.h"

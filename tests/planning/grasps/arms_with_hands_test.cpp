@@ -28,7 +28,7 @@ using testing::IsEmpty;
 PlanningProblem can_on_table() {
   for (const test::KnownProblem& known : test::known_problems()) {
     if (known.name == "can_on_table") {
-      const LoadedScene scene = test::load(known);
+      const SceneState scene = test::load(known);
       return make_problem(scene.scene, scene.basis);
     }
   }

@@ -23,7 +23,7 @@ class PregraspSearch : public ::testing::Test {
   static PlanningProblem shipped(const std::string& name) {
     for (const test::KnownProblem& known : test::known_problems()) {
       if (known.name == name) {
-        const LoadedScene scene = test::load(known);
+        const SceneState scene = test::load(known);
         return make_problem(scene.scene, scene.basis);
       }
     }
@@ -165,7 +165,7 @@ objects:
 start: {}
 goal: {}
 )";
-  const LoadedScene loaded = load_scene(file, PluginManager());
+  const SceneState loaded = load_scene(file, PluginManager());
   const std::vector<Pregrasp> grasps =
       find_pregrasps(make_problem(loaded.scene, nullptr), "can").found;
   ASSERT_GE(grasps.size(), 3U);

@@ -14,7 +14,7 @@ namespace {
 class ToolSpace : public testing::Test {
  protected:
   static PlanningProblem problem() {
-    const LoadedScene loaded = test::load(test::known_problems()[1]);
+    const SceneState loaded = test::load(test::known_problems()[1]);
     return make_problem(loaded.scene, loaded.basis);
   }
   [[nodiscard]] Eigen::VectorXd on_motion(double step) const {

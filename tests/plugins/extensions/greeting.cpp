@@ -3,7 +3,7 @@
 namespace {
 
 using handway::planning::Importer;
-using handway::planning::LoadedScene;
+using handway::planning::SceneState;
 
 // Makes an empty scene called as the file says.
 class GreetingImporter final : public Importer {
@@ -12,7 +12,7 @@ class GreetingImporter final : public Importer {
   bool can_read(const std::filesystem::path& file) const override {
     return file.extension() == ".hello";
   }
-  LoadedScene read(const std::filesystem::path& file) const override {
+  SceneState read(const std::filesystem::path& file) const override {
     auto scene = std::make_shared<handway::geometric::Scene>();
     scene->name = "hello " + file.stem().string();
     return {scene, nullptr};

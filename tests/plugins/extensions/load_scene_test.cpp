@@ -58,7 +58,7 @@ TEST_F(LoadScene, ReadsHandwayScenesWithTheirBasis) {
   const auto file = write("scene.yml",
                           "handway: 1\nrobots:\n  - model: lever.urdf\n"
                           "hand_basis: lever_basis.yaml\n");
-  const LoadedScene loaded = load_scene(file, plugins_);
+  const SceneState loaded = load_scene(file, plugins_);
   EXPECT_EQ(loaded.scene->robots.front().model->name(), "lever");
   ASSERT_TRUE(loaded.basis);
   EXPECT_EQ(loaded.basis->joints.front(), "swing");
@@ -72,7 +72,7 @@ TEST_F(LoadScene, NamesABasisThatIsMissing) {
 }
 
 TEST_F(LoadScene, PutsARobotIntoASceneOfItsOwn) {
-  const LoadedScene loaded = load_scene(write("lever.urdf", kRobot), plugins_);
+  const SceneState loaded = load_scene(write("lever.urdf", kRobot), plugins_);
   ASSERT_EQ(loaded.scene->robots.size(), 1U);
   EXPECT_EQ(loaded.scene->robots.front().name, "lever");
   EXPECT_EQ(loaded.scene->robots.front().configuration.size(), 1);
@@ -112,7 +112,7 @@ TEST_F(LoadScene, NamesAFileThatIsMissing) {
 TEST_F(LoadScene, MakesAProblemOfAReferenceFile) {
   HANDWAY_NEED_REFERENCE(reference);
   plugins_.load_plugins(HANDWAY_PLUGINS);
-  const LoadedScene loaded =
+  const SceneState loaded =
       load_scene(reference / "auro/TX90_RHand_ICRA10_5PMD_TwoCanb_new.xml", plugins_);
   const PlanningProblem problem = make_problem(loaded.scene, loaded.basis);
   EXPECT_EQ(problem.joints.arm.size(), 6U);

@@ -13,7 +13,7 @@ using test::SmallProblem;
 
 TEST(KauthamHandBasis, KeepsControlsAsPrinted) {
   const SmallProblem files;
-  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const planning::SceneState loaded = KauthamImporter().read(files.problem());
   const PmdBasis& basis = *loaded.basis;
   EXPECT_THAT(basis.joints, testing::ElementsAre("Thumb", "Spread", "Med"));
   EXPECT_EQ(basis.mean, Eigen::Vector3d(0.4, 0.5, 0.3));
@@ -33,7 +33,7 @@ TEST(KauthamHandBasis, WarnsOfVectorsThatAreNotUnit) {
   SmallProblem::edit(files.robot(), "\" 0.8\"", "\" 0.7\"");
   SmallProblem::edit(files.robot(), "\"0.8\"/>\n    </Control>\n  </ControlSet>",
                      "\"0.7\"/>\n    </Control>\n  </ControlSet>");
-  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const planning::SceneState loaded = KauthamImporter().read(files.problem());
   EXPECT_THAT(loaded.scene->warnings,
               testing::Contains(testing::HasSubstr("not of unit length over the joints that move "
                                                    "on their own: the vectors of controls Close")));
@@ -82,7 +82,7 @@ TEST(ReferenceHandBasis, OfAllJointsIsFree) {
 
 TEST(ReferenceHandBasis, OfThirteenDirectionsEndsWithTheMotionlessOne) {
   HANDWAY_NEED_REFERENCE(reference);
-  const planning::LoadedScene loaded =
+  const planning::SceneState loaded =
       KauthamImporter().read(reference / "auro/robots/TX90_RHand_13PMD_SUN.rob");
   ASSERT_EQ(loaded.basis->directions.size(), 13U);
   EXPECT_EQ(loaded.basis->directions.back().half_side, 0.0);

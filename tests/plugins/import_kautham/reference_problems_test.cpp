@@ -31,7 +31,7 @@ const std::vector<std::string> kProblems = {
     "TX90_RHand_ICRA10_5PMD_TwoCanb_new.xml", "TX90_RHand_ICRA10_5PMD_CanBox_new.xml",
     "TX90_RHand_ICRA10_5PMD_ShelfCan2_new.xml", "TX90_RHand_ICRA10_5PMD-shelfT2_new.xml"};
 
-planning::LoadedScene read(const std::filesystem::path& file) {
+planning::SceneState read(const std::filesystem::path& file) {
   const KauthamImporter importer;
   EXPECT_TRUE(importer.can_read(file)) << file;
   return importer.read(file);
@@ -87,7 +87,7 @@ class ReferenceProblem : public testing::TestWithParam<std::string> {};
 TEST_P(ReferenceProblem, StartsAndEndsWhereItsControlsSay) {
   HANDWAY_NEED_REFERENCE(reference);
   const auto file = reference / "auro" / GetParam();
-  const planning::LoadedScene loaded = read(file);
+  const planning::SceneState loaded = read(file);
   const RobotModel& model = *loaded.scene->robots.front().model;
   ASSERT_TRUE(loaded.scene->start && loaded.scene->goal);
   pugi::xml_document xml;
@@ -105,7 +105,7 @@ TEST_P(ReferenceProblem, StartsAndEndsWhereItsControlsSay) {
 
 TEST_P(ReferenceProblem, HasFreeEnds) {
   HANDWAY_NEED_REFERENCE(reference);
-  const planning::LoadedScene loaded = read(reference / "auro" / GetParam());
+  const planning::SceneState loaded = read(reference / "auro" / GetParam());
   const auto world = std::make_shared<const geometric::CollisionWorld>(*loaded.scene);
   geometric::FclChecker checker(world);
   EXPECT_THAT(geometric::find_collisions(checker, *loaded.scene->start), testing::IsEmpty());
@@ -120,7 +120,7 @@ TEST_P(ReferenceProblem, HasFreeEnds) {
 
 TEST_P(ReferenceProblem, ChecksThePairsThatKauthamChecks) {
   HANDWAY_NEED_REFERENCE(reference);
-  const planning::LoadedScene loaded = read(reference / "auro" / GetParam());
+  const planning::SceneState loaded = read(reference / "auro" / GetParam());
   const RobotModel& model = *loaded.scene->robots.front().model;
   const ModifiedDhRobot robot(reference / "auro/robots/TX90_RHand_5PMD_thumb2.rob");
   const auto& rows = robot.rows();
@@ -140,7 +140,7 @@ TEST_P(ReferenceProblem, ChecksThePairsThatKauthamChecks) {
 
 TEST_P(ReferenceProblem, NamesItsObjectsApart) {
   HANDWAY_NEED_REFERENCE(reference);
-  const planning::LoadedScene loaded = read(reference / "auro" / GetParam());
+  const planning::SceneState loaded = read(reference / "auro" / GetParam());
   std::set<std::string> names;
   for (const geometric::SceneObject& object : loaded.scene->objects) {
     EXPECT_TRUE(names.insert(object.name).second) << object.name;
@@ -151,7 +151,7 @@ TEST_P(ReferenceProblem, NamesItsObjectsApart) {
 
 TEST_P(ReferenceProblem, LeavesThePlannerToTheDefault) {
   HANDWAY_NEED_REFERENCE(reference);
-  const planning::LoadedScene loaded = read(reference / "auro" / GetParam());
+  const planning::SceneState loaded = read(reference / "auro" / GetParam());
   EXPECT_EQ(loaded.scene->planner.name, "");
   EXPECT_THAT(loaded.scene->planner.settings, testing::IsEmpty());
   EXPECT_THAT(loaded.scene->warnings, testing::ElementsAre(testing::HasSubstr("Cloud Radius = ")));
@@ -175,8 +175,8 @@ TEST_P(ReferenceProblem, FindsItsFilesInOtherLetters) {
   }
   std::string problem = GetParam();
   std::ranges::transform(problem, problem.begin(), [](unsigned char c) { return std::toupper(c); });
-  const planning::LoadedScene loaded = read(folder / problem);
-  const planning::LoadedScene original = read(reference / "auro" / GetParam());
+  const planning::SceneState loaded = read(folder / problem);
+  const planning::SceneState original = read(reference / "auro" / GetParam());
   ASSERT_EQ(loaded.scene->objects.size(), original.scene->objects.size());
   for (std::size_t i = 0; i < loaded.scene->objects.size(); ++i) {
     EXPECT_EQ(
@@ -206,7 +206,7 @@ class ReferenceRobot : public testing::TestWithParam<RobotFile> {};
 TEST_P(ReferenceRobot, MovesAsItsModifiedDhParametersSay) {
   HANDWAY_NEED_REFERENCE(reference);
   const auto file = reference / "auro/robots" / GetParam().name;
-  const planning::LoadedScene loaded = read(file);
+  const planning::SceneState loaded = read(file);
   const RobotModel& model = *loaded.scene->robots.front().model;
   EXPECT_EQ(model.link_count(), 25);
   EXPECT_EQ(model.find_group("arm")->size(), 6U);
@@ -216,7 +216,7 @@ TEST_P(ReferenceRobot, MovesAsItsModifiedDhParametersSay) {
 
 TEST_P(ReferenceRobot, CouplesTheDistalJoints) {
   HANDWAY_NEED_REFERENCE(reference);
-  const planning::LoadedScene loaded = read(reference / "auro/robots" / GetParam().name);
+  const planning::SceneState loaded = read(reference / "auro/robots" / GetParam().name);
   const RobotModel& model = *loaded.scene->robots.front().model;
   std::vector<std::string> coupled;
   for (int i = 1; i < model.link_count(); ++i) {

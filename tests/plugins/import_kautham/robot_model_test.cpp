@@ -29,7 +29,7 @@ TEST(KauthamImporter, KnowsItsFilesByNameAndContent) {
 
 TEST(KauthamImporter, ReadsAProblemWhole) {
   const SmallProblem files;
-  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const planning::SceneState loaded = KauthamImporter().read(files.problem());
   const geometric::Scene& scene = *loaded.scene;
   EXPECT_EQ(scene.name, "Small");
   EXPECT_EQ(scene.file, files.problem());
@@ -47,7 +47,7 @@ TEST(KauthamImporter, ReadsAProblemWhole) {
 
 TEST(KauthamImporter, PlacesTheRobotByItsHomeAndFirstJoint) {
   const SmallProblem files;
-  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const planning::SceneState loaded = KauthamImporter().read(files.problem());
   const Pose& X_WB = loaded.scene->robots.front().X_WB;
   EXPECT_LT((X_WB.translation() - Eigen::Vector3d(0.1, 0.0, 0.01)).norm(), 1e-12);
   EXPECT_LT((X_WB.linear().diagonal() - Eigen::Vector3d(-1.0, -1.0, 1.0)).norm(), 1e-12);
@@ -55,7 +55,7 @@ TEST(KauthamImporter, PlacesTheRobotByItsHomeAndFirstJoint) {
 
 TEST(KauthamImporter, ReadsSlidingAndHeldJoints) {
   const SmallProblem files;
-  const planning::LoadedScene loaded = KauthamImporter().read(files.robot());
+  const planning::SceneState loaded = KauthamImporter().read(files.robot());
   const RobotModel& model = *loaded.scene->robots.front().model;
   const geometric::Joint& lift = model.joint(model.find_link("Lift").value());
   EXPECT_EQ(lift.type, geometric::JointType::kPrismatic);
@@ -80,7 +80,7 @@ TEST(KauthamImporter, SplitsArmAndHandByTheTrunkControls) {
     return result;
   };
   for (const bool says_trunk : {true, false}) {
-    const planning::LoadedScene loaded = KauthamImporter().read(files.robot());
+    const planning::SceneState loaded = KauthamImporter().read(files.robot());
     const RobotModel& model = *loaded.scene->robots.front().model;
     EXPECT_THAT(names(model, "arm"), testing::ElementsAre("Turn", "Lift")) << says_trunk;
     EXPECT_THAT(names(model, "hand"), testing::ElementsAre("Thumb", "Spread", "Med")) << says_trunk;
@@ -94,7 +94,7 @@ TEST(KauthamImporter, ReadsChainsWithoutParents) {
   const SmallProblem files;
   SmallProblem::edit(files.robot(), "robType=\"Tree\"", "robType=\"Chain\"");
   SmallProblem::edit(files.robot(), "<Parent name=\"Spread\"/>", "");
-  const planning::LoadedScene loaded = KauthamImporter().read(files.robot());
+  const planning::SceneState loaded = KauthamImporter().read(files.robot());
   const RobotModel& model = *loaded.scene->robots.front().model;
   EXPECT_EQ(model.joint(model.find_link("Med").value()).parent, "Spread");
 }
@@ -102,7 +102,7 @@ TEST(KauthamImporter, ReadsChainsWithoutParents) {
 TEST(KauthamImporter, StartsFromControlsWithinTheLimits) {
   const SmallProblem files;
   SmallProblem::edit(files.problem(), "1 0.25 0 1 0.5", "1 0.25 0 1 0");
-  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const planning::SceneState loaded = KauthamImporter().read(files.problem());
   const RobotModel& model = *loaded.scene->robots.front().model;
   const geometric::Configuration& goal = loaded.scene->goal.value();
   EXPECT_DOUBLE_EQ(goal[model.find_variable("Turn").value()], M_PI / 2);
@@ -131,7 +131,7 @@ TEST(KauthamImporter, LetsFurtherRobotsStandAtTheirControls) {
 
 TEST(KauthamImporter, GivesARobotFileASceneOfItsOwn) {
   const SmallProblem files;
-  const planning::LoadedScene loaded = KauthamImporter().read(files.robot());
+  const planning::SceneState loaded = KauthamImporter().read(files.robot());
   EXPECT_EQ(loaded.scene->name, "small");
   EXPECT_FALSE(loaded.scene->start || loaded.scene->goal);
   EXPECT_EQ(loaded.scene->robots.front().configuration.size(), 5);
@@ -180,7 +180,7 @@ TEST(KauthamImporter, LetsABodyFlyByTheControlsOfItsBase) {
   const SmallProblem files;
   test::write_text(files.folder() / "robots" / "ele.rob", kFreeBody);
   test::write_text(files.problem(), kFreeProblem);
-  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const planning::SceneState loaded = KauthamImporter().read(files.problem());
   const geometric::Scene& scene = *loaded.scene;
   const RobotModel& model = *scene.robots.front().model;
   ASSERT_EQ(model.variable_count(), 6);
@@ -215,7 +215,7 @@ TEST(KauthamImporter, SlidesABaseThatControlsMoveInAPlane) {
                      "<Limits name=\"Y\" min=\"0\" max=\"400\"/><Home");
   SmallProblem::edit(files.problem(), "<Init dim=\"5\">", "<Init dim=\"6\">0.25 ");
   SmallProblem::edit(files.problem(), "<Goal dim=\"5\">", "<Goal dim=\"6\">0.75 ");
-  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const planning::SceneState loaded = KauthamImporter().read(files.problem());
   const RobotModel& model = *loaded.scene->robots.front().model;
   ASSERT_EQ(model.variable_count(), 6);
   EXPECT_EQ(model.variable(0).name, "X");
@@ -243,7 +243,7 @@ TEST(KauthamImporter, TakesTheControlsOfLaterVersions) {
   <Controls robot="robots/small.cntr"/><Planner>)");
   SmallProblem::edit(files.problem(), "<Init dim=\"5\">0.5 0.5 0.5 0.5 0.5", "<Init>0.5 0.5");
   SmallProblem::edit(files.problem(), "<Goal dim=\"5\">1 0.25 0 1 0.5", "<Goal>1 1");
-  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const planning::SceneState loaded = KauthamImporter().read(files.problem());
   const RobotModel& model = *loaded.scene->robots.front().model;
   EXPECT_EQ(loaded.scene->objects.size(), 3U);
   EXPECT_EQ(loaded.scene->objects.back().X_PO.translation().z(), -0.5);
@@ -258,11 +258,11 @@ TEST(KauthamImporter, TakesTheControlsOfLaterVersions) {
 TEST(KauthamImporter, ReadsProblemsWithoutAQuery) {
   const SmallProblem files;
   SmallProblem::edit(files.problem(), "<Init dim=\"5\">0.5 0.5 0.5 0.5 0.5</Init>", "");
-  const planning::LoadedScene half = KauthamImporter().read(files.problem());
+  const planning::SceneState half = KauthamImporter().read(files.problem());
   EXPECT_TRUE(half.scene->goal && !half.scene->start);
   EXPECT_THAT(half.scene->warnings, testing::Contains(testing::HasSubstr("has no start")));
   SmallProblem::edit(files.problem(), "<Goal dim=\"5\">1 0.25 0 1 0.5</Goal>", "");
-  const planning::LoadedScene none = KauthamImporter().read(files.problem());
+  const planning::SceneState none = KauthamImporter().read(files.problem());
   EXPECT_FALSE(none.scene->goal || none.scene->start);
 }
 

@@ -737,7 +737,7 @@ TEST(MoveitProblem, KeepsItsPathConstraints) {
 
 TEST(MoveitProblem, IsSolvedByPlannersOverAllJoints) {
   const SmallProblem small;
-  const planning::LoadedScene loaded = small.read();
+  const planning::SceneState loaded = small.read();
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   planning::PlannerRegistry planners;
   planner_ompl::register_planners(planners);

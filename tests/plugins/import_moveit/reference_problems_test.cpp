@@ -74,7 +74,7 @@ TEST_F(ReferencePanda, LoadsWithLinesOfTheSrdfAboutUnknownLinks) {
                  "</robot>");
   ASSERT_FALSE(scenes().empty());
   for (const fs::path& file : scenes()) {
-    const planning::LoadedScene loaded = MoveitImporter().read(file);
+    const planning::SceneState loaded = MoveitImporter().read(file);
     EXPECT_THAT(loaded.scene->warnings,
                 Contains(AllOf(HasSubstr("4 lines of the SRDF"), HasSubstr("mast"))).Times(1));
   }
@@ -86,7 +86,7 @@ TEST_F(ReferencePanda, LoadsWithJointsInItsStateThatTheRobotHasNot) {
       const std::string joints = with_addition(read_text(file), "name", ", wheel");
       write_text(file, with_addition(joints, "position", ", 0.5"));
     }
-    const planning::LoadedScene loaded = MoveitImporter().read(scene);
+    const planning::SceneState loaded = MoveitImporter().read(scene);
     EXPECT_THAT(loaded.scene->warnings, Contains(HasSubstr("wheel"))) << scene;
     EXPECT_TRUE(loaded.scene->start);
   }
@@ -103,7 +103,7 @@ TEST_F(ReferencePanda, FindsItsFilesInOtherLetters) {
   fs::rename(scene, fs::path(scene).replace_extension(".YAML"));
   const MoveitImporter importer;
   ASSERT_TRUE(importer.can_read(fs::path(scene).replace_extension(".YAML")));
-  const planning::LoadedScene loaded = importer.read(request_of(scene));
+  const planning::SceneState loaded = importer.read(request_of(scene));
   EXPECT_THAT(loaded.scene->warnings, Contains(HasSubstr("other letters")).Times(1));
 }
 

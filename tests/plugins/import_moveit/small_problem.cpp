@@ -140,7 +140,7 @@ void SmallProblem::replace(const fs::path& file, const std::string& from,
   write(file, text.replace(at, from.size(), to));
 }
 
-planning::LoadedScene SmallProblem::read() const { return MoveitImporter().read(request()); }
+planning::SceneState SmallProblem::read() const { return MoveitImporter().read(request()); }
 
 std::string SmallProblem::refusal() const {
   return test::refusal_of([this] { static_cast<void>(read()); });

@@ -27,7 +27,7 @@ class SmallProblem {
   void replace(const std::filesystem::path& file, const std::string& from,
                const std::string& to) const;
 
-  [[nodiscard]] planning::LoadedScene read() const;
+  [[nodiscard]] planning::SceneState read() const;
   /// Returns the message with which reading is refused.
   [[nodiscard]] std::string refusal() const;
 

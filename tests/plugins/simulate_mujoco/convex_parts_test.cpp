@@ -181,7 +181,7 @@ bool is_inside(const TriangleMesh& convex, const Vector3d& p) {
 }
 
 TEST(ConvexParts, CoverTheLinksOfAHandAndLittleMore) {
-  const planning::LoadedScene loaded =
+  const planning::SceneState loaded =
       planning::load_scene(test::source_dir() / "scenes" / "can_on_table.yaml", {});
   const geometric::RobotModel& robot = *loaded.scene->robots.front().model;
   for (const char* name : {"palm", "thumb_distal_link", "ring_distal_link", "index_medial_link"}) {

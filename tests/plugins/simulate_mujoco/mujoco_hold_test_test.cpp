@@ -236,7 +236,7 @@ TEST(MujocoHoldTest, RefusesWhatHasNoVolume) {
 }
 
 TEST(MujocoHoldTest, HoldsTheCanOfThePaper) {
-  const planning::LoadedScene loaded =
+  const planning::SceneState loaded =
       planning::load_scene(test::source_dir() / "scenes" / "can_on_table.yaml", {});
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const planning::Pregrasps grasps = planning::find_pregrasps(problem, "can");

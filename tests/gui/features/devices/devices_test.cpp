@@ -3,7 +3,7 @@
 #include "features/devices/devices_panel.h"
 #include "features/editing/scene_editing.h"
 #include "handway/device/arm/arm_emulator.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "model/planning/path_validity.h"
 #include "patience.h"
 #include "widgets/forms/quantity_field.h"
@@ -80,7 +80,7 @@ class Devices : public WindowTest {
     wall.name = "wall";
     wall.shape = geometric::Box{{1.5, 0.02, 3.0}};
     wall.X_PO = geometric::pose_from_rpy({std::cos(angle), std::sin(angle), 0.0}, 0.0, 0.0, angle);
-    editor().apply("Add a wall", gui::with_object(editor().state(), wall), {"wall"});
+    editor().apply("Add a wall", planning::with_object(editor().state(), wall), {"wall"});
   }
   [[nodiscard]] gui::SceneEditor& editor() const { return window().editor(); }
   /// Across the workspace, between start and goal.

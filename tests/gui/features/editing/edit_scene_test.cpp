@@ -2,7 +2,7 @@
 #include "features/editing/scene_tree.h"
 #include "features/planning/plan_panel.h"
 #include "handway/geometric/formats/scene_file.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/quantity_field.h"
@@ -18,7 +18,7 @@ namespace handway::test {
 namespace {
 
 using gui::SceneItem;
-using gui::SceneState;
+using planning::SceneState;
 using Kind = SceneItem::Kind;
 
 class EditingAScene : public EditingTest {};
@@ -59,7 +59,7 @@ TEST_F(EditingAScene, TakesTypedValuesWithUnits) {
 }
 
 TEST_F(EditingAScene, UndoesEverythingBackToTheSceneItself) {
-  const SceneState before = editor().state();
+  const planning::SceneState before = editor().state();
   editor().add("box", geometric::Box{}, {}, {0.6, 0.0, 0.0});
   editor().add("box", geometric::Sphere{}, {}, {0.0, 0.6, 0.0});
   EXPECT_TRUE(geometric::find_object(scene(), "box 2"));
@@ -79,7 +79,7 @@ TEST_F(EditingAScene, UndoesEverythingBackToTheSceneItself) {
   editor().remove();
   editor().select({Kind::kRobot, "arm", ""});
   editor().place(geometric::Pose(Eigen::Translation3d(0.0, 0.0, 0.1)));
-  const SceneState after = editor().state();
+  const planning::SceneState after = editor().state();
   ASSERT_EQ(editor().undo_stack().count(), 15);
   EXPECT_TRUE(window().isWindowModified());
   while (editor().undo_stack().canUndo()) {
@@ -121,7 +121,7 @@ TEST_F(EditingAScene, MakesARoomOfAnObject) {
 TEST_F(EditingAScene, LeavesLockedObjectsAlone) {
   select("post");
   editor().set_locked({"post"}, true);
-  const SceneState locked = editor().state();
+  const planning::SceneState locked = editor().state();
   editor().place(geometric::Pose::Identity());
   editor().remove();
   EXPECT_EQ(editor().state(), locked);
@@ -198,14 +198,14 @@ TEST_F(EditingAScene, SavesWhatWasEdited) {
 }
 
 TEST_F(EditingAScene, KeepsPairsThatAreNotCheckedToObjectsThatAreThere) {
-  gui::SceneState state = editor().state();
+  planning::SceneState state = editor().state();
   geometric::Scene with_pair = *state.scene;
   with_pair.allowed_collisions[{"palm", "post"}] = true;
   state.scene = std::make_shared<const geometric::Scene>(std::move(with_pair));
-  state = gui::with_renamed_object(state, "post", "a pole");
+  state = planning::with_renamed_object(state, "post", "a pole");
   EXPECT_EQ(state.scene->allowed_collisions,
             (std::map<geometric::AllowedCollisions::Pair, bool>{{{"a pole", "palm"}, true}}));
-  EXPECT_TRUE(gui::without_objects(state, {"a pole"}).scene->allowed_collisions.empty());
+  EXPECT_TRUE(planning::without_objects(state, {"a pole"}).scene->allowed_collisions.empty());
 }
 
 }  // namespace

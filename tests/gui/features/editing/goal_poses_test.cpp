@@ -3,7 +3,6 @@
 #include "features/editing/goal_pose_form.h"
 #include "features/editing/properties_panel.h"
 #include "features/editing/scene_tree.h"
-#include "model/document/scene_edits.h"
 #include "patience.h"
 #include "pressed_mouse.h"
 #include "widgets/forms/quantity_field.h"

@@ -1,5 +1,4 @@
 #include "features/editing/editing_test.h"
-#include "model/document/scene_edits.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/quantity_field.h"

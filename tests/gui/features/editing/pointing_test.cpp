@@ -4,7 +4,7 @@
 #include "features/editing/mesh_import.h"
 #include "features/editing/scene_tree.h"
 #include "handway/geometric/formats/obj_writer.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/arranging.h"
 #include "patience.h"
 #include "pressed_mouse.h"
 
@@ -150,7 +150,8 @@ TEST_F(Pointing, ADragWithShiftStopsBesideOtherSides) {
   const Eigen::Vector3d held = frame.centre + 0.9 * frame.size * Eigen::Vector3d::UnitY();
   drag_with_shift(seen(held - Eigen::Vector3d(0.0, 0.076, 0.0)));
   QTest::keyClick(&view(), Qt::Key_Return);
-  EXPECT_NEAR(object("brick").X_PO.translation().y(), 0.4 + 0.1 + 0.05 + gui::kRestingGap, 1e-9);
+  EXPECT_NEAR(object("brick").X_PO.translation().y(), 0.4 + 0.1 + 0.05 + geometric::kRestingGap,
+              1e-9);
 }
 
 TEST_F(Pointing, RowsAreDraggedOntoLinksIntoGroupsAndOut) {
@@ -177,7 +178,7 @@ TEST_F(Pointing, RowsAreDraggedIntoTheView) {
   drop("post\n", view(), place);
   const Eigen::Vector3d at = object("post").X_PO.translation();
   EXPECT_LT((at - there).head<2>().norm(), 0.004);
-  EXPECT_NEAR(at.z() - 0.2, 0.1 + gui::kRestingGap, 1e-6) << "it stands on the table";
+  EXPECT_NEAR(at.z() - 0.2, 0.1 + geometric::kRestingGap, 1e-6) << "it stands on the table";
   EXPECT_EQ(editor().undo_stack().undoText(), QStringLiteral("Move post"));
 }
 

@@ -1,7 +1,7 @@
 #include "features/editing/editing_test.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "handway_test/resource_use.h"
-#include "model/document/scene_edits.h"
 
 #include <QSignalSpy>
 #include <QTimer>
@@ -31,7 +31,7 @@ class ReplanningLive : public EditingTest {
   }
   void try_post_at(double x, double y) const {
     window().session().try_scene(
-        gui::with_changed_object(editor().state(), "post", [&](geometric::SceneObject& post) {
+        planning::with_changed_object(editor().state(), "post", [&](geometric::SceneObject& post) {
           post.X_PO.translation().head<2>() = Eigen::Vector2d(x, y);
         }));
   }
@@ -96,15 +96,15 @@ TEST_F(ReplanningLive, EndsWhenTheRobotIsMoved) {
 TEST(ProblemUpdate, GivesTheWorldOfTheChangedScene) {
   const SmallCell cell;
   const planning::PluginManager plugins;
-  const planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
+  const planning::SceneState loaded = planning::load_scene(cell.post(), plugins);
   const planning::PlanningProblem before = planning::make_problem(loaded.scene, loaded.basis);
-  gui::SceneState state{loaded.scene};
+  planning::SceneState state{loaded.scene};
   geometric::SceneObject ball;
   ball.name = "ball";
   ball.shape = geometric::Sphere{0.1};
   ball.X_PO.translation().x() = 0.5;
-  state = gui::with_object(state, ball);
-  state = gui::with_changed_object(
+  state = planning::with_object(state, ball);
+  state = planning::with_changed_object(
       state, "post", [](geometric::SceneObject& post) { post.X_PO.translation().z() += 0.3; });
   const planning::PlanningProblem updated =
       planning::updated_problem(before, state.scene, loaded.basis);
@@ -129,9 +129,9 @@ TEST(ProblemUpdate, GivesTheWorldOfTheChangedScene) {
 TEST(ProblemUpdate, KnowsConstraints) {
   const SmallCell cell;
   const planning::PluginManager plugins;
-  const planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
+  const planning::SceneState loaded = planning::load_scene(cell.post(), plugins);
   const planning::PlanningProblem before = planning::make_problem(loaded.scene, loaded.basis);
-  gui::SceneState state = gui::with_constraint(
+  planning::SceneState state = planning::with_constraint(
       {loaded.scene},
       {"ahead", "palm",
        geometric::OrientationConstraint{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX(), 0.5}});
@@ -150,13 +150,13 @@ TEST(ProblemUpdate, KnowsConstraints) {
 TEST(ProblemUpdate, KnowsWhatIsHollow) {
   const SmallCell cell;
   const planning::PluginManager plugins;
-  const planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
-  const auto around = [&](bool solid) -> planning::LoadedScene {
-    return {gui::with_changed_object({loaded.scene}, "post",
-                                     [&](geometric::SceneObject& post) {
-                                       post.shape = geometric::Box{{9.0, 9.0, 9.0}};
-                                       post.solid = solid;
-                                     })
+  const planning::SceneState loaded = planning::load_scene(cell.post(), plugins);
+  const auto around = [&](bool solid) -> planning::SceneState {
+    return {planning::with_changed_object({loaded.scene}, "post",
+                                          [&](geometric::SceneObject& post) {
+                                            post.shape = geometric::Box{{9.0, 9.0, 9.0}};
+                                            post.solid = solid;
+                                          })
                 .scene,
             loaded.basis};
   };

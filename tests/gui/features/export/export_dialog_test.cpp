@@ -2,8 +2,8 @@
 #include "features/export/export_dialog.h"
 
 #include "features/editing/scene_editing.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/extensions/plugin.h"
-#include "model/document/scene_edits.h"
 #include "patience.h"
 #include "window_test.h"
 
@@ -123,7 +123,7 @@ TEST_F(ExportDialogTest, ExportsNothingThatWasTimedBeforeAnEdit) {
     wall.name = "wall";
     wall.shape = geometric::Box{{0.02, 0.02, 3.0}};
     wall.X_PO.translation().x() = x;
-    editor.apply("Add a wall", gui::with_object(editor.state(), wall), {"wall"});
+    editor.apply("Add a wall", planning::with_object(editor.state(), wall), {"wall"});
   };
   add(-2.0);
   EXPECT_FALSE(field<QPushButton>("export_now").isEnabled()) << "at once";

@@ -67,7 +67,7 @@ TEST_F(ClickToSimulate, ShowsWhatIsHeldAndTheFilm) {
   ASSERT_EQ(grasping.tests().size(), grasping.grasps().size());
   EXPECT_EQ(list.topLevelItem(0)->text(kHeld), "6 of 6");
   EXPECT_TRUE(list.topLevelItem(0)->toolTip(kHeld).contains("Raised by 10 cm"));
-  const gui::SceneState before = editor().state();
+  const planning::SceneState before = editor().state();
   click("grasp_film");
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return part<QLabel>("grasp_note").text().contains("1 N along"); }, 20000));
@@ -81,7 +81,7 @@ TEST_F(ClickToSimulate, ShowsWhatIsHeldAndTheFilm) {
 
 TEST_F(ClickToPlan, LeavesTheGoalWhenTheListIsClosed) {
   open(source_dir() / "scenes" / "can_on_table.yaml");
-  const gui::SceneState before = editor().state();
+  const planning::SceneState before = editor().state();
   grasp("can");
   click("grasp_close");
   EXPECT_EQ(editor().state(), before);

@@ -72,7 +72,7 @@ TEST_F(FrontierOfASearch, ChangesThePictureUntilItIsClosed) {
 
 TEST_F(FrontierOfASearch, GoesWithTheNextEdit) {
   fail_to_plan();
-  gui::SceneState state = window().document().state();
+  planning::SceneState state = window().document().state();
   auto scene = std::make_shared<geometric::Scene>(*state.scene);
   scene->objects.front().X_PO.translation().x() += 0.5;
   state.scene = scene;

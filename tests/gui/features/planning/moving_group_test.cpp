@@ -2,7 +2,6 @@
 #include "handway/geometric/setup/moving_group.h"
 
 #include "features/editing/editing_test.h"
-#include "model/document/scene_edits.h"
 
 #include <QAction>
 #include <QMenu>

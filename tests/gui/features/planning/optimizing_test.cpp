@@ -119,7 +119,7 @@ TEST_F(OptimizingInTheWindow, EndsWithoutAPathWhenTheSceneIsEdited) {
   const auto before = path().waypoints;
   QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
   begin(0.0);
-  gui::SceneState state = window().document().state();
+  planning::SceneState state = window().document().state();
   auto scene = std::make_shared<geometric::Scene>(*state.scene);
   scene->objects.front().X_PO.translation().x() += 1.0;
   state.scene = scene;
@@ -133,7 +133,7 @@ TEST_F(OptimizingInTheWindow, EndsWithoutAPathWhenTheSceneIsEdited) {
 
 TEST_F(OptimizingInTheWindow, IsNotOfferedForAPathThatIsOutOfDate) {
   plan_roughly();
-  gui::SceneState state = window().document().state();
+  planning::SceneState state = window().document().state();
   auto scene = std::make_shared<geometric::Scene>(*state.scene);
   scene->goal = scene->start;
   scene->objects.front().X_PO.translation() = Eigen::Vector3d(0.3, 0.0, 0.0);  // in the arm

@@ -5,7 +5,7 @@
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/resources.h"
-#include "model/document/robot_edits.h"
+#include "handway/planning/edits/scene_state.h"
 #include "patience.h"
 
 #include <QComboBox>
@@ -84,7 +84,7 @@ class Robots : public EditingTest {
 };
 
 TEST_F(Robots, AreMountedOnALinkInOneEditThatCanBeUndone) {
-  const gui::SceneState before = editor().state();
+  const planning::SceneState before = editor().state();
   geometric::Configuration q = window().document().configuration();
   q[0] = 0.3;
   window().document().set_configuration(q);

@@ -2,7 +2,7 @@
 #include "features/editing/editing_test.h"
 #include "features/editing/scene_tree.h"
 #include "handway/geometric/formats/scene_file.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/arranging.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/quantity_field.h"
@@ -20,7 +20,7 @@ namespace handway::test {
 namespace {
 
 using gui::SceneItem;
-using gui::SceneState;
+using planning::SceneState;
 using ::testing::ElementsAre;
 using ::testing::UnorderedElementsAre;
 using Kind = SceneItem::Kind;
@@ -76,7 +76,7 @@ class ArrangingObjects : public EditingTest {
     editor().undo_stack().redo();
   }
 
-  SceneState before_;
+  planning::SceneState before_;
   int count_ = 0;
 };
 
@@ -195,7 +195,7 @@ TEST_F(ArrangingObjects, DropsThemOneOnTheOther) {
                                                       Eigen::Vector3d(0.0, 0.0, 0.5))));
   actions().drop->trigger();
   EXPECT_NEAR(place("c").z(), 0.04, 1e-9);
-  EXPECT_NEAR(place("a").z(), 0.10 + gui::kRestingGap, 1e-9);
+  EXPECT_NEAR(place("a").z(), 0.10 + geometric::kRestingGap, 1e-9);
 }
 
 TEST_F(ArrangingObjects, KeepsAGroupTogether) {

@@ -1,4 +1,3 @@
-#include "model/document/scene_edits.h"
 
 #include <gtest/gtest.h>
 

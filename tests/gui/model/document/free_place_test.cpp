@@ -1,6 +1,6 @@
 #include "features/editing/editing_test.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/arranging.h"
 
 namespace handway::test {
 namespace {
@@ -63,23 +63,24 @@ TEST_F(FreePlaces, ASceneFullOfRobotHasRoomBesideIt) {
 
 TEST_F(FreePlaces, ACanBesideACanStandsOnTheSameTable) {
   editor().add("table", Box{{0.6, 0.6, 0.3}}, {}, {-0.8, 0.0, 0.0});
-  editor().add("can", geometric::Cylinder{0.03, 0.12}, {}, {-0.8, 0.0, 0.3 + gui::kRestingGap});
+  editor().add("can", geometric::Cylinder{0.03, 0.12}, {},
+               {-0.8, 0.0, 0.3 + geometric::kRestingGap});
   add("cylinder");
-  EXPECT_NEAR(box_of("cylinder").lower.z(), 0.3 + gui::kRestingGap, 1e-9);
+  EXPECT_NEAR(box_of("cylinder").lower.z(), 0.3 + geometric::kRestingGap, 1e-9);
   EXPECT_LT((box_of("cylinder").centre() - box_of("can").centre()).head<2>().norm(), 0.3);
 }
 
 TEST_F(FreePlaces, WhatIsMuchSmallerGoesOntoWhatIsSelected) {
   editor().add("table", Box{{0.6, 0.6, 0.3}}, {}, {-0.8, 0.0, 0.0});
   add("cylinder");
-  EXPECT_NEAR(box_of("cylinder").lower.z(), 0.3 + gui::kRestingGap, 1e-9);
+  EXPECT_NEAR(box_of("cylinder").lower.z(), 0.3 + geometric::kRestingGap, 1e-9);
   EXPECT_TRUE(box_of("table").lower.head<2>().isApprox(Eigen::Vector2d(-1.1, -0.3)));
   EXPECT_LT((box_of("cylinder").centre() - box_of("table").centre()).head<2>().norm(), 0.01);
 }
 
 TEST_F(FreePlaces, WhatFitsNowhereOnATableGoesToTheFloor) {
   editor().add("column", Box{{0.1, 0.1, 0.5}}, {}, {-0.8, 0.0, 0.0});
-  editor().add("ball", geometric::Sphere{0.03}, {}, {-0.8, 0.0, 0.5 + gui::kRestingGap});
+  editor().add("ball", geometric::Sphere{0.03}, {}, {-0.8, 0.0, 0.5 + geometric::kRestingGap});
   add("box");
   EXPECT_NEAR(box_of("box").lower.z(), 0.0, 1e-9);
 }
@@ -108,9 +109,9 @@ TEST_F(FreePlaces, SidesSnapFlushOrBesideEachOther) {
   editor().add("block", Box{{0.2, 0.2, 0.2}}, {}, {-0.8, 0.0, 0.0});
   editor().add("brick", Box{{0.1, 0.1, 0.1}}, {}, {-0.643, 0.046, 0.004});
   const auto& q = window().document().configuration();
-  EXPECT_TRUE(gui::shift_to_sides(scene(), q, {"brick"}, 0.01)
-                  .isApprox(Vector3d(-0.007 + gui::kRestingGap, 0.004, -0.004), 1e-9));
-  EXPECT_TRUE(gui::shift_to_sides(scene(), q, {"brick"}, 0.001).isZero());
+  EXPECT_TRUE(planning::shift_to_sides(scene(), q, {"brick"}, 0.01)
+                  .isApprox(Vector3d(-0.007 + geometric::kRestingGap, 0.004, -0.004), 1e-9));
+  EXPECT_TRUE(planning::shift_to_sides(scene(), q, {"brick"}, 0.001).isZero());
 }
 
 }  // namespace

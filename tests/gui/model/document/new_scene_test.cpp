@@ -12,7 +12,7 @@ namespace handway::gui {
 namespace {
 
 /// Returns the fault that prevents using the robot of a new scene; empty if there is none.
-std::string fault_of(const planning::LoadedScene& loaded) {
+std::string fault_of(const planning::SceneState& loaded) {
   auto scene = std::make_shared<geometric::Scene>(*loaded.scene);
   const geometric::RobotInstance& robot = scene->robots.front();
   scene->start = scene->goal = robot.configuration;
@@ -48,7 +48,7 @@ TEST(NewScene, StartsFreeWithEveryArmAndEveryHandThatShips) {
 
 TEST(NewScene, ShowsArmsInTheirReadyPostureOnATable) {
   const planning::PluginManager plugins;
-  const planning::LoadedScene loaded = new_scene("ur5e_class", {}, plugins);
+  const planning::SceneState loaded = new_scene("ur5e_class", {}, plugins);
   const geometric::RobotInstance& robot = loaded.scene->robots.front();
   EXPECT_NEAR(robot.configuration[1], -1.25, 1e-9);
   ASSERT_EQ(loaded.scene->objects.size(), 1U);

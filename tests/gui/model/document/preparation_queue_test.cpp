@@ -80,7 +80,7 @@ TEST(PreparationQueue, StopsWhatRunsAndWhatWaitsAtItsEnd) {
   EXPECT_FALSE(ran);
 }
 
-planning::LoadedScene with_can(double radius) {
+planning::SceneState with_can(double radius) {
   auto scene = std::make_shared<geometric::Scene>(test::scene_of(test::planar_hand_arm()));
   test::add_object(*scene, "can", geometric::Cylinder{radius, 0.2}, Eigen::Vector3d(2, 0, 0));
   return {scene, nullptr};

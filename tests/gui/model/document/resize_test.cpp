@@ -1,7 +1,7 @@
 #include "features/editing/editing_test.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/resources.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/resizing.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 
@@ -11,38 +11,41 @@ namespace handway::test {
 namespace {
 
 using geometric::Pose;
-using gui::resized;
-using gui::ResizeKnob;
+using planning::resized;
+using planning::ResizeKnob;
 
 const Pose kPlace(Eigen::Translation3d(0.5, 0.2, 0.3));
 
 TEST(Resizing, KeepsTheOppositeSideOfABoxWhereItIs) {
-  const auto [shape, X_WO] = resized(geometric::Box{{0.1, 0.2, 0.3}}, kPlace, {0, -1}, 0.04, false);
+  const auto [shape, X_WO] =
+      planning::resized(geometric::Box{{0.1, 0.2, 0.3}}, kPlace, {0, -1}, 0.04, false);
   EXPECT_TRUE(std::get<geometric::Box>(shape).size.isApprox(Eigen::Vector3d(0.14, 0.2, 0.3)));
   EXPECT_TRUE(X_WO.translation().isApprox(Eigen::Vector3d(0.48, 0.2, 0.3)));
 }
 
 TEST(Resizing, GrowsRoundThingsAroundTheirAxis) {
-  const auto wide = resized(geometric::Cylinder{0.03, 0.12}, kPlace, {1, 1}, 0.01, false);
+  const auto wide = planning::resized(geometric::Cylinder{0.03, 0.12}, kPlace, {1, 1}, 0.01, false);
   EXPECT_NEAR(std::get<geometric::Cylinder>(wide.shape).radius, 0.04, 1e-12);
   EXPECT_EQ(wide.X_WO.matrix(), kPlace.matrix());
-  const auto high = resized(geometric::Cone{0.03, 0.12}, kPlace, {2, 1}, 0.02, false);
+  const auto high = planning::resized(geometric::Cone{0.03, 0.12}, kPlace, {2, 1}, 0.02, false);
   EXPECT_NEAR(std::get<geometric::Cone>(high.shape).length, 0.14, 1e-12);
   EXPECT_NEAR(high.X_WO.translation().z(), 0.31, 1e-12);
 }
 
 TEST(Resizing, SnapsToWholeCentimetresAndKeepsALeastSize) {
   const geometric::Shape box = geometric::Box{{0.1, 0.2, 0.3}};
-  EXPECT_NEAR(std::get<geometric::Box>(resized(box, kPlace, {1, 1}, 0.013, true).shape).size.y(),
-              0.21, 1e-12);
-  EXPECT_NEAR(std::get<geometric::Box>(resized(box, kPlace, {1, 1}, -0.9, false).shape).size.y(),
-              0.001, 1e-12);
+  EXPECT_NEAR(
+      std::get<geometric::Box>(planning::resized(box, kPlace, {1, 1}, 0.013, true).shape).size.y(),
+      0.21, 1e-12);
+  EXPECT_NEAR(
+      std::get<geometric::Box>(planning::resized(box, kPlace, {1, 1}, -0.9, false).shape).size.y(),
+      0.001, 1e-12);
 }
 
 TEST(Resizing, ScalesMeshesAllAround) {
   geometric::Mesh mesh;
   mesh.triangles = geometric::tessellate(geometric::Box{{0.1, 0.2, 0.3}});
-  const auto [shape, X_WO] = resized(mesh, kPlace, {2, 1}, 0.3, false);
+  const auto [shape, X_WO] = planning::resized(mesh, kPlace, {2, 1}, 0.3, false);
   const geometric::Aabb box = geometric::bounding_box(*std::get<geometric::Mesh>(shape).triangles);
   EXPECT_TRUE(box.size().isApprox(Eigen::Vector3d(0.2, 0.4, 0.6)));
   EXPECT_NEAR(X_WO.translation().z() - 0.3, 0.15, 1e-12) << "it still stands where it stood";

@@ -1,15 +1,15 @@
 #include "features/editing/editing_test.h"
-#include "model/document/scene_edits.h"
+#include "handway/planning/edits/arranging.h"
 
 namespace handway::test {
 namespace {
 
 using geometric::Box;
+using geometric::kRestingGap;
 using geometric::Pose;
 using geometric::Scene;
 using geometric::SceneObject;
-using gui::kRestingGap;
-using gui::SceneState;
+using planning::SceneState;
 
 SceneObject box(const std::string& name, const Eigen::Vector3d& size, double z) {
   SceneObject made;
@@ -20,7 +20,7 @@ SceneObject box(const std::string& name, const Eigen::Vector3d& size, double z) 
 }
 
 /// The upper side of the table is at 0.74 m.
-SceneState with_table(std::vector<SceneObject> objects) {
+planning::SceneState with_table(std::vector<SceneObject> objects) {
   Scene scene;
   scene.objects = std::move(objects);
   scene.objects.push_back(box("table", {1.0, 1.0, 0.04}, 0.72));
@@ -29,11 +29,12 @@ SceneState with_table(std::vector<SceneObject> objects) {
 
 SceneObject cube(const std::string& name, double z) { return box(name, {0.1, 0.1, 0.1}, z); }
 
-SceneState dropped(const SceneState& state, const std::vector<std::string>& names) {
-  return gui::dropped(state, {}, names);
+planning::SceneState dropped(const planning::SceneState& state,
+                             const std::vector<std::string>& names) {
+  return planning::dropped(state, {}, names);
 }
 
-double height(const SceneState& state, const char* name) {
+double height(const planning::SceneState& state, const char* name) {
   return state.find(name)->X_PO.translation().z();
 }
 
@@ -48,20 +49,21 @@ TEST(Dropped, LeavesAGapToTheTable) {
 TEST(Dropped, StandsOnTheFloorBesideOrBelowTheTable) {
   SceneObject beside = cube("beside", 1.0);
   beside.X_PO.translation().x() = 2.0;
-  const SceneState state = dropped(with_table({beside, cube("below", 0.5)}), {"beside", "below"});
+  const planning::SceneState state =
+      dropped(with_table({beside, cube("below", 0.5)}), {"beside", "below"});
   EXPECT_NEAR(height(state, "beside"), 0.05, 1e-12);
   EXPECT_NEAR(height(state, "below"), 0.05, 1e-12);
 }
 
 TEST(Dropped, LeavesAGapBetweenObjectsOfAStack) {
-  const SceneState state =
+  const planning::SceneState state =
       dropped(with_table({cube("upper", 1.2), cube("lower", 1.0)}), {"upper", "lower"});
   EXPECT_NEAR(height(state, "lower"), 0.79 + kRestingGap, 1e-12);
   EXPECT_NEAR(height(state, "upper"), 0.89 + 2.0 * kRestingGap, 1e-12);
 }
 
 TEST(Dropped, StaysWhereItIsTheSecondTime) {
-  const SceneState once = dropped(with_table({cube("cup", 1.0)}), {"cup"});
+  const planning::SceneState once = dropped(with_table({cube("cup", 1.0)}), {"cup"});
   EXPECT_EQ(dropped(once, {"cup"}), once);
 }
 
@@ -84,7 +86,7 @@ TEST(RiseToClear, LeavesARealOverlapForThePersonToSee) {
 }
 
 TEST(RiseToClear, RaisesAStackAsOne) {
-  const SceneState stack = with_table({cube("upper", 0.89), cube("lower", 0.79)});
+  const planning::SceneState stack = with_table({cube("upper", 0.89), cube("lower", 0.79)});
   EXPECT_NEAR(rise_to_clear(stack, {"upper", "lower"}), kRestingGap, 1e-12);
 }
 

@@ -24,7 +24,7 @@ struct KnownProblem {
 [[nodiscard]] std::vector<KnownProblem> known_problems();
 
 /// @throws InputError if the file can't be read.
-[[nodiscard]] planning::LoadedScene load(const KnownProblem& problem);
+[[nodiscard]] planning::SceneState load(const KnownProblem& problem);
 
 /// Collision world and query of a scene with start and goal.
 struct CollisionProblem {

@@ -3,6 +3,7 @@
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/planning_context.h"
+#include "handway/planning/edits/scene_state.h"
 #include "handway/planning/export.h"
 #include "handway/planning/extensions/exporter.h"
 #include "handway/planning/planners/planner.h"
@@ -20,12 +21,6 @@ namespace handway::planning {
 
 class HoldTest;
 
-/// Contents of a scene file: the scene and, if the format has one, the hand's basis.
-struct LoadedScene {
-  std::shared_ptr<const geometric::Scene> scene;
-  std::shared_ptr<const sampling::PmdBasis> basis;  ///< Null: none.
-};
-
 /// Reads problems or robots of a third-party format.
 class HANDWAY_PLANNING_EXPORT Importer {
  public:
@@ -34,7 +29,7 @@ class HANDWAY_PLANNING_EXPORT Importer {
   /// Tests the name and the first bytes; must not throw on any readable file.
   [[nodiscard]] virtual bool can_read(const std::filesystem::path& file) const = 0;
   /// @throws InputError naming file, element, the value found and the expected one.
-  [[nodiscard]] virtual LoadedScene read(const std::filesystem::path& file) const = 0;
+  [[nodiscard]] virtual SceneState read(const std::filesystem::path& file) const = 0;
 };
 
 /// Makes the simulation of grasps of an object of the problem's scene by the hand with this palm (a
@@ -147,7 +142,7 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
 /// Opens a scene file: Handway's own YAML, a robot, or any format of an importer; or a robot of the
 /// library by its name. A basis that the scene names is loaded too.
 /// @throws InputError if the file can't be read or is of an unknown format.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT LoadedScene load_scene(const std::filesystem::path& file,
-                                                             const PluginManager& plugins);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState load_scene(const std::filesystem::path& file,
+                                                            const PluginManager& plugins);
 
 }  // namespace handway::planning

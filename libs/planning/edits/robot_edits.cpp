@@ -1,17 +1,19 @@
-#include "model/document/robot_edits.h"
+#include "handway/planning/edits/robot_edits.h"
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/group_proposal.h"
 #include "handway/geometric/setup/mounting.h"
 #include "handway/geometric/setup/moving_group.h"
+#include "handway/geometric/setup/placing.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "handway/sampling/postures/pmd_basis.h"
 
 #include <algorithm>
 #include <memory>
 #include <utility>
 
-namespace handway::gui {
+namespace handway::planning {
 
 using geometric::Configuration;
 using geometric::Pose;
@@ -255,4 +257,4 @@ SceneState with_first_robot(const SceneState& state, const Configuration& q,
   return settled(state, std::move(scene));
 }
 
-}  // namespace handway::gui
+}  // namespace handway::planning

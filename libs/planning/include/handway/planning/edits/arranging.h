@@ -1,0 +1,117 @@
+#pragma once
+
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/scene/scene.h"
+#include "handway/geometric/setup/placing.h"
+#include "handway/planning/edits/scene_state.h"
+#include "handway/planning/export.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+/// @file
+/// Arrangement of several objects by their bounding boxes along the world's axes. Objects of a
+/// group that is named whole keep their places to each other. `q` is the first robot's
+/// configuration, which moves attached objects.
+
+namespace handway::planning {
+
+/// Names of objects of a scene.
+using ObjectNames = std::vector<std::string>;
+
+/// Returns the objects of a group, in the scene's order.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT ObjectNames group_members(const geometric::Scene& scene,
+                                                                const std::string& group);
+
+/// Returns the objects in parts that move as one: each group that is named whole, and each other
+/// object by itself; in the order of `objects`.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<ObjectNames> rigid_parts(
+    const geometric::Scene& scene, const ObjectNames& objects);
+
+/// All of them moved by the same motion of the world. @param motion X with p' = X p.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState moved(const SceneState& state,
+                                                       const geometric::Configuration& q,
+                                                       const ObjectNames& names,
+                                                       const geometric::Pose& motion);
+
+/// Part of the boxes that is aligned.
+enum class AlignTo { kLeast, kCentre, kMost };
+
+/// All brought to the last one (or the group it is in), along one axis.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState aligned(const SceneState& state,
+                                                         const geometric::Configuration& q,
+                                                         const ObjectNames& names, int axis,
+                                                         AlignTo to);
+
+/// Makes the gaps between neighbours along one axis equal; the outermost objects stay.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState distributed(const SceneState& state,
+                                                             const geometric::Configuration& q,
+                                                             const ObjectNames& names, int axis);
+
+/// Returns the shift of objects such that, along each axis of the world, a side of the box around
+/// them meets the nearest side of the box around another object, or the floor (z = 0): flush with
+/// it, or kRestingGap beside it. It is 0 along an axis without one within `reach`.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Eigen::Vector3d shift_to_sides(
+    const geometric::Scene& scene, const geometric::Configuration& q, const ObjectNames& names,
+    double reach);
+
+/// Copies in rows: so many along each axis of the world, so far apart.
+struct HANDWAY_PLANNING_EXPORT LinearArray {
+  Eigen::Vector3i count{1, 1, 1};          ///< Each at least 1, the original included.
+  Eigen::Vector3d spacing{0.1, 0.1, 0.1};  ///< m
+
+  /// Returns the motions to the copies, without the original.
+  [[nodiscard]] std::vector<geometric::Pose> motions() const;
+};
+
+/// Copies around an axis of the world.
+struct HANDWAY_PLANNING_EXPORT CircularArray {
+  int count = 6;                                     ///< The original included.
+  int axis = 2;                                      ///< x, y, z
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< m
+  double angle = 0.0;   ///< From the first to the last, rad; a full turn: evenly around.
+  bool turning = true;  ///< The copies turn along.
+
+  /// @param p_W what is copied, where it does not turn along.
+  [[nodiscard]] std::vector<geometric::Pose> motions(const Eigen::Vector3d& p_W) const;
+};
+
+/// A state with copies, and what they are called.
+struct Copies {
+  SceneState state;
+  ObjectNames names;
+};
+
+/// One copy of all objects for each motion. A copied group becomes a group of its own.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Copies copied(const SceneState& state,
+                                                    const geometric::Configuration& q,
+                                                    const ObjectNames& names,
+                                                    const std::vector<geometric::Pose>& motions);
+
+/// The objects of `added`, which stand in the world, moved by one motion of the world; under names
+/// and in groups that are unused.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Copies with_objects_of(const SceneState& state,
+                                                             const geometric::Scene& added,
+                                                             const geometric::Pose& motion);
+
+/// Returns a scene of these objects alone, with their poses in the world, unlocked, to be added to
+/// this or another scene.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::Scene objects_alone(
+    const SceneState& state, const geometric::Configuration& q, const ObjectNames& names);
+
+/// The objects sunk or lifted until they stand kRestingGap above other objects, or on the
+/// floor (z = 0). Objects of a group that is named whole move together.
+/// @param names of objects that stand in the world.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState dropped(SceneState state,
+                                                         const geometric::Configuration& q,
+                                                         const ObjectNames& names);
+
+/// Returns by how much all objects together are to be raised so that those that stand in the world
+/// keep kRestingGap to their support; m. Objects that are sunk into it by more than 1 mm do not
+/// rest there, and objects in a link's frame are held: neither counts.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT double rise_to_clear(const SceneState& state,
+                                                           const ObjectNames& names);
+
+}  // namespace handway::planning
