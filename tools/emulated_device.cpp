@@ -41,22 +41,23 @@ const std::map<std::string, FaultKind>& fault_names() {
 
 void add_emulator_options(CLI::App& command, EmulatedDeviceChoice& choice,
                           const std::vector<std::string>& faults) {
-  command.add_option("--port", choice.port, "TCP port of this computer; 0: any free one")
+  command.add_option("--port", choice.port, "TCP port on this computer; 0: any free one")
       ->capture_default_str();
   command
       .add_option("--fault", choice.fault,
-                  fmt::format("What goes wrong: {}", fmt::join(faults, ", ")))
+                  fmt::format("Fault to inject: {}", fmt::join(faults, ", ")))
       ->check(CLI::IsMember(faults))
       ->type_name("FAULT")
       ->capture_default_str();
   command
       .add_option("--fault-after", choice.fault_after_s,
-                  "When, s from the beginning of a motion (default: 0.2 to 1, by the seed)")
+                  "Time of the fault, s from the beginning of a motion (default: 0.2 to 1, drawn "
+                  "by the seed)")
       ->check(positive_number());
-  command.add_option("--seed", choice.seed, "Seed of the fault's time")
+  command.add_option("--seed", choice.seed, "Seed of the time of the fault")
       ->check(not_negative())
       ->capture_default_str();
-  command.add_option("--duration", choice.duration_s, "End after so many s")
+  command.add_option("--duration", choice.duration_s, "End after this time, s")
       ->check(positive_number());
 }
 
@@ -68,7 +69,7 @@ void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice
     }
   }
   add_emulator_options(command, choice, faults);
-  command.add_option("--scene", choice.scene, "Stand at this scene's start");
+  command.add_option("--scene", choice.scene, "Emulate the robot of this scene, at its start");
   command.add_option("--lag-ms", choice.lag_ms, "Time constant of the servos, ms")
       ->check(positive_number())
       ->check(CLI::Range(0.1, 1000.0))
@@ -109,9 +110,10 @@ int serve_device(const std::string& address, const EmulatedDeviceChoice& choice)
 
 CLI::Option* add_serve_options(CLI::App& command, ServeOptions& options) {
   CLI::Option* tcp = command.add_option(
-      "--tcp", options.tcp_port, "Listen on this TCP port of this computer; 0: any free one");
-  command.add_flag("--pty", options.pty, "Open a pseudo-terminal, as a serial port")->excludes(tcp);
-  command.add_option("--duration", options.duration_s, "End after so many s")
+      "--tcp", options.tcp_port, "Listen on this TCP port on this computer; 0: any free one");
+  command.add_flag("--pty", options.pty, "Open a pseudo-terminal that acts as a serial port")
+      ->excludes(tcp);
+  command.add_option("--duration", options.duration_s, "End after this time, s")
       ->check(positive_number());
   return tcp;
 }
@@ -121,15 +123,15 @@ void add_line_fault_options(CLI::App& command, LineFaultOptions& options) {
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--garbage", options.garbage, "Share of records that are damaged, 0 to 1")
       ->check(CLI::Range(0.0, 1.0));
-  command.add_option("--latency", options.latency_ms, "Delay of all that it sends, ms")
+  command.add_option("--latency", options.latency_ms, "Delay of all output, ms")
       ->check(CLI::Range(0.0, 60000.0));
   command
       .add_option("--unplug-after", options.unplug_after_s,
-                  "Pull what measures off its unit after so many s")
+                  "Unplug the glove or tracker from its interface unit after this time, s")
       ->check(positive_number());
   command
       .add_option("--plug-again-after", options.plug_again_after_s,
-                  "Put it back on so many s after the start")
+                  "Plug it in again at this time after the start, s")
       ->check(positive_number());
 }
 

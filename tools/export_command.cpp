@@ -23,8 +23,7 @@ struct ExportChoice {
 int export_scene(const ExportChoice& choice, const planning::SceneExporter& exporter,
                  const planning::PluginManager& plugins) {
   if (!choice.timing.path.empty()) {
-    throw CLI::ValidationError("path",
-                               "--to " + choice.to + " is of a scene alone, without a path");
+    throw CLI::ValidationError("path", "--to " + choice.to + " exports a scene: omit the path");
   }
   planning::SceneState loaded = planning::load_scene(choice.timing.scene, plugins);
   set_group(choice.timing.group, loaded);
@@ -63,18 +62,19 @@ int run_export(ExportChoice choice) {
 void add_export_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<ExportChoice>();
   CLI::App* command = app.add_subcommand(
-      "export", "Time a path and write it for a controller, or a scene for other programs");
+      "export", "Time a path and write it for a controller, or export a scene to other programs");
   add_timing_options(*command, choice->timing);
   command->get_option("path")->required(false)->description(
-      "Path (CSV); none for a scene's formats");
+      "Path (CSV); omit it to export a scene");
   command
       ->add_option("--to", choice->to,
-                   "Format: csv, split, val3, ros, moveit; of a scene: gltf, moveit-scene; or a "
-                   "plugin's")
+                   "Format of a path: csv, split, val3, ros, moveit, or a plugin's; of a scene: "
+                   "gltf, moveit-scene")
       ->required();
-  command->add_option("--out", choice->out, "Folder to write to")->required();
+  command->add_option("--out", choice->out, "Folder for the files; created if it does not exist")
+      ->required();
   command->add_flag("--any-robot", choice->options.any_robot,
-                    "Export though the format does not seem to be for this robot");
+                    "Export even if the format does not seem to suit this robot");
   command->callback([choice, &exit_code] { exit_code = run_export(*choice); });
 }
 

@@ -109,7 +109,7 @@ class LedRobots {
       auto* robot = dynamic_cast<device::RosRobot*>(target.link.get());
       if (robot == nullptr) {
         throw geometric::InputError({"--robot", "", target.link->name(), "ros:// or ros2://",
-                                     "Other devices take whole motions only."});
+                                     "Other devices accept whole motions only."});
       }
       robots_.push_back(robot);
     }
@@ -128,7 +128,7 @@ class LedRobots {
               {targets_[i].link->name(), "joint " + robots_[i]->joints().names[j],
                fmt::format("{:.4f} rad", found),
                fmt::format("{:.4f} rad within {:g}, the path's start", wanted, tolerance),
-               "Move the robot to the start, or plan from where it stands."});
+               "Move the robot to the start, or plan from its present configuration."});
         }
       }
     }
@@ -163,14 +163,15 @@ std::string fault_of(planning::PlanningProblem problem, const planning::Path& pa
 
 void check_path_is_free(const TimingInput& input) {
   if (const std::string fault = fault_of(input.problem, input.path); !fault.empty()) {
-    throw geometric::InputError({"path", "", fault, "a path that the robot may go", "Plan again."});
+    throw geometric::InputError(
+        {"path", "", fault, "a path that is valid in this scene", "Plan again."});
   }
 }
 
 int report(const execution::GuidanceOutcome& outcome, const device::ForceGuide& guide,
            const HapticLog& log) {
   print_out(
-      "{} samples in {:.1f} s, {} grips, up to {:.1f} mm of the hand from the path, up to "
+      "{} samples in {:.1f} s, {} grips, largest deviation of the hand {:.1f} mm, largest force "
       "{:.2f} N\n",
       outcome.samples, outcome.time, guide.grips(), outcome.largest_deviation / kMillimetre,
       outcome.strongest);
@@ -178,14 +179,14 @@ int report(const execution::GuidanceOutcome& outcome, const device::ForceGuide& 
     print_error("The log could not be written to its end.\n");
   }
   if (outcome.arrived) {
-    print_out("done: at the path's end\n");
+    print_out("done: the path's end is reached\n");
     return log.good() ? kDone : kInvalidInput;
   }
   std::fflush(stdout);
   if (!outcome.fault.empty()) {
     print_error("{}\n", outcome.fault);
   }
-  print_out("STOPPED {}: no force, the robot stands\n",
+  print_out("STOPPED {}: no force is applied, the robot is at rest\n",
             outcome.fault.empty() ? "on request" : "after a fault");
   return kMotionStopped;
 }
@@ -220,12 +221,12 @@ int guide(const GuideChoice& choice) {
   const StopsOnInterrupt guard(stop);
   robots.connect(input.path.waypoints.front(), choice.start_tolerance, stop.get_token());
   handle->connect(stop.get_token());
-  print_out("{}: {:.2f} m of the tool, {:.2f} m of the hand; forces up to {:.2f} N\n",
-            handle->name(), tool_path.curve()->length(),
-            tool_path.curve()->length() / settings.scale,
-            std::min(settings.strongest, handle->abilities().force));
+  print_out(
+      "{}: path of the tool {:.2f} m, of the operator's hand {:.2f} m; forces up to {:.2f} N\n",
+      handle->name(), tool_path.curve()->length(), tool_path.curve()->length() / settings.scale,
+      std::min(settings.strongest, handle->abilities().force));
   if (!robots.empty() && !choice.yes) {
-    print_error("Nothing moved: --yes lets the robot move.\n");
+    print_error("Nothing moved. Add --yes to let the robot move.\n");
     return kWrongUsage;
   }
   std::fflush(stdout);
@@ -253,8 +254,8 @@ int guide(const GuideChoice& choice) {
              log.add(sample);
              if (sample.time >= next) {
                next += kProgressPeriod;
-               print_out("{:.1f} s: {:.3f} of {:.3f} m, {:.1f} mm off, {:.2f} N\n", sample.time,
-                         sample.step.progress, tool_path.curve()->length(),
+               print_out("{:.1f} s: {:.3f} of {:.3f} m, deviation {:.1f} mm, {:.2f} N\n",
+                         sample.time, sample.step.progress, tool_path.curve()->length(),
                          sample.step.deviation / kMillimetre, sample.step.force.norm());
                std::fflush(stdout);
              }
@@ -263,7 +264,7 @@ int guide(const GuideChoice& choice) {
            [&](const planning::Configuration& q) {
              if (edited && !robots.empty()) {
                throw std::runtime_error(
-                   "The scene was edited: the rest of the path is not checked. Start again.");
+                   "The scene was edited, and the remaining path is not checked. Start again.");
              }
              robots.lead(q);
            }});
@@ -275,31 +276,35 @@ void add_haptic_guide(CLI::App& haptic, int& exit_code) {
   auto choice = std::make_shared<GuideChoice>();
   choice->timing.speed = kCautiousSpeed;
   CLI::App* command =
-      haptic.add_subcommand("guide", "Guide a hand along a path, and lead the robot by it");
+      haptic.add_subcommand("guide", "Guide the operator's hand along a path; the robot follows");
   command->add_option("path", choice->timing.path, "Path (CSV)")->required();
-  command->add_option("--scene", choice->timing.scene, "Scene or problem that the path is of")
+  command->add_option("--scene", choice->timing.scene, "Scene or problem file of the path")
       ->required();
-  command->add_option("--to", choice->to, "The device: haptic://HOST[:PORT]")->required();
-  command->add_option("--robot", choice->robot,
-                      "A robot to lead: ros://HOST[:PORT][/CONTROLLER][#arm|#hand] (ros2://)");
+  command->add_option("--to", choice->to, "Haptic device: haptic://HOST[:PORT]")->required();
+  command->add_option(
+      "--robot", choice->robot,
+      "Robot that follows: ros://HOST[:PORT][/CONTROLLER][#arm|#hand] (ros2:// for ROS 2)");
   command->add_flag("--yes", choice->yes, "Let the robot move");
   command->add_option("--link", choice->link,
-                      "The link that the handle stands for (default: the arm's last)");
-  command->add_option("--log", choice->log, "Where to write what happened (CSV)");
+                      "Link that the handle represents (default: the arm's last)");
+  command->add_option("--log", choice->log, "File for the log (CSV)");
   command->add_option("--limits", choice->timing.limits, "Velocity limits (joint_limits.yaml)");
   const auto number = [command](const char* name, double& value, double least, double most,
                                 const char* text) {
     command->add_option(name, value, text)->check(number_in(least, most))->capture_default_str();
   };
-  number("--speed", choice->timing.speed, 0.001, 1.0, "Share of the joints' velocity limits");
+  number("--speed", choice->timing.speed, 0.001, 1.0,
+         "Speed of the robot, as a share of its joints' velocity limits");
   number("--scale", choice->guide.scale, 0.01, 100.0, "Motion of the tool per motion of the hand");
-  number("--tube-mm", choice->tube_mm, 0.0, 100.0, "So far from the path nothing pulls the hand");
-  number("--stiffness", choice->guide.stiffness, 0.0, 2000.0, "Of the spring to the tube, N/m");
-  number("--damping", choice->guide.damping, 0.0, 20.0, "N s/m");
+  number("--tube-mm", choice->tube_mm, 0.0, 100.0,
+         "Radius around the path within which no spring pulls the hand, mm");
+  number("--stiffness", choice->guide.stiffness, 0.0, 2000.0,
+         "Stiffness of the spring towards the tube, N/m");
+  number("--damping", choice->guide.damping, 0.0, 20.0, "Damping of the hand's velocity, N s/m");
   number("--assistance", choice->guide.assistance, 0.0, 20.0, "Force along the path, N");
   number("--max-force", choice->guide.strongest, 0.01, 20.0, "Strongest force on the hand, N");
   number("--start-tolerance", choice->start_tolerance, 1e-5, 1.0,
-         "How far a joint may stand from the path's start, rad");
+         "Largest distance of a joint from the path's start, rad");
   command->callback([choice, &exit_code] { exit_code = guide(*choice); });
 }
 
@@ -319,17 +324,17 @@ int emulate(const EmulateChoice& choice) {
 }  // namespace
 
 void add_haptic_command(CLI::App& app, int& exit_code) {
-  CLI::App* haptic = app.add_subcommand("haptic", "Haptic devices: be guided along a path by hand");
+  CLI::App* haptic =
+      app.add_subcommand("haptic", "Follow a path with a haptic device, or emulate one");
   haptic->require_subcommand(1);
   add_haptic_guide(*haptic, exit_code);
   auto choice = std::make_shared<EmulateChoice>();
   choice->device.port = device::kHapticPort;
   CLI::App* command = haptic->add_subcommand(
       "emulate",
-      "Be a haptic device with a hand that lets itself be guided; the first line says what to "
-      "connect to");
+      "Emulate a haptic device with a compliant hand; the first line of output is its address");
   add_emulator_options(*command, choice->device, {"none", "late", "lost", "refused", "estop"});
-  command->add_option("--tremble", choice->tremble, "How strongly the hand trembles, N")
+  command->add_option("--tremble", choice->tremble, "Force of the hand's tremor, N")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
   command->callback([choice, &exit_code] { exit_code = emulate(*choice); });

@@ -86,10 +86,10 @@ void add_arm_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<ArmChoice>();
   choice->device.port = device::kVal3MotionPort;
   choice->device.lag_ms = 1e3 * device::Val3ControllerSettings{}.lag;
-  CLI::App* command =
-      add_emulate_command(app, choice->device, "arm", "Arms: controllers with the VAL3 server",
-                          "Be a TX90 on a CS8 controller; the first line says what to send to");
-  command->add_option("--queue", choice->queue, "How many points the controller holds")
+  CLI::App* command = add_emulate_command(
+      app, choice->device, "arm", "Emulate an arm: a controller with the VAL3 server",
+      "Emulate a TX90 on a CS8 controller; the first line of output is its address");
+  command->add_option("--queue", choice->queue, "Number of points that the controller holds")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->callback([choice, &exit_code] { exit_code = emulate_arm(*choice); });
@@ -99,8 +99,8 @@ void add_hand_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<EmulatedDeviceChoice>();
   choice->port = device::kHandPort;
   choice->lag_ms = 1e3 * device::HandControllerSettings{}.lag;
-  add_emulate_command(app, *choice, "hand", "Hands that speak Handway's hand protocol",
-                      "Be an SAH; the first line says what to send to")
+  add_emulate_command(app, *choice, "hand", "Emulate a hand with Handway's hand protocol",
+                      "Emulate an SAH; the first line of output is its address")
       ->callback([choice, &exit_code] { exit_code = emulate_hand(*choice); });
 }
 
@@ -108,9 +108,9 @@ void add_ros_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<EmulatedDeviceChoice>();
   choice->port = device::kRosbridgePort;
   choice->lag_ms = 1e3 * device::RosControllerSettings{}.lag;
-  add_emulate_command(
-      app, *choice, "ros", "Robots in ROS, behind a rosbridge server",
-      "Be a robot in ROS 1 or 2 with its rosbridge server; the first line says what to send to")
+  add_emulate_command(app, *choice, "ros", "Emulate a robot in ROS behind a rosbridge server",
+                      "Emulate a robot in ROS 1 or 2 with its rosbridge server; the first line of "
+                      "output is its address")
       ->callback([choice, &exit_code] { exit_code = emulate_ros(*choice); });
 }
 

@@ -56,7 +56,7 @@ class SendObserver final : public execution::MotionObserver {
     log_.add(sample.time, sample.target, sample.planned, sample.measured);
   }
   void on_held(const std::string& reason) override {
-    print_out("held: {}\n", reason);
+    print_out("paused: {}\n", reason);
     std::fflush(stdout);
   }
   void on_progress(double time, const std::vector<execution::FollowingError>& errors) override {
@@ -71,7 +71,7 @@ class SendObserver final : public execution::MotionObserver {
         fmt::format("{:.1f} of {:.1f} s", time, targets_.front().link->trajectory().duration());
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       line +=
-          fmt::format(", {} up to {:.4f} rad off", targets_[i].kind, errors[i].max().maxCoeff());
+          fmt::format(", {} error up to {:.4f} rad", targets_[i].kind, errors[i].max().maxCoeff());
     }
     print_out("{}\n", line);
     std::fflush(stdout);
@@ -113,7 +113,7 @@ void print_errors(const std::vector<MotionTarget>& targets,
 
 const char* cause_of(const execution::MotionOutcome& outcome) {
   if (!outcome.collision.empty()) {
-    return "for the scene";
+    return "because of the scene";
   }
   return outcome.fault.empty() ? "on request" : "after a fault";
 }
@@ -140,7 +140,7 @@ int report(const std::vector<MotionTarget>& targets, const execution::MotionOutc
   if (outcome.at_rest_ms >= 0.0) {
     print_out("at rest {:.0f} ms later\n", outcome.at_rest_ms);
   } else {
-    print_out("not seen at rest: LOOK AT THE ROBOT\n");
+    print_out("not confirmed at rest: LOOK AT THE ROBOT\n");
   }
   return kMotionStopped;
 }
@@ -160,8 +160,8 @@ execution::SceneWatch::Problem scene_now(const TimingChoice& choice,
   const auto faults = check_trajectory(model, motion.trajectory, limits);
   if (!faults.empty()) {
     throw geometric::InputError({choice.scene.string(), "robot", faults.front().text,
-                                 "limits that the motion keeps",
-                                 "The files were edited meanwhile: send the path again."});
+                                 "a motion within the limits",
+                                 "The files were edited in the meantime: send the path again."});
   }
   return problem;
 }
@@ -211,7 +211,7 @@ int send(const SendChoice& choice) {
               100.0 * choice.timing.speed);
   }
   if (!choice.yes) {
-    print_error("Nothing was sent: --yes lets the robot move.\n");
+    print_error("Nothing was sent. Add --yes to let the robot move.\n");
     return kWrongUsage;
   }
   std::fflush(stdout);
@@ -251,15 +251,16 @@ void add_send_command(CLI::App& app, int& exit_code) {
   choice->timing.speed = kCautiousSpeed;
   choice->timing.period_ms = kPeriodMs;
   CLI::App* command =
-      app.add_subcommand("send", "Run a path on an arm and a hand, or on a robot in ROS");
+      app.add_subcommand("send", "Run a path on an arm, a hand, both, or a robot in ROS");
   add_timing_options(*command, choice->timing);
   command
       ->add_option("--to", choice->to,
-                   "arm://HOST[:PORT], hand://HOST[:PORT], both with a comma between, or "
+                   "Device: arm://HOST[:PORT], hand://HOST[:PORT], both separated by a comma, or "
                    "ros://HOST[:PORT][/CONTROLLER][#arm|#hand] (ros2:// for ROS 2)")
       ->required();
-  command->add_flag("--yes", choice->yes, "Let the robot move");
-  command->add_option("--log", choice->log, "Where to write planned and measured joints (CSV)");
+  command->add_flag("--yes", choice->yes,
+                    "Let the robot move; without this option everything is checked only");
+  command->add_option("--log", choice->log, "File for planned and measured joints (CSV)");
   const auto tolerance = [command](const char* name, double& value, const char* text) {
     command->add_option(name, value, text)
         ->check(positive_number())
@@ -267,9 +268,9 @@ void add_send_command(CLI::App& app, int& exit_code) {
         ->capture_default_str();
   };
   tolerance("--start-tolerance", choice->tolerances.start,
-            "How far a joint may stand from the path's start, rad");
+            "Largest distance of a joint from the path's start, rad");
   tolerance("--following-tolerance", choice->tolerances.following,
-            "How far a joint may be from where it should be, rad");
+            "Largest following error of a joint during a motion, rad");
   command->callback([choice, &exit_code] { exit_code = send(*choice); });
 }
 

@@ -9,8 +9,8 @@ namespace handway::tools {
 
 void add_time_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<TimingChoice>();
-  CLI::App* command =
-      app.add_subcommand("time", "Tell how long a path takes, and whether it may run");
+  CLI::App* command = app.add_subcommand(
+      "time", "Compute the shortest duration of a path and run the pre-flight check");
   add_timing_options(*command, *choice);
   command->callback([choice, &exit_code] {
     planning::PluginManager plugins;

@@ -13,43 +13,47 @@
 namespace handway::tools {
 void add_timing_options(CLI::App& command, TimingChoice& choice) {
   command.add_option("path", choice.path, "Path (CSV)")->required();
-  command.add_option("--scene", choice.scene, "Scene or problem that the path is of")->required();
-  command.add_option("--speed", choice.speed, "Share of the limits' pace: above 0, at most 1")
+  command.add_option("--scene", choice.scene, "Scene or problem file of the path")->required();
+  command.add_option("--speed", choice.speed, "Share of the full speed, above 0, at most 1")
       ->check(positive_number())
       ->check(CLI::Range(0.001, 1.0))
       ->capture_default_str();
-  command.add_option("--period-ms", choice.period_ms, "Time from point to point")
+  command.add_option("--period-ms", choice.period_ms, "Time from one point to the next, ms")
       ->check(positive_number())
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
-  auto* deviation = command
-                        .add_option("--deviation", choice.deviation,
-                                    "Farthest that an arc passes its waypoint, rad over all joints")
-                        ->check(positive_number())
-                        ->check(CLI::Range(1e-4, 10.0))
-                        ->capture_default_str();
+  auto* deviation =
+      command
+          .add_option("--deviation", choice.deviation,
+                      "Largest distance of an arc from its waypoint, rad over all joints together")
+          ->check(positive_number())
+          ->check(CLI::Range(1e-4, 10.0))
+          ->capture_default_str();
   command
-      .add_option("--arc-clearance-mm", choice.arc_clearance_mm, "What arcs keep from everything")
+      .add_option("--arc-clearance-mm", choice.arc_clearance_mm,
+                  "Least clearance of arcs, mm; arcs with less clearance are made smaller")
       ->check(positive_number())
       ->check(CLI::Range(0.05, 1000.0))
       ->capture_default_str();
-  command.add_flag("--no-blend", choice.no_blend, "Stop at every waypoint")->excludes(deviation);
-  command.add_flag("--jerk", choice.jerk, "Limit jerk, too");
-  command.add_option("--limits", choice.limits,
-                     "Velocity, acceleration and jerk limits (joint_limits.yaml)");
+  command.add_flag("--no-blend", choice.no_blend, "No arcs: stop at every waypoint")
+      ->excludes(deviation);
+  command.add_flag("--jerk", choice.jerk, "Also limit jerk");
+  command.add_option(
+      "--limits", choice.limits,
+      "Velocity, acceleration and jerk limits that replace the robot's (joint_limits.yaml)");
   command
       .add_option("--margin", choice.margin_mm,
-                  "Clearance (mm) that has to remain when the joints are off by their following "
-                  "error: less is cleared with a warning")
+                  "Clearance in mm that has to remain if the robot is off by its following error; "
+                  "less is cleared with a warning")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command
       .add_option("--following-error", choice.following_error,
-                  "How far the controller lets joints be off at their velocity limit, rad or m "
-                  "(default: 0.01 rad, 0.001 m)")
+                  "Following error of joints at their velocity limit, rad or m (default: 0.01 rad, "
+                  "0.001 m)")
       ->check(CLI::Range(0.0, 1.0));
   add_group_option(command, choice.group);
-  command.add_option("--report", choice.report, "Where to write the pre-flight report (JSON)");
+  command.add_option("--report", choice.report, "File for the pre-flight report (JSON)");
 }
 
 planning::PlanningProblem read_problem(const TimingChoice& choice,
@@ -123,19 +127,19 @@ planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& in
 
 void print_timing(const planning::TimedPath& timed) {
   if (!timed.blends.fault.empty()) {
-    print_out("{}\nNOT CLEARED: the path itself is not free\n", timed.blends.fault);
+    print_out("{}\nNOT CLEARED: the path itself is in collision\n", timed.blends.fault);
     return;
   }
   print_out("{}", planning::to_text(timed.preflight));
   print_out("{} waypoints, {} stops between", timed.motion.path.waypoints.size(),
             timed.blends.stops);
   if (timed.blends.arcs > 0) {
-    print_out(", {} arcs ({} smaller than asked); they pass their waypoints at {:.4f} rad or less",
+    print_out(", {} arcs ({} smaller than requested); largest distance from a waypoint {:.4f} rad",
               timed.blends.arcs, timed.blends.reduced, timed.blends.largest_deviation);
   }
   print_out("\n");
   if (timed.least_duration > 0.0) {
-    print_out("no motion through the waypoints takes less than {:.3f} s\n", timed.least_duration);
+    print_out("lower bound of the duration for these waypoints: {:.3f} s\n", timed.least_duration);
   }
 }
 

@@ -106,7 +106,7 @@ std::unique_ptr<device::DeviceUnit> make_unit(const EmulateOptions& options) {
                                          : make_fastrak_unit(options.unit, signal);
   } catch (const std::invalid_argument& problem) {
     throw geometric::InputError({"--sensors", "", std::to_string(options.unit.sensors),
-                                 problem.what(), "Take fewer, or another --protocol."});
+                                 problem.what(), "Use fewer, or another --protocol."});
   }
 }
 
@@ -125,22 +125,24 @@ int emulate(const EmulateOptions& options) {
 /// handway tracker emulate: an emulated tracker on a pseudo-terminal, a TCP port or by UDP.
 void add_tracker_emulate(CLI::App& tracker, int& exit_code) {
   auto options = std::make_shared<EmulateOptions>();
-  CLI::App* command =
-      tracker.add_subcommand("emulate", "Be a tracker; the first line says what to connect to");
+  CLI::App* command = tracker.add_subcommand(
+      "emulate", "Emulate a wrist tracker; the first line of output is its address");
   CLI::Option* tcp = add_serve_options(*command, options->serve);
   command->add_option("--protocol", options->protocol, "fastrak, liberty or udp")
       ->check(CLI::IsMember({"fastrak", "liberty", "udp"}))
       ->capture_default_str();
-  command->add_option("--to", options->receiver, "With udp: HOST:PORT, or PORT of this computer")
+  command
+      ->add_option("--to", options->receiver,
+                   "With udp: destination HOST:PORT, or PORT of this computer")
       ->excludes(tcp);
-  command->add_option("--sensors", options->unit.sensors, "How many sensors it has")
+  command->add_option("--sensors", options->unit.sensors, "Number of sensors")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  command->add_option("--rate", options->unit.rate, "Poses a second")
+  command->add_option("--rate", options->unit.rate, "Poses per second")
       ->check(CLI::Range(0.5, 1000.0))
       ->capture_default_str();
   command->add_flag("--button", options->unit.button,
-                    "The first sensor has a button, pressed every other second");
+                    "Add a button to the first sensor; it is pressed every other second");
   command->add_option("--seed", options->seed, "Seed of the wrist's motion and of all faults")
       ->check(not_negative())
       ->capture_default_str();
@@ -184,8 +186,8 @@ std::unique_ptr<Tracker> make_tracker(const LiveOptions& options) {
   settings.ascii = options.ascii;
   settings.button = options.button;
   if (settings.ascii && settings.model == device::PolhemusModel::kLiberty) {
-    throw geometric::InputError({"--ascii", "", "a Liberty", "a Fastrak",
-                                 "A Liberty is read in binary: leave --ascii out."});
+    throw geometric::InputError(
+        {"--ascii", "", "a Liberty", "a Fastrak", "A Liberty is read in binary: omit --ascii."});
   }
   return std::make_unique<device::PolhemusTracker>(options.device, settings);
 }
@@ -286,11 +288,11 @@ int show(const LiveOptions& options) {
 /// handway tracker live: a tracker's measurements as they come.
 void add_tracker_live(CLI::App& tracker, int& exit_code) {
   auto options = std::make_shared<LiveOptions>();
-  CLI::App* command = tracker.add_subcommand("live", "Show what a tracker measures");
+  CLI::App* command = tracker.add_subcommand("live", "Show the measurements of a tracker");
   command
       ->add_option(
           "--device", options->device,
-          "Serial port (/dev/ttyUSB0) or HOST:PORT; with udp PORT or HOST:PORT to listen on")
+          "Serial port (/dev/ttyUSB0) or HOST:PORT; with udp the PORT or HOST:PORT to listen on")
       ->required();
   command->add_option("--protocol", options->protocol, "fastrak, liberty or udp")
       ->check(CLI::IsMember({"fastrak", "liberty", "udp"}))
@@ -298,18 +300,19 @@ void add_tracker_live(CLI::App& tracker, int& exit_code) {
   command->add_option("--baud", options->baud, "Speed of a serial port, bit/s")
       ->check(CLI::Range(1200, 921600))
       ->capture_default_str();
-  command->add_flag("--ascii", options->ascii, "Text records instead of binary ones (fastrak)");
-  command->add_flag("--button", options->button, "Ask for the switch of a stylus, too");
-  command->add_option("--samples", options->samples, "Stop after so many samples")
+  command->add_flag("--ascii", options->ascii,
+                    "Text records instead of binary ones (fastrak only)");
+  command->add_flag("--button", options->button, "Request the switch of a stylus, too");
+  command->add_option("--samples", options->samples, "Stop after this number of samples")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--json", options->json, "One JSON object a line instead of a table");
+  command->add_flag("--json", options->json, "Print one JSON object per line instead of a table");
   command->callback([options, &exit_code] { exit_code = show(*options); });
 }
 
 }  // namespace
 
 void add_tracker_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("tracker", "Use wrist trackers, or emulate one");
+  CLI::App* command = app.add_subcommand("tracker", "Read a wrist tracker, or emulate one");
   command->require_subcommand(1);
   add_tracker_emulate(*command, exit_code);
   add_tracker_live(*command, exit_code);

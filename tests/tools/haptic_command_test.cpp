@@ -48,8 +48,8 @@ TEST_F(Haptic, GuidesAHandToThePathsEnd) {
   const Outcome done = guide(emulate(), "--speed 0.5 --max-force 2 --log log.csv");
   ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
   EXPECT_THAT(done.out, AllOf(HasSubstr("forces up to 2.00 N"), HasSubstr("grips"),
-                              HasSubstr("done: at the path's end")));
-  EXPECT_LE(number_after(done.out, "path, up to"), 2.0);
+                              HasSubstr("done: the path's end is reached")));
+  EXPECT_LE(number_after(done.out, "largest force"), 2.0);
   const std::vector<std::string> log = lines_of(line_.read("log.csv"));
   ASSERT_GT(log.size(), 50U);
   EXPECT_THAT(log.front(), StartsWith("time,progress,place,button,deviation,force.x,"));

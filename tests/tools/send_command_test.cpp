@@ -246,7 +246,7 @@ TEST_F(SendInAnEditedScene, StopsForAWallInTheWay) {
   add_object(
       "{name: wall, box: {size: [1.5, 0.02, 3]}, pose: {xyz: [0.92, 0.39, 0], rpy_deg: [0, 0, "
       "23]}}");
-  EXPECT_THAT(skip_to("STOPPED"), HasSubstr("for the scene"));
+  EXPECT_THAT(skip_to("STOPPED"), HasSubstr("because of the scene"));
   EXPECT_EQ(sending_->wait(), kMotionStopped);
 }
 
@@ -258,7 +258,7 @@ TEST_F(SendInAnEditedScene, GoesOnIfTheRestIsFree) {
 
 TEST_F(SendInAnEditedScene, StopsIfItsFileCanNotBeRead) {
   line_.write("edited.yaml", "handway: 1\nrobots: [\n");
-  EXPECT_THAT(skip_to("STOPPED"), HasSubstr("for the scene"));
+  EXPECT_THAT(skip_to("STOPPED"), HasSubstr("because of the scene"));
   EXPECT_EQ(sending_->wait(), kMotionStopped);
 }
 
