@@ -32,8 +32,8 @@ struct CheckOptions {
 
 void print_likeness(const planning::PathLikeness& likeness) {
   print_out(
-      "hand, in normalised joints: mean {:.3f} and at most {:.3f} from its principal motion "
-      "directions",
+      "distance of the hand in normalised joints: mean {:.3f} and at most {:.3f} from its "
+      "principal motion directions",
       likeness.to_subspace.mean, likeness.to_subspace.largest);
   if (likeness.to_recorded) {
     print_out(", mean {:.3f} and at most {:.3f} from the nearest recorded posture",
@@ -47,7 +47,7 @@ void print_shortfall(const planning::PlanningProblem& problem, const planning::P
                      double margin_mm) {
   if (const auto shortfall =
           planning::path_shortfall(problem, path, geometric::metres(margin_mm))) {
-    print_out("warning: after waypoint {:.0f} {}; plan again with --margin {:g}\n",
+    print_out("warning: after waypoint {:.0f}: {}; plan again with --margin {:g}\n",
               shortfall->place, planning::to_string(*shortfall), shortfall->suggested_margin_mm());
   }
 }
@@ -94,23 +94,25 @@ int check(const CheckOptions& options) {
 
 void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "Re-check a path on the exact meshes");
+  CLI::App* command =
+      app.add_subcommand("check", "Check a path for collisions on the exact meshes");
   command->add_option("scene", options->scene, "Scene or problem file")->required();
   command->add_option("path", options->path, "Path (CSV)")->required();
   command
       ->add_option("--resolution-mm", options->resolution_mm,
-                   "Farthest that any point of the robot moves between two checks")
+                   "Largest motion of any point of the robot between two checks, mm")
       ->check(positive_number())
       ->check(CLI::Range(1e-4, 1e3))
       ->capture_default_str();
   command
       ->add_option("--margin", options->margin_mm,
-                   "Clearance (mm) that has to remain when the joints stand 0.03 degrees off: less "
+                   "Clearance in mm that has to remain if the joints are off by 0.03 degrees; less "
                    "is valid with a warning")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
-  command->add_option("--postures", options->postures,
-                      "Recorded postures to compare the hand with (default: the basis')");
+  command->add_option(
+      "--postures", options->postures,
+      "Recorded postures to compare the hand with (default: those of the hand basis)");
   add_upright_option(*command, options->uprights);
   add_goal_pose_options(*command, options->goal_poses);
   add_group_option(*command, options->group);

@@ -36,11 +36,10 @@ int compare(const CompareChoice& choice) {
 
 void add_compare_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<CompareChoice>();
-  CLI::App* command =
-      app.add_subcommand("compare", "Compare what devices did with what was planned");
+  CLI::App* command = app.add_subcommand("compare", "Compare measured with planned joints");
   command->add_option("log", choice->log, "Log of handway send (CSV)")->required();
   command->add_flag("--plots", choice->plots,
-                    "Draw the differences beside the log, as PNG and SVG");
+                    "Draw the differences as PNG and SVG, beside the log");
   command->callback([choice, &exit_code] { exit_code = compare(*choice); });
 }
 

@@ -54,7 +54,8 @@ fs::path figures_program() {
 void draw_figures(const fs::path& source) {
   const fs::path program = figures_program();
   if (!fs::exists(program)) {
-    throw InputError({"figures", "", "no program " + program.string(), "it, to draw the figures",
+    throw InputError({"figures", "", "no program " + program.string(),
+                      "this program, which draws the figures",
                       "Build or install the workbench; the data are in " + source.string()});
   }
   const bool display = std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");

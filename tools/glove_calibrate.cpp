@@ -59,7 +59,7 @@ device::GuidedPose recorded_pose(const std::string& text,
     std::vector<std::string> names;
     std::ranges::transform(known, std::back_inserter(names), &PoseInstruction::name);
     throw geometric::InputError({"--pose " + name, "", "no pose of that name",
-                                 "one that is held, as --list shows",
+                                 "the name of a pose, as --list shows",
                                  pose != known.end() ? "Give its recording to --free"
                                                      : geometric::advise_name(name, names)});
   }
@@ -169,11 +169,11 @@ void print(const CalibrationFit& found) {
       continue;
     }
     print_out("{:<18} {:+.5f} rad per count, zero at {:.1f}{}\n", name, line->gain, line->zero,
-              line->residual ? fmt::format(", off by {:.3f} rad", *line->residual) : "");
+              line->residual ? fmt::format(", error {:.3f} rad", *line->residual) : "");
   }
   for (std::size_t i = 0; i < device::kGloveSensors; ++i) {
     if (const auto& range = found.calibration.ranges.at(i)) {
-      print_out("{:<18} goes from {:.0f} to {:.0f} deg\n", device::cyberglove_sensors()[i].name,
+      print_out("{:<18} range {:.0f} to {:.0f} deg\n", device::cyberglove_sensors()[i].name,
                 range->first / geometric::kDegree, range->second / geometric::kDegree);
     }
   }
@@ -209,34 +209,36 @@ int calibrate(const CalibrateOptions& options) {
 void add_glove_calibrate(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<CalibrateOptions>();
   CLI::App* command = glove.add_subcommand(
-      "calibrate",
-      "Find the calibration of a glove on a hand, and how far and how large the hand is");
-  command->add_option("--pose", options->poses, "What was recorded while a pose was held")
+      "calibrate", "Compute the calibration of a glove: sensors, joint ranges and bone lengths");
+  command->add_option("--pose", options->poses, "Recording of the person holding a pose")
       ->type_name("NAME=RECORDING")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_flag("--list", options->list, "Tell the poses and what to ask for");
-  command->add_option("--poses", options->pose_file, "Other poses than those that ship (YAML)");
+  command->add_flag("--list", options->list, "List the poses with the instructions for the person");
+  command->add_option("--poses", options->pose_file,
+                      "File of poses, instead of those that ship (YAML)");
   command->add_option(
       "--free", options->free,
-      "A recording of a motion through all that the hand can do, of counts, angles or landmarks");
-  command->add_option("--before", options->before,
-                      "Calibration whose signs hold for --free (default: a typical right hand's)");
+      "Recording of a motion through all postures of the hand, of counts, angles or landmarks");
+  command->add_option(
+      "--before", options->before,
+      "Calibration whose signs are used for --free (default: a typical right hand's)");
   command
-      ->add_option(
-          "--hand-length", options->hand_length,
-          "From the wrist's crease to the tip of the middle finger, mm: bones in proportion")
+      ->add_option("--hand-length", options->hand_length,
+                   "Length from the crease of the wrist to the tip of the middle finger, mm; all "
+                   "bones are scaled to it")
       ->check(positive_number());
   command
       ->add_option(
           "--bones", options->bones,
-          "Measured bones, mm: from the wrist to where the finger begins, then bone by bone")
+          "Measured lengths, mm: from the wrist to the base of the finger, then bone by bone")
       ->type_name("FINGER=MM,MM,MM,MM")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--person", options->person, "Whose hand it is");
-  command->add_option("--date", options->date, "When it was recorded");
-  command->add_option("--out", options->out, "Write the calibration here (YAML)");
+  command->add_option("--person", options->person,
+                      "Name of the person, written to the calibration");
+  command->add_option("--date", options->date, "Date of the recording, written to the calibration");
+  command->add_option("--out", options->out, "File for the calibration (YAML)");
   command->callback([options, &exit_code] { exit_code = calibrate(*options); });
 }
 

@@ -125,19 +125,21 @@ std::string statistics_json(const StreamStatistics& s) {
 
 void add_glove_device_options(CLI::App& command, GloveDeviceOptions& options) {
   command
-      .add_option(
-          "--device", options.device,
-          "Serial port (/dev/ttyUSB0) or HOST:PORT of a CyberGlove; udp://PORT to hear hand "
-          "landmarks, landmarks://HOST:PORT to fetch them")
+      .add_option("--device", options.device,
+                  "Serial port (/dev/ttyUSB0) or HOST:PORT of a CyberGlove; udp://PORT to receive "
+                  "hand landmarks, landmarks://HOST:PORT to fetch them")
       ->required();
-  command.add_option("--rate", options.rate_hz, "Frames a second to ask for")
+  command.add_option("--rate", options.rate_hz, "Frames per second to request")
       ->check(CLI::Range(0.5, 480.0))
       ->capture_default_str();
   command.add_option("--baud", options.baud, "Speed of a serial port, bit/s")
       ->check(CLI::Range(1200, 921600))
       ->capture_default_str();
-  command.add_flag("--poll", options.poll, "Ask for every frame instead of letting it stream");
-  command.add_option("--hand", options.hand, "With landmarks: left or right (default: the first)")
+  command.add_flag("--poll", options.poll,
+                   "Request every frame instead of letting the glove stream");
+  command
+      .add_option("--hand", options.hand,
+                  "With landmarks: left or right hand (default: the first that is detected)")
       ->check(CLI::IsMember({"left", "right"}));
 }
 
@@ -156,7 +158,8 @@ std::unique_ptr<device::Glove> make_glove(const GloveDeviceOptions& options) {
 }
 
 void add_glove_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("glove", "Use sensorized gloves, or emulate one");
+  CLI::App* command =
+      app.add_subcommand("glove", "Read, record and calibrate sensor gloves, or emulate one");
   command->require_subcommand(1);
   add_glove_calibrate(*command, exit_code);
   add_glove_emulate(*command, exit_code);

@@ -88,8 +88,9 @@ int emulate_landmarks(const EmulateOptions& options) {
   } else if (serve.tcp_port) {
     serve.scheme = "landmarks://";
   } else {
-    throw geometric::InputError({"--to", "", "nothing", "HOST:PORT or PORT to send landmarks to",
-                                 "Write, for example, --to 5006, or --tcp 5006 to be fetched."});
+    throw geometric::InputError(
+        {"--to", "", "nothing", "HOST:PORT or PORT to send landmarks to",
+         "Write, for example, --to 5006, or --tcp 5006 to serve them on a port."});
   }
   device::LandmarkUnitSettings unit;
   unit.rate = options.rate_hz.value_or(unit.rate);
@@ -123,29 +124,30 @@ int emulate_glove(const EmulateOptions& options) {
 void add_signal_options(CLI::App& command, EmulateOptions& options) {
   command
       .add_option("--protocol", options.protocol,
-                  "cyberglove (I and II), cyberglove3 (its native stream), or landmarks: 21 points "
-                  "of a hand as JSON lines")
+                  "cyberglove (I and II), cyberglove3 (native stream of a CyberGlove III), or "
+                  "landmarks (21 points of a hand as JSON lines)")
       ->check(CLI::IsMember({"cyberglove", "cyberglove3", "landmarks"}))
       ->capture_default_str();
   command.add_option(
       "--to", options.receiver,
-      "HOST:PORT, or PORT of this computer: with landmarks to send to by UDP, else to "
-      "connect to, as a CyberGlove III does over WiFi");
-  command.add_option("--sensors", options.sensors, "18 or 22")
+      "HOST:PORT, or PORT of this computer: for landmarks the destination of UDP datagrams, "
+      "otherwise the address to connect to, as a CyberGlove III does over WiFi");
+  command.add_option("--sensors", options.sensors, "Number of sensors, 18 or 22")
       ->check(CLI::IsMember({18, 22}))
       ->capture_default_str();
-  command.add_flag("--left", options.left, "A glove of the left hand");
+  command.add_flag("--left", options.left, "Emulate a glove of the left hand");
   command
       .add_option(
           "--rate", options.rate_hz,
-          "Frames a second, until the host sets another rate (default: 100; 30 of landmarks)")
+          "Frames per second, until the host sets another rate (default: 100; 30 for landmarks)")
       ->check(CLI::Range(0.5, 480.0));
   command.add_option("--seed", options.seed, "Seed of the hand's motion and of all faults")
       ->check(not_negative())
       ->capture_default_str();
-  command.add_option("--from", options.from, "Play this recording instead of a free motion");
+  command.add_option("--from", options.from,
+                     "Play this recording in a loop, instead of a generated motion");
   command.add_option("--calibration", options.calibration,
-                     "Calibration of its wearer (default: a typical right hand)");
+                     "Calibration of glove and person (default: a typical right hand's)");
 }
 
 void add_fault_options(CLI::App& command, EmulateOptions& options) {
@@ -157,7 +159,8 @@ void add_fault_options(CLI::App& command, EmulateOptions& options) {
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   add_line_fault_options(command, options.faults);
-  command.add_option("--saturate", options.saturate, "A sensor that always reads 255")
+  command
+      .add_option("--saturate", options.saturate, "Sensor (name or letter) that always reads 255")
       ->type_name("SENSOR")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -168,8 +171,8 @@ void add_fault_options(CLI::App& command, EmulateOptions& options) {
 void add_glove_emulate(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<EmulateOptions>();
   CLI::App* command = glove.add_subcommand("emulate",
-                                           "Be a CyberGlove, or what sees a hand's landmarks; the "
-                                           "first line says what to connect to");
+                                           "Emulate a CyberGlove, or a source of hand landmarks; "
+                                           "the first line of output is its address");
   add_serve_options(*command, options->serve);
   add_signal_options(*command, *options);
   add_fault_options(*command, *options);
@@ -191,17 +194,17 @@ struct GenerateOptions {
 
 void add_glove_generate(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<GenerateOptions>();
-  CLI::App* command = glove.add_subcommand("generate", "Make a recording of a synthetic hand");
+  CLI::App* command = glove.add_subcommand("generate", "Write a recording of the emulated hand");
   command->add_option("--seed", options->seed, "Seed of the hand's motion and the noise")
       ->check(not_negative())
       ->capture_default_str();
-  command->add_option("--samples", options->samples, "Rows")
+  command->add_option("--samples", options->samples, "Number of rows")
       ->check(CLI::Range(1, kMostSamples))
       ->capture_default_str();
-  command->add_option("--rate", options->rate, "Rows a second")
+  command->add_option("--rate", options->rate, "Rows per second")
       ->check(positive_number())
       ->capture_default_str();
-  command->add_option("--out", options->out, "Write the recording here (CSV)")->required();
+  command->add_option("--out", options->out, "Recording to write (CSV)")->required();
   command->callback([options, &exit_code] {
     device::write_recording(
         device::generate_recording(options->seed, options->samples, options->rate), options->out);

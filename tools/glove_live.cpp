@@ -76,9 +76,9 @@ void announce(const GloveInfo& info) {
 }
 
 void add_glove_show_options(CLI::App& command, GloveShowOptions& options) {
-  command.add_option("--frames", options.frames, "Stop after so many frames")
+  command.add_option("--frames", options.frames, "Stop after this number of frames")
       ->check(CLI::PositiveNumber);
-  command.add_flag("--json", options.json, "One JSON object a line instead of a table");
+  command.add_flag("--json", options.json, "Print one JSON object per line instead of a table");
 }
 
 /// Shows a glove's measurements: on a terminal a table that is refreshed, else one line per frame.
@@ -137,7 +137,7 @@ void add_glove_live(CLI::App& glove, int& exit_code) {
     GloveShowOptions show;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = glove.add_subcommand("live", "Show what a glove measures");
+  CLI::App* command = glove.add_subcommand("live", "Show the measurements of a glove");
   add_glove_device_options(*command, options->device);
   add_glove_show_options(*command, options->show);
   command->callback([options, &exit_code] {
@@ -181,12 +181,13 @@ int replay(const ReplayOptions& options) {
 
 void add_glove_replay(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<ReplayOptions>();
-  CLI::App* command = glove.add_subcommand("replay", "Play a recording");
+  CLI::App* command = glove.add_subcommand("replay", "Play a recording as a glove's measurements");
   command->add_option("recording", options->file, "Recording (CSV)")->required();
-  command->add_option("--speed", options->replay.speed, "Times as fast as it was recorded")
+  command
+      ->add_option("--speed", options->replay.speed, "Speed, as a multiple of the recorded speed")
       ->check(positive_number())
       ->capture_default_str();
-  command->add_flag("--loop", options->replay.loop, "Begin again at the end");
+  command->add_flag("--loop", options->replay.loop, "Repeat until interrupted");
   add_glove_show_options(*command, options->show);
   add_serve_options(*command, options->serve);
   command->callback([options, &exit_code] { exit_code = replay(*options); });

@@ -79,13 +79,16 @@ int map(const MapOptions& options) {
 void add_glove_map(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<MapOptions>();
   CLI::App* command = glove.add_subcommand("map", "Propose a mapping of a glove to any robot hand");
-  command->add_option("robot", options->robot, "Robot hand, or an arm with one: a name or a URDF")
+  command
+      ->add_option("robot", options->robot, "Robot hand, or an arm with a hand: name or URDF file")
       ->required();
-  command->add_option("--fit", options->fit,
-                      "Fit signs and ranges to this recording: open hand, fist, thumb moves");
+  command->add_option(
+      "--fit", options->fit,
+      "Fit signs and ranges to this recording of an open hand, a fist and motions of the thumb");
   command->add_option("--calibration", options->calibration,
-                      "Calibration for a recording of counts (default: a typical right hand's)");
-  command->add_option("--out", options->out, "Write the mapping here (YAML)");
+                      "Calibration of glove and person, for a recording of counts (default: a "
+                      "typical right hand's)");
+  command->add_option("--out", options->out, "File for the mapping (YAML)");
   command->callback([options, &exit_code] { exit_code = map(*options); });
 }
 

@@ -119,7 +119,7 @@ void print_state(StreamState state) {
   if (state == StreamState::kLost) {
     print_error("connection lost; trying to connect again\n");
   } else if (state == StreamState::kUnplugged) {
-    print_error("the glove is unplugged; waiting for it\n");
+    print_error("the glove is unplugged; waiting until it is plugged in\n");
   } else if (state == StreamState::kStreaming) {
     print_error("recording\n");
   }
@@ -164,14 +164,17 @@ int record(const RecordOptions& options) {
 
 void add_glove_record(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<RecordOptions>();
-  CLI::App* command = glove.add_subcommand("record", "Record what a glove measures");
+  CLI::App* command = glove.add_subcommand("record", "Record the measurements of a glove");
   add_glove_device_options(*command, options->device);
   command->add_option("--out", options->out, "Recording to write (CSV)")->required();
-  command->add_option("--duration", options->duration_s, "Stop after so many s (default: Ctrl+C)")
+  command
+      ->add_option("--duration", options->duration_s,
+                   "Stop after this time, s (default: at Ctrl+C)")
       ->check(positive_number());
-  command->add_option("--frames", options->frames, "Stop after so many frames")
+  command->add_option("--frames", options->frames, "Stop after this number of frames")
       ->check(CLI::PositiveNumber);
-  command->add_option("--origin", options->origin, "Who wore it and what for, for the file");
+  command->add_option("--origin", options->origin,
+                      "Note about the person and the purpose, written to the file");
   command->callback([options, &exit_code] { exit_code = record(*options); });
 }
 

@@ -188,7 +188,8 @@ std::string hold_titles(const GraspOptions& options) {
 
 void print_grasps(const planning::Pregrasps& grasps, const TestedGrasps& tests,
                   const GraspOptions& options) {
-  print_out("Friction {}, {} kg\n", options.search.contact.friction, options.search.payload);
+  print_out("Friction {}, payload {} kg\n", options.search.contact.friction,
+            options.search.payload);
   print_out("{:>4} {:>6} {:>8} {:>8} {:>8} {:>8} {:>10}{}\n", "rank", "score", "epsilon",
             "contacts", "touching", "force, N", "clear, mm", hold_titles(options));
   for (std::size_t i = 0; i < grasps.found.size(); ++i) {
@@ -205,8 +206,8 @@ int find_grasps(const GraspOptions& options) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
   if (options.test > 0 && plugins.hold_test_maker() == nullptr) {
-    throw geometric::InputError({"--test", "", "no plugin that simulates grasps", "simulate_mujoco",
-                                 "Build Handway with libmujoco-dev"});
+    throw geometric::InputError({"--test", "", "no plugin that simulates grasps",
+                                 "the plugin simulate_mujoco", "Build Handway with libmujoco-dev"});
   }
   planning::SceneState loaded = planning::load_scene(options.scene, plugins);
   set_group(options.group, loaded);
@@ -247,12 +248,13 @@ int find_grasps(const GraspOptions& options) {
 
 void add_grasp_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<GraspOptions>();
-  CLI::App* command =
-      app.add_subcommand("grasp", "Find grasps of an object, ranked by how they hold");
+  CLI::App* command = app.add_subcommand("grasp", "Find grasps of an object, the best first");
   command->add_option("scene", options->scene, "Scene or problem file")->required();
-  command->add_option("object", options->object, "Object of the scene, not held by the robot")
+  command
+      ->add_option("object", options->object,
+                   "Object of the scene that the robot does not hold yet")
       ->required();
-  command->add_option("--count", options->search.most, "Grasps to give at most")
+  command->add_option("--count", options->search.most, "Largest number of grasps")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
@@ -267,30 +269,31 @@ void add_grasp_command(CLI::App& app, int& exit_code) {
       ->check(not_negative())
       ->capture_default_str();
   command
-      ->add_option("--threads", options->search.threads, "Threads; the grasps do not depend on it")
+      ->add_option("--threads", options->search.threads,
+                   "Number of threads; the grasps do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command
       ->add_option("--test", options->test,
-                   "Simulate whether as many of the best hold: six forces, then a lift")
+                   "Number of the best grasps to simulate: six forces, then a lift")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command->add_flag("--margins", options->margins,
-                    "Simulate with which friction, mass and place of the object they still hold");
+                    "Also simulate the least friction, the largest mass and the largest position "
+                    "error with which these grasps hold");
   command->add_option("--force", options->hold.force, "Disturbing force of the simulation, N")
       ->check(CLI::Range(0.0, 1e4))
       ->capture_default_str();
-  command->add_option("--torque", options->hold.torque, "Most that a finger's joint applies, N·m")
+  command->add_option("--torque", options->hold.torque, "Largest torque of a finger's joint, N·m")
       ->check(CLI::Range(1e-3, 1e3))
       ->capture_default_str();
   command
-      ->add_option("--stiffness", options->hold.stiffness,
-                   "Stiffness of a finger's joint, N·m per rad beyond the grasp")
+      ->add_option("--stiffness", options->hold.stiffness, "Stiffness of a finger's joint, N·m/rad")
       ->check(CLI::Range(1e-3, 1e5))
       ->capture_default_str();
   add_group_option(*command, options->group);
-  command->add_option("--out", options->out, "Write the grasps here (YAML)");
-  command->add_option("--report", options->report, "Write a report here (JSON)");
+  command->add_option("--out", options->out, "File for the grasps (YAML)");
+  command->add_option("--report", options->report, "File for the report (JSON)");
   command->callback([options, &exit_code] {
     options->hold.contact = options->search.contact;
     options->hold.mass = options->search.payload;

@@ -88,7 +88,8 @@ void print_robot(const geometric::RobotInstance& robot) {
               joint.mimic ? joint.mimic->joint : "", turns ? "(deg)" : "(mm)");
   }
   if (const std::vector<std::string> open = links_with_open_meshes(model); !open.empty()) {
-    print_out("  surfaces, not solids (open collision meshes): {}\n", fmt::join(open, ", "));
+    print_out("  open collision meshes, treated as surfaces instead of solids: {}\n",
+              fmt::join(open, ", "));
   }
   for (const geometric::JointGroup& group : model.description().groups) {
     const auto count = std::ranges::count_if(group.joints, [&](const std::string& joint) {
@@ -163,7 +164,7 @@ void print_ends(const std::vector<End>& ends, const geometric::CollisionChecker&
       print_out("{}: IN COLLISION, {} with {}\n", end.which, pair.a, pair.b);
     }
   }
-  print_out("pairs of bodies that are checked: {}\n", checker.world().pairs().size());
+  print_out("checked pairs of bodies: {}\n", checker.world().pairs().size());
 }
 
 // For each goal pose, the number of free configurations found that reach it.
@@ -308,7 +309,7 @@ void print_text(const std::filesystem::path& file, const planning::SceneState& l
               joints.moving.size() + joints.fixed.size());
   }
   if (!joints.fixed_limb_joints.empty()) {
-    print_out("stays: {} joints of arms that the goal leaves at the start\n",
+    print_out("stays at the start: {} joints of arms that the goal does not move\n",
               joints.fixed_limb_joints.size());
   }
   if (checker) {
@@ -364,10 +365,13 @@ int info(const std::filesystem::path& file, bool as_json) {
 
 void add_info_command(CLI::App& app, int& exit_code) {
   auto file = std::make_shared<std::filesystem::path>();
-  CLI::App* command = app.add_subcommand("info", "Show what a scene or robot file holds");
-  command->add_option("file", *file, "Scene, problem or robot file")->required();
+  CLI::App* command = app.add_subcommand("info", "Show the contents of a scene or robot file");
+  command
+      ->add_option("file", *file,
+                   "Scene, problem or robot file, or the name of a robot of the library")
+      ->required();
   auto as_json = std::make_shared<bool>(false);
-  command->add_flag("--json", *as_json, "Print it as JSON, for programs");
+  command->add_flag("--json", *as_json, "Print JSON");
   command->callback([file, as_json, &exit_code] { exit_code = info(*file, *as_json); });
 }
 

@@ -30,15 +30,15 @@ void add_file_options(CLI::App& app) {
   app.fallthrough();
   app.add_option_function<std::string>(
          "--robot", [](const std::string& file) { ::setenv("HANDWAY_ROBOT", file.c_str(), 1); },
-         "URDF of the robot that an imported problem only names (MoveIt)")
+         "URDF of the robot that a MoveIt problem only names")
       ->type_name("FILE");
   app.add_option_function<std::vector<std::string>>(
          "--hollow",
          [](const std::vector<std::string>& names) {
            ::setenv("HANDWAY_HOLLOW", fmt::format("{}", fmt::join(names, "\n")).c_str(), 1);
          },
-         "Object whose surface alone counts, as of a cell around the robot; may be given several "
-         "times")
+         "Hollow object, such as a cell around the robot: only its surface collides; may be given "
+         "several times")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -50,8 +50,7 @@ void add_file_options(CLI::App& app) {
                fmt::format("{}:{}", fmt::join(folders, ":"), known != nullptr ? known : "");
            ::setenv("HANDWAY_PACKAGE_PATH", path.c_str(), 1);
          },
-         "Folder with packages, as package:// in robot files means them; may be given several "
-         "times")
+         "Folder in which package:// of robot files is searched; may be given several times")
       ->type_name("DIR")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -96,7 +95,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::RequiredError& error) {
     const std::vector<std::string> words = app.remaining();
     if (app.get_subcommands().empty() && !words.empty()) {
-      print_error("handway: unknown command \"{}\". `handway --help` lists all.\n", words.front());
+      print_error("handway: unknown command \"{}\". `handway --help` lists the commands.\n",
+                  words.front());
       return kWrongUsage;
     }
     return exit_of(app, error);

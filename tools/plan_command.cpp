@@ -98,7 +98,7 @@ void print_advice(const planning::PlanningProblem& problem, bool at_start) {
   const planning::NearestFree nearest = find_nearest_free(problem, q, options);
   const char* which = at_start ? "start" : "goal";
   if (nearest.q) {
-    print_error("  The nearest free {} that was found: {}\n", which,
+    print_error("  Nearest free {}: {}\n", which,
                 planning::describe_change(problem.model(), q, *nearest.q, 3));
   } else {
     print_error("  No free {} was found within {:.0f}° (slides: {:.0f} mm)\n", which,
@@ -116,7 +116,8 @@ void print_summary(const PlanResult& result, const planning::PlanningProblem& pr
     }
     for (const planning::OutOfMargin& near : result.out_of_margin) {
       print_out(
-          "  {} and {} are {:.3f} mm apart at the {}: next to it they keep less than the margin\n",
+          "  {} and {} are {:.3f} mm apart at the {}: near it their clearance is less than the "
+          "margin\n",
           near.pair.a, near.pair.b, geometric::millimetres(near.pair.distance),
           near.at_goal ? "goal" : "start");
     }
@@ -132,12 +133,14 @@ void print_summary(const PlanResult& result, const planning::PlanningProblem& pr
     print_advice(problem, result.status == PlanStatus::kStartInvalid);
   }
   if (!is_end_invalid && !problem.joints.holding.empty()) {
-    print_error("  The hand that carries an object stays as it is: --group lets its joints move\n");
+    print_error(
+        "  The joints of a hand that carries an object do not move. To move them, add them to "
+        "--group.\n");
   }
   if (!is_end_invalid && !problem.joints.fixed_limb_joints.empty()) {
     print_error(
-        "  The arms that the goal leaves at the start stay there: where they are in the way, "
-        "--group lets them move\n");
+        "  Arms whose goal is their start do not move. If they are in the way, add them to "
+        "--group.\n");
   }
 }
 
@@ -185,11 +188,13 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<PlanOptions>();
   CLI::App* command = app.add_subcommand("plan", "Find a collision-free path");
   command->add_option("scene", options->scene, "Scene or problem file")->required();
-  command->add_option("--planner", options->planner, "Planner (default: the scene's)");
+  command->add_option("--planner", options->planner, "Planner (default: the scene's, else auto)");
   command->add_option("--seed", options->seed, "Seed of all random choices")
       ->check(not_negative())
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Threads; the path does not depend on it")
+  command
+      ->add_option("--threads", options->threads,
+                   "Number of threads; the path does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--time-limit", options->time_limit_s, "Seconds before giving up")
@@ -197,23 +202,24 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       ->add_option("--margin", options->margin_mm,
-                   "Clearance in mm that the robot keeps from all else, where the ends allow it")
+                   "Clearance in mm that the robot keeps from all other bodies along the path; "
+                   "less near a start or goal with less clearance")
       ->check(CLI::Range(0.0, 1000.0));
   command
       ->add_option("--optimize", options->optimize_s,
-                   "Seconds to go on with optimising the path that was found")
+                   "Time to optimise the path after it was found, s")
       ->check(CLI::Range(0.0, 1e6));
   command
       ->add_option("--set", options->settings,
-                   "A parameter of the planner, KEY=VALUE; or basis=FILE")
+                   "Parameter of the planner, KEY=VALUE; or a hand basis, basis=FILE")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_upright_option(*command, options->uprights);
   add_goal_pose_options(*command, options->goal_poses);
   add_group_option(*command, options->group);
-  command->add_option("--out", options->out, "Write the path here (CSV)");
-  command->add_option("--report", options->report, "Write a report here (JSON)");
+  command->add_option("--out", options->out, "File for the path (CSV)");
+  command->add_option("--report", options->report, "File for the report (JSON)");
   command->callback([options, &exit_code] { exit_code = plan(*options); });
 }
 

@@ -164,7 +164,7 @@ std::optional<planning::PathLikeness> hand_likeness(const planning::PlanningProb
                                                     const std::filesystem::path& postures) {
   if (!problem.basis && !postures.empty()) {
     throw geometric::InputError({problem.scene->file.string(), "hand_basis", "nothing",
-                                 "a PMD basis, whose joints the postures are of",
+                                 "a PMD basis with the joints of the postures",
                                  "Name one in the scene."});
   }
   if (!problem.basis || path.empty()) {

@@ -143,8 +143,8 @@ std::string unused_name(const geometric::Scene& scene, const std::string& name) 
 void add_upright_option(CLI::App& command, std::vector<std::string>& uprights) {
   command
       .add_option("--upright", uprights,
-                  "Keep the z axis of a carried object or a link within DEGREES of the world's, "
-                  "all along the path")
+                  "Keep the z axis of an attached object or a link within DEGREES of the world's z "
+                  "axis along the whole path")
       ->type_name("OBJECT:DEGREES")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -183,8 +183,8 @@ void add_uprights(const std::vector<std::string>& uprights, planning::SceneState
 void add_group_option(CLI::App& command, std::vector<std::string>& group) {
   command
       .add_option("--group", group,
-                  "What moves, in place of the scene's group: groups, robots or joints; all else "
-                  "stays at the start")
+                  "Groups, robots and joints that move, instead of the scene's group; all others "
+                  "stay at the start")
       ->type_name("NAME[,NAME]")
       ->delimiter(',')
       ->expected(1)
@@ -293,10 +293,10 @@ std::string goal_link_of(const std::string& name, const std::string& option,
 
 void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options) {
   command
-      .add_option(
-          "--goal-pose", options.poses,
-          "A goal as a pose of a link in the world, m and degrees, in place of the scene's; "
-          "without angles in any orientation. Several: any of them")
+      .add_option("--goal-pose", options.poses,
+                  "Goal as the pose of a link in the world, m and degrees, instead of the scene's "
+                  "goal; without angles the orientation is free. If given several times, the path "
+                  "ends at one of these poses")
       ->type_name("[LINK:]X,Y,Z[,ROLL,PITCH,YAW]")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -307,10 +307,11 @@ void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options) {
       });
   command.add_option(
       "--goal-link", options.link,
-      "Link of goal poses that name none (default: the hand that moves, or the arm's last)");
+      "Link of goal poses without a link (default: the hand that moves, or the arm's last link)");
   command
-      .add_option("--goal-tolerance", options.tolerance,
-                  "How far goal poses may be missed (default: 0.1 mm and 0.1 degrees)")
+      .add_option(
+          "--goal-tolerance", options.tolerance,
+          "Tolerance of goal poses along and about each axis (default: 0.1 mm and 0.1 degrees)")
       ->type_name("MM,DEGREES")
       ->delimiter(',')
       ->expected(2)

@@ -84,8 +84,8 @@ void print_text(const RobotReport& report, const RobotDescription& robot) {
       counts.push_back(fmt::format("{} {}", count, to_string(reason)));
     }
   }
-  print_out("pairs of links that may touch: {} ({})\n", robot.allowed_collisions.entries().size(),
-            fmt::join(counts, ", "));
+  print_out("allowed collisions between links: {} ({})\n",
+            robot.allowed_collisions.entries().size(), fmt::join(counts, ", "));
   print_findings(report);
 }
 
@@ -115,15 +115,15 @@ void check_out(const SetupChoice& choice) {
   const bool is_srdf = geometric::has_extension(choice.out, ".srdf");
   if (!is_srdf && !geometric::has_extension(choice.out, ".urdf")) {
     throw InputError({"--out", "", "a file called " + choice.out.filename().string(),
-                      "NAME.srdf, or NAME.urdf for both files", ""});
+                      "NAME.srdf, or NAME.urdf to write both files", ""});
   }
   if (is_srdf && choice.mirror) {
     throw InputError({"--out", "", "a file called " + choice.out.filename().string(),
                       "NAME.urdf, for the mirror image", ""});
   }
   if (is_srdf && !choice.wrist.empty() && std::filesystem::exists(choice.out)) {
-    throw InputError({"--wrist", "", choice.out.string() + ", which is there already", "a new SRDF",
-                      "Move the joints between its groups by hand"});
+    throw InputError({"--wrist", "", choice.out.string() + ", which exists", "a new SRDF",
+                      "Edit the groups of the existing SRDF instead"});
   }
 }
 
@@ -164,23 +164,23 @@ int setup(const SetupChoice& choice) {
 void add_setup_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<SetupChoice>();
   CLI::App* command = app.add_subcommand(
-      "setup", "Find a robot's groups and the pairs of its links that may touch");
-  command->add_option("file", choice->file, "Robot file, or a scene for its first robot")
+      "setup", "Compute a robot's groups and allowed collisions, and write its SRDF");
+  command->add_option("file", choice->file, "Robot file, or a scene, whose first robot is used")
       ->required();
-  command->add_option("-o,--out", choice->out,
-                      "Write NAME.srdf, or NAME.urdf with NAME.srdf for the robot of a scene");
-  command->add_option("--samples", choice->samples, "Random postures that are looked at")
+  command->add_option(
+      "-o,--out", choice->out,
+      "File to write: NAME.srdf or, for the robot of a scene, NAME.urdf with NAME.srdf beside it");
+  command->add_option("--samples", choice->samples, "Number of random postures")
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
-  command->add_option("--seed", choice->seed, "Of the random postures")->capture_default_str();
+  command->add_option("--seed", choice->seed, "Seed of the random postures")->capture_default_str();
   command
       ->add_option("--wrist", choice->wrist,
-                   "What the joints before the palm belong to: arm or hand")
+                   "Group of the wrist, which is up to three joints before the palm: arm or hand")
       ->check(CLI::IsMember({"arm", "hand"}));
   command->add_flag("--mirror", choice->mirror,
-                    "Take the robot's mirror image: a left hand from a right one, or the other way "
-                    "round");
-  command->add_flag("--json", choice->as_json, "Print it as JSON, for programs");
+                    "Mirror the robot, for example to make a left hand of a right one");
+  command->add_flag("--json", choice->as_json, "Print JSON");
   command->callback([choice, &exit_code] { exit_code = setup(*choice); });
 }
 

@@ -455,7 +455,7 @@ TEST_F(Handway, RefusesAStartInCollision) {
   EXPECT_EQ(run.exit_code, kInvalidQuery) << run.err;
   EXPECT_THAT(run.err, AllOf(HasSubstr("start is in collision"), HasSubstr("with post"),
                              HasSubstr("mm into each other at ("),
-                             HasSubstr("The nearest free start that was found: ")));
+                             HasSubstr("Nearest free start: ")));
   EXPECT_FALSE(fs::exists(line_.folder() / "path.csv"));
   EXPECT_EQ(nlohmann::json::parse(line_.read("report.json"))["solved"], false);
 }
@@ -500,7 +500,7 @@ TEST_F(Handway, RefusesAGoalOutOfLimits) {
   const Outcome run = line_.run("plan post.yaml");
   EXPECT_EQ(run.exit_code, kInvalidQuery) << run.err;
   EXPECT_THAT(run.err, AllOf(HasSubstr("goal is out of limits"), HasSubstr("shoulder"),
-                             HasSubstr("that was found: shoulder -5.7°")));
+                             HasSubstr("Nearest free goal: shoulder -5.7°")));
 }
 
 TEST_F(Handway, SaysThatAPlaceCanNotBeWrittenTo) {

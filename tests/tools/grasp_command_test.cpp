@@ -26,7 +26,7 @@ TEST_F(GraspCommand, WritesGraspsAndAReport) {
   const Outcome run =
       line_.run("grasp " + scene() + " can --count 2 --out grasps.yaml --report report.json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, StartsWith("Friction 0.6, 0.1 kg"));
+  EXPECT_THAT(run.out, StartsWith("Friction 0.6, payload 0.1 kg"));
   EXPECT_THAT(run.out, HasSubstr("epsilon"));
   const auto report = nlohmann::json::parse(line_.read("report.json"));
   EXPECT_EQ(report["object"], "can");
