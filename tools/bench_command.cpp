@@ -61,7 +61,7 @@ std::vector<fs::path> published_problems(const fs::path& folder) {
   }
   if (problems.empty()) {
     throw geometric::InputError({"HANDWAY_REFERENCE_DIR", "", "\"" + folder.string() + "\"",
-                                 "a folder that holds the published problems in \"auro\"",
+                                 "a folder with the published problems in \"auro\"",
                                  "Correct the variable or unset it"});
   }
   return problems;
@@ -329,8 +329,8 @@ int write_variants(const BenchOptions& options) {
     });
     for (const VariantRuns& runs : bench.variants) {
       if (!runs.variant.scene) {
-        print_out("{}, variant {}: no free start and goal in {} draws\n", stem, runs.variant.number,
-                  runs.variant.draws);
+        print_out("{}, variant {}: no free start and goal in {} samples\n", stem,
+                  runs.variant.number, runs.variant.draws);
       }
     }
   }
@@ -349,11 +349,11 @@ void refuse(std::initializer_list<const char*> names, const CLI::App& command,
 // A campaign defines the runs itself; options that would define them are refused.
 int bench_campaign(const BenchOptions& options, const CLI::App& command) {
   if (options.scenes.size() > 1) {
-    throw CLI::ValidationError("CAMPAIGN", "a campaign is run by itself, without other files");
+    throw CLI::ValidationError("CAMPAIGN", "a campaign can't be combined with other files");
   }
   refuse({"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--check-paths",
           "--checks", "--set", "--group", "--variants"},
-         command, "is for scenes; a campaign has it in its file");
+         command, "applies to scenes; for a campaign, set it in the campaign file");
   return run_campaign_file({options.scenes.front(), options.out, options.resume, options.jobs});
 }
 
@@ -361,20 +361,20 @@ int bench_or_campaign(BenchOptions& options, const CLI::App& command) {
   if (std::ranges::any_of(options.scenes, planning::is_campaign)) {
     return bench_campaign(options, command);
   }
-  refuse({"--resume", "--jobs"}, command, "is for campaigns only");
+  refuse({"--resume", "--jobs"}, command, "applies to campaigns only");
   if (options.variants.count == 0) {
     refuse({"--variant-seed", "--write", "--only-missed", "--others-limit"}, command,
-           "goes with --variants");
+           "needs --variants");
     return bench(options);
   }
-  refuse({"--checks"}, command, "does not go with --variants");
+  refuse({"--checks"}, command, "can't be combined with --variants");
   if (options.settings.checkers.size() > 1) {
-    throw CLI::ValidationError("--checker", "variants are run with one");
+    throw CLI::ValidationError("--checker", "variants are run with one checker only");
   }
   if (!options.write.empty()) {
     refuse({"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--check-paths",
             "--only-missed", "--others-limit", "--set", "--out"},
-           command, "does not go with --write, which plans nothing");
+           command, "can't be combined with --write, which runs no planner");
     return write_variants(options);
   }
   if (command.count("--others-limit") == 0) {
@@ -386,38 +386,46 @@ int bench_or_campaign(BenchOptions& options, const CLI::App& command) {
 void add_variant_options(CLI::App& command, BenchOptions& options) {
   VariantSettings& variants = options.variants;
   command
-      .add_option("--variants", variants.count,
-                  "Run harder variants of each problem instead: so many (12 if not said)")
+      .add_option(
+          "--variants", variants.count,
+          "Run this number of harder variants of each problem instead (12 if no number is given)")
       ->expected(0, 1)
       ->default_str("12")
       ->check(CLI::Range(1, 10000));
-  command.add_option("--variant-seed", variants.seed, "What variants are drawn from")
+  command.add_option("--variant-seed", variants.seed, "Seed of the variants")
       ->check(not_negative())
       ->capture_default_str();
   command.add_flag("--only-missed", variants.only_missed,
-                   "Run other planners on those variants and seeds that the default missed");
+                   "Run the other planners only on variants and seeds that the scene's own planner "
+                   "did not solve");
   command
-      .add_option("--others-limit", variants.others_time_limit_s,
-                  "Seconds before a run of another planner gives up (default: --time-limit)")
+      .add_option(
+          "--others-limit", variants.others_time_limit_s,
+          "Seconds before a run of another planner on a variant gives up (default: --time-limit)")
       ->check(positive_number());
   command.add_option("--write", options.write,
-                     "Write the variants as scene files to this folder, and run nothing");
+                     "Write the variants as scene files to this folder, without running a planner");
 }
 
 }  // namespace
 
 void add_bench_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = app.add_subcommand("bench", "Measure collision checks and planners");
-  command->add_option("scenes", options->scenes,
-                      "Scene or problem files (default: the scenes that ship and, if "
-                      "HANDWAY_REFERENCE_DIR is set, the published problems); or one campaign");
+  CLI::App* command =
+      app.add_subcommand("bench", "Measure the times of collision checks and planners");
+  command->add_option(
+      "scenes", options->scenes,
+      "Scene or problem files (default: the scenes that ship and, if HANDWAY_REFERENCE_DIR is set, "
+      "the published problems); or one campaign file");
   command
       ->add_option("--planner", options->planners,
-                   "A planner to compare with the scene's own; \"all\": every one there is")
+                   "Planner to compare with the scene's own; \"all\": every planner, including "
+                   "those of plugins")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--seeds", options->settings.seeds, "Runs of each planner: seeds 1 to this")
+  command
+      ->add_option("--seeds", options->settings.seeds,
+                   "Runs of each planner on each scene, with seeds from 1 to this number")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_option("--threads", options->settings.threads, "Threads of a run")
@@ -429,27 +437,30 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       ->add_option("--checker", options->settings.checkers,
-                   "Collision checker that planners use: the everyday one, FCL pair by pair, or "
-                   "FCL behind its broad phase")
+                   "Collision checker of the planners. fast: the default checker; fcl: FCL on "
+                   "every pair of bodies; fcl-broadphase: FCL behind its broad phase")
       ->check(CLI::IsMember(checker_kinds()))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->capture_default_str();
   command->add_flag("--check-paths", options->settings.check_paths,
-                    "Check every path again, with FCL at configurations 1 mm apart");
-  command->add_flag("--checks", options->checks_only, "Measure collision checks only");
+                    "Check every path with FCL at configurations 1 mm apart");
+  command->add_flag("--checks", options->checks_only,
+                    "Measure collision checks only, without plans");
   command->add_option("--out", options->out,
                       "Folder for bench.csv and bench.json, or for a campaign's runs and report");
   command
       ->add_option("--set", options->sets,
-                   "A parameter of the scene's own planner, KEY=VALUE; or basis=FILE")
+                   "Parameter of the scene's own planner, KEY=VALUE; or a hand basis, basis=FILE")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_group_option(*command, options->group);
   add_variant_options(*command, *options);
-  command->add_flag("--resume", options->resume, "Go on with a campaign whose runs are in --out");
-  command->add_option("--jobs", options->jobs, "Runs of a campaign at a time (default: one a core)")
+  command->add_flag("--resume", options->resume, "Continue the campaign whose runs are in --out");
+  command
+      ->add_option("--jobs", options->jobs,
+                   "Simultaneous runs of a campaign (default: one per core)")
       ->check(CLI::Range(1, 1024));
   command->callback(
       [options, command, &exit_code] { exit_code = bench_or_campaign(*options, *command); });

@@ -250,9 +250,8 @@ BenchTable::BenchTable(const BenchSettings& settings,
 
 void BenchTable::begin_collisions() const {
   print_out(
-      "Collision, \u00b5s: a configuration near the motion from start to goal; an edge of a tenth "
-      "of "
-      "it.\n"
+      "Collision checks, µs: configurations near the motion from start to goal; edges of a tenth "
+      "of its length.\n"
       "{:<{}} {:>7} {:>9} | {:>9} {:>6} {:>6} {:>5} {:>9} {:>5} | {:>6} {:>6} {:>6} {:>5}\n",
       "scene", width_, "load ms", "memory MB", "collide %", "config", "FCL", "ratio", "FCL broad",
       "ratio", "free %", "edge", "FCL", "ratio");
@@ -282,7 +281,7 @@ void BenchTable::add_collision(const SceneBench& scene) const {
 void BenchTable::begin_plans() const {
   print_out(
       "\nPlans: {} seed{}, {} thread{}, limit {:g} s; planning and smoothing in ms (a run without "
-      "a path counts as endless).\n"
+      "a path counts as infinite).\n"
       "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>7} {:>7} {:>9}\n",
       settings_.seeds, settings_.seeds == 1 ? "" : "s", settings_.threads,
       settings_.threads == 1 ? "" : "s", settings_.time_limit_s, "scene", width_, "planner",
@@ -317,14 +316,14 @@ void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
 
 void BenchTable::begin_variants(const VariantSettings& variants) const {
   print_out(
-      "{} variants of each problem, drawn from seed {}; {} seed{} each, {} thread{}, limit {:g} s"
-      "{}; planning and smoothing in ms (a run without a path counts as endless).\n"
+      "{} variants of each problem, seed {}; {} seed{} each, {} thread{}, limit {:g} s"
+      "{}; planning and smoothing in ms (a run without a path counts as infinite).\n"
       "{:<{}} {:<18} {:>8} {:>8} {:>8} {:>9} {:>9} {:>6}\n",
       variants.count, variants.seed, settings_.seeds, settings_.seeds == 1 ? "" : "s",
       settings_.threads, settings_.threads == 1 ? "" : "s", settings_.time_limit_s,
       variants.others_time_limit_s == settings_.time_limit_s
           ? ""
-          : fmt::format(", of other planners {:g} s", variants.others_time_limit_s),
+          : fmt::format(", for other planners {:g} s", variants.others_time_limit_s),
       "problem", width_, "planner", "solved", "median", "p95", "checks", "samples", "nodes");
   std::fflush(stdout);
 }
@@ -348,7 +347,7 @@ void BenchTable::add_variants(const VariantBench& bench) const {
   }
   for (const VariantRuns& runs : bench.variants) {
     if (!runs.variant.scene) {
-      print_out("  variant {}: no free start and goal in {} draws\n", runs.variant.number,
+      print_out("  variant {}: no free start and goal in {} samples\n", runs.variant.number,
                 runs.variant.draws);
     }
   }
@@ -359,15 +358,15 @@ void BenchTable::add_variants(const VariantBench& bench) const {
           fmt::format("{}{} in {:.3g} s", others.empty() ? "solved by " : ", ", planner, time_s);
     }
     print_out("  missed: variant {}, seed {}; {}\n", pair.variant, pair.seed,
-              others.empty() ? "solved by none" : others);
+              others.empty() ? "solved by no planner" : others);
   }
   std::fflush(stdout);
 }
 
 void BenchTable::add_summary(const VariantSummary& summary) const {
   print_out(
-      "\n{} pairs of variant and seed, {} solved by any planner; of these the default solves "
-      "{} ({:.1f} %)\n",
+      "\n{} pairs of variant and seed, {} solved by any planner; of these the scene's own planner "
+      "solves {} ({:.1f} %)\n",
       summary.pairs, summary.solved_by_any, summary.solved_by_default,
       summary.solved_by_any > 0 ? 100.0 * summary.default_share() : 0.0);
 }

@@ -41,8 +41,8 @@ CampaignProgress::CampaignProgress(std::string name, std::size_t kept, std::size
       terminal_(isatty(STDERR_FILENO) == 1),
       begin_(Clock::now()),
       next_(begin_ + (terminal_ ? Clock::duration::zero() : Clock::duration(kLinePause))) {
-  const std::string kept_text = kept == 0 ? "" : fmt::format(", {} of them done before", kept);
-  print_error("{}: {} runs{}, {} at a time\n", name_, total, kept_text, workers);
+  const std::string kept_text = kept == 0 ? "" : fmt::format(", {} of them already done", kept);
+  print_error("{}: {} runs{}, {} simultaneously\n", name_, total, kept_text, workers);
 }
 
 CampaignProgress::~CampaignProgress() {
@@ -188,7 +188,7 @@ int run_campaign(const CampaignOptions& options, planning::ProcessTeam* team) {
             outcome->records.size(), campaign.run_count(), solved,
             (session.folder / "report.html").string());
   if (!outcome->complete) {
-    print_error("handway: interrupted; go on with --resume\n");
+    print_error("handway: interrupted; continue with --resume\n");
     return kNoPath;
   }
   return kDone;

@@ -384,7 +384,7 @@ ReportTable pairs(const Campaign& campaign, std::span<const CampaignComparison> 
 
 // Returns the reasons of runs without a path, if there are some.
 ReportTable failures(const Campaign& campaign, std::span<const CampaignCell> cells) {
-  ReportTable table{{"Planner", "status", "runs", "for example"}, {}};
+  ReportTable table{{"Planner", "status", "runs", "example"}, {}};
   for (const CampaignCell& cell : cells) {
     std::set<std::string> listed;
     for (const planning::RunRecord& run : cell.runs) {
@@ -439,10 +439,9 @@ void add_problem(ReportDocument& document, const Campaign& campaign,
   }
   document.push_back(
       ReportFigure{"Share of runs solved within a time", ecdf_svg(series), "ecdf.csv", ""});
-  document.push_back(
-      ReportFigure{"Times of the runs that found a path: quartiles, whiskers to 1.5 "
-                   "box lengths, outliers",
-                   box_plot_svg(series), "boxplot.csv", ""});
+  document.push_back(ReportFigure{
+      "Times of the runs that found a path: quartiles, whiskers up to 1.5 box lengths, outliers",
+      box_plot_svg(series), "boxplot.csv", ""});
   if (cells.size() > 1 && cells.size() <= kMostCompared) {
     document.push_back(pairs(campaign, comparisons, problem));
   }
@@ -457,17 +456,17 @@ ReportDocument campaign_document(const Campaign& campaign, const CampaignOutcome
     document.push_back(ReportText{campaign.description});
   }
   if (!outcome.complete) {
-    document.push_back(ReportText{fmt::format("Not complete: {} of {} runs are done.",
+    document.push_back(ReportText{fmt::format("Incomplete: {} of {} runs are done.",
                                               outcome.records.size(), campaign.run_count())});
   }
   document.push_back(machine_table(outcome));
   document.push_back(ReportText{fmt::format(
-      "Every run has {} thread(s) and {:g} s. In brackets: Wilson's 95 % interval of the chance of "
-      "success. Median and 95 % quantile of the time are of all runs, one without a path takes "
-      "forever (∞); all other figures are means of the runs that found a path. \"First is "
-      "faster\": "
-      "how often, in pairs of one run of each planner; p: two-sided Mann-Whitney test, then "
-      "adjusted by Holm for all pairs of a problem.",
+      "Every run has {} thread(s) and a time limit of {:g} s. In brackets: Wilson's 95 % interval "
+      "of the success rate. The median and the 95 % quantile of the time are over all runs; a run "
+      "without a path counts as infinite (∞). All other figures are means over the runs that found "
+      "a path. \"First is faster\": share of the pairs of one run of each planner in which the "
+      "first planner is faster. p: two-sided Mann-Whitney test, then adjusted by Holm for all "
+      "pairs of a problem.",
       campaign.threads, campaign.time_limit_s)});
   const std::vector<ParameterGrid> grids = parameter_grids(campaign);
   for (std::size_t begin = 0; begin < cells.size(); begin += campaign.planners.size()) {
@@ -500,18 +499,18 @@ std::string success_text(const CampaignCell& cell) {
 }
 
 ReportTable machine_table(const CampaignOutcome& outcome) {
-  ReportTable table{{"Carried out on", ""}, {}};
+  ReportTable table{{"Executed on", ""}, {}};
   for (const auto& [label, value] : machine_description()) {
     table.rows.push_back({label, value});
   }
   if (!outcome.versions.empty()) {
     table.rows.push_back(
-        {"Runs made by", fmt::format("Handway {}", fmt::join(outcome.versions, ", "))});
+        {"Runs executed by", fmt::format("Handway {}", fmt::join(outcome.versions, ", "))});
   }
   if (outcome.workers == 0) {
     return table;
   }
-  table.rows.push_back({"Runs at a time", fmt::format("{}", outcome.workers)});
+  table.rows.push_back({"Simultaneous runs", fmt::format("{}", outcome.workers)});
   table.rows.push_back({"Last session", fmt::format("{} runs in {}", outcome.done,
                                                     duration_text(outcome.elapsed_s))});
   return table;

@@ -92,8 +92,8 @@ std::string clamp_text(const std::vector<MappedRecording>& recordings,
                           100.0 * static_cast<double>(clamped[j]) / static_cast<double>(samples));
     }
   }
-  return text.empty() ? fmt::format("No sample of {} left the joint limits.\n", samples)
-                      : fmt::format("Clamped to joint limits, of {} samples:\n", samples) + text;
+  return text.empty() ? fmt::format("All {} samples are within the joint limits.\n", samples)
+                      : fmt::format("Samples clamped to joint limits, of {}:\n", samples) + text;
 }
 
 /// A line of cumulative shares, in percent, for each of the named analyses.
@@ -164,7 +164,7 @@ std::string largest_angle_text(const sampling::PrincipalComponents& a,
 std::string basis_text(const sampling::PmdBasis& basis) {
   std::string text;
   for (const sampling::FreeJoint& free : basis.free_joints) {
-    text += fmt::format("  {:<6} half side {:.4f}  {} alone\n", "free", free.half_side,
+    text += fmt::format("  {:<6} half side {:.4f}  {}\n", "free", free.half_side,
                         basis.joints[static_cast<std::size_t>(free.joint)]);
   }
   for (const sampling::PrincipalDirection& direction : basis.directions) {
@@ -179,7 +179,7 @@ std::string basis_text(const sampling::PmdBasis& basis) {
     text += '\n';
   }
   return basis.directions.empty()
-             ? text + "  warning: no direction: no joint moves within its limits\n"
+             ? text + "  warning: no direction found: no joint moves within its limits\n"
              : text;
 }
 
@@ -253,7 +253,8 @@ HandSource hand_source(const PcaOptions& options, const device::GloveCalibration
 
 void print_fingertips(const std::vector<MappedRecording>& recordings, const HandSource& chosen) {
   print_out(
-      "Fingertips from where the person's are, scaled to the fingers, mm:\n  {:<22}{:>8}{:>8}"
+      "Fingertip error (distance to the person's fingertips, scaled to the robot's fingers), mm:\n "
+      " {:<22}{:>8}{:>8}"
       "{:>8}\n",
       "", "mean", "median", "95 %");
   std::vector<device::GloveAngles> rows;
@@ -307,7 +308,7 @@ std::string names_of(const std::vector<int>& indices, const std::vector<std::str
   for (const int index : indices) {
     text += (text.empty() ? "" : ", ") + joints[static_cast<std::size_t>(index)];
   }
-  return text.empty() ? "no joint" : text;
+  return text.empty() ? "none" : text;
 }
 
 std::string source_of(const PcaOptions& options, const Analysis& analysis) {
@@ -317,9 +318,8 @@ std::string source_of(const PcaOptions& options, const Analysis& analysis) {
   }
   return fmt::format(
       "handway pca of {}: {} samples{}, joints normalised by {}", files, analysis.samples,
-      options.robust ? fmt::format(" ({} outliers left out)", analysis.outliers) : "",
-      options.normalisation == Normalisation::kLimits ? "their limits"
-                                                      : "the range they went through");
+      options.robust ? fmt::format(" ({} outliers excluded)", analysis.outliers) : "",
+      options.normalisation == Normalisation::kLimits ? "their limits" : "their recorded range");
 }
 
 void print_comparison(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
@@ -332,8 +332,8 @@ void print_comparison(const std::vector<MappedRecording>& recordings, const PcaO
                       analyse(samples, free, options.robust).components);
   }
   each.emplace_back("all together", joined.components);
-  print_out("Each recording by itself, cumulative variance in %:\n{}", share_text(each));
-  print_out("Angles in degrees between the spaces of the first {} components:\n{}",
+  print_out("Cumulative variance of each recording alone, %:\n{}", share_text(each));
+  print_out("Principal angles between the subspaces of the first {} components, deg:\n{}",
             options.components, angle_text(each, options.components));
 }
 
@@ -344,9 +344,9 @@ void print_other_mapping(const std::vector<MappedRecording>& recordings, const P
                          const device::PersonRanges& ranges) {
   const device::HandMapper other(device::read_mapping(options.against), hand, true, ranges);
   if (other.joints() != mapper.joints()) {
-    throw geometric::InputError({options.against.string(), "joints", "others, or another order",
-                                 "the joints of --mapping in its order",
-                                 "Copy that mapping and change it."});
+    throw geometric::InputError(
+        {options.against.string(), "joints", "other joints, or another order of the joints",
+         "the joints of --mapping in its order", "Copy that mapping and change it."});
   }
   std::vector<MappedRecording> mapped;
   for (const MappedRecording& recording : recordings) {
@@ -358,8 +358,8 @@ void print_other_mapping(const std::vector<MappedRecording>& recordings, const P
   const NamedComponents both{
       {"this mapping", chosen.components},
       {options.against.filename().string(), analyse(samples, free, options.robust).components}};
-  print_out("Under another mapping, cumulative variance in %:\n{}", share_text(both));
-  print_out("Largest angle in degrees between the spaces of the first components:\n{}",
+  print_out("Cumulative variance with the other mapping, %:\n{}", share_text(both));
+  print_out("Largest angle between the subspaces of the first components, deg:\n{}",
             largest_angle_text(both[0].second, both[1].second));
 }
 
@@ -403,13 +403,13 @@ void look_at_rows(const std::vector<MappedRecording>& recordings, const PcaOptio
     throw geometric::InputError(
         {options.recordings.front().string(), "",
          samples.rows() == 1 ? "one row" : fmt::format("{} equal rows", samples.rows()),
-         "postures that differ", "No direction follows from a single posture"});
+         "postures that differ", "A single posture defines no motion direction"});
   }
   const Eigen::Index joints = samples.cols() - std::ssize(free);
   const Eigen::Index distinct = distinct_rows(samples, joints + 1);
   if (distinct <= joints) {
     print_out(
-        "  warning: {} different row{} for {} joints: the basis can do no more than repeat them; "
+        "  warning: only {} different row{} for {} joints: the basis spans no other postures; "
         "record more postures\n",
         distinct, distinct == 1 ? "" : "s", joints);
   }
@@ -430,7 +430,7 @@ int pca(const PcaOptions& options) {
     recordings.push_back(mapped_recording(file, read, calibration, options.steps, mapper));
     print_out("{}", quality_text(recordings.back()));
     if (recordings.back().calibrated && options.calibration.empty()) {
-      print_out("  warning: counts are taken for those of a typical hand: give --calibration\n");
+      print_out("  warning: no --calibration given: assuming the counts of a typical right hand\n");
     }
   }
   print_out("{}", clamp_text(recordings, mapper));
@@ -455,10 +455,10 @@ int pca(const PcaOptions& options) {
     }
   }
   look_at_rows(recordings, options, chosen_samples, free);
-  print_out("Cumulative variance in %, without {}:\n{}", names_of(free, mapper.joints()),
+  print_out("Cumulative variance, % (free joints: {}):\n{}", names_of(free, mapper.joints()),
             share_text(both));
   if (options.robust) {
-    print_out("{} of {} samples set aside as outliers\n", chosen.outliers, chosen.samples);
+    print_out("{} of {} samples excluded as outliers\n", chosen.outliers, chosen.samples);
   }
   if (options.compare) {
     print_comparison(recordings, options, mapper, free, chosen);
@@ -498,15 +498,18 @@ int pca(const PcaOptions& options) {
 }
 
 void add_steps(CLI::App& command, RecordingSteps& steps) {
-  command.add_option("--from", steps.from, "Leave out what was recorded before, s after the start")
+  command
+      .add_option("--from", steps.from,
+                  "Start of the part to use, s after the start of the recording")
       ->check(not_negative());
-  command.add_option("--to", steps.to, "Leave out what was recorded later, s after the start")
+  command
+      .add_option("--to", steps.to, "End of the part to use, s after the start of the recording")
       ->check(positive_number());
   command.add_flag("--drop-duplicates", steps.drop_duplicates,
-                   "Leave out rows that repeat the one before");
-  command.add_option("--resample", steps.resample, "Rows at even times, Hz")
+                   "Leave out rows that are equal to the previous row");
+  command.add_option("--resample", steps.resample, "Resample to this constant rate, Hz")
       ->check(positive_number());
-  command.add_option("--low-pass", steps.low_pass, "Smooth what is faster, Hz")
+  command.add_option("--low-pass", steps.low_pass, "Cut-off frequency of a low-pass filter, Hz")
       ->check(positive_number());
 }
 
@@ -515,29 +518,30 @@ void add_steps(CLI::App& command, RecordingSteps& steps) {
 void add_pca_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<PcaOptions>();
   CLI::App* command =
-      app.add_subcommand("pca", "Find principal motion directions in recordings of a hand");
+      app.add_subcommand("pca", "Compute principal motion directions from recordings of a hand");
   command
       ->add_option("recordings", options->recordings,
-                   "Recordings of a glove, or (--joints-of) of a robot's hand")
+                   "Recordings of a glove or, with --joints-of, of a robot hand")
       ->required();
   command->add_option("--mapping", options->mapping,
-                      "Mapping of the glove to a hand, or its retargeting by fingertips (default: "
-                      "Table 1 for the SAH hand)");
+                      "Mapping of the glove to a hand, or a fingertip retargeting (default: Table "
+                      "1 for the SAH hand)");
   command
       ->add_option("--retarget", options->retarget,
-                   "Retarget to this robot hand by its fingertips, without a mapping")
+                   "Fingertip retargeting to this robot hand, without a mapping")
       ->type_name("ROBOT")
       ->excludes("--mapping");
   command
-      ->add_option("--joints-of", options->joints_of,
-                   "Recordings are of this robot hand's own joints, by their names: no glove, no "
-                   "mapping")
+      ->add_option(
+          "--joints-of", options->joints_of,
+          "The recordings are of this robot hand's own joints, without a glove and a mapping")
       ->type_name("ROBOT")
       ->excludes("--mapping")
       ->excludes("--retarget");
   command
-      ->add_option("--against", options->against,
-                   "Another mapping to the same hand: compare what both make of the recordings")
+      ->add_option(
+          "--against", options->against,
+          "Another mapping to the same hand, to compare the variances and subspaces of both")
       ->excludes("--joints-of");
   command
       ->add_option("--calibration", options->calibration,
@@ -545,36 +549,45 @@ void add_pca_command(CLI::App& app, int& exit_code) {
       ->excludes("--joints-of");
   command
       ->add_option("--free", options->free,
-                   "A joint that gets an axis of its own (default: thumb_base); \"none\"")
+                   "Free joint: it is excluded from the analysis and has an axis of its own "
+                   "(default: thumb_base, if the hand has it); \"none\": no free joint")
       ->type_name("JOINT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--components", options->components, "Directions that the basis takes")
+  command
+      ->add_option("--components", options->components,
+                   "Number of principal directions of the basis")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command->add_option("--sigmas", options->sigmas, "Half side of the box in standard deviations")
+  command
+      ->add_option("--sigmas", options->sigmas,
+                   "Half side of the box, in standard deviations along each direction")
       ->check(positive_number())
       ->capture_default_str();
-  command->add_option("--normalise", options->normalisation, "Scale joints by limits or range")
+  command
+      ->add_option("--normalise", options->normalisation,
+                   "Scale joints by their limits or by their recorded range")
       ->type_name("limits|range")
       ->transform(CLI::Transformer(std::map<std::string, Normalisation>{
           {"limits", Normalisation::kLimits}, {"range", Normalisation::kRange}}))
       ->option_text("limits|range [limits]");
-  command->add_flag("--robust", options->robust, "Set outliers aside");
-  command->add_flag("--compare", options->compare, "Also analyse each recording by itself");
+  command->add_flag("--robust", options->robust, "Exclude outliers");
+  command->add_flag("--compare", options->compare, "Also analyse each recording alone");
   command
       ->add_flag("--fingertips", options->fingertips,
-                 "Compare fingertips with the person's, of the mapping and of retargeting")
+                 "Print the distances of the robot's fingertips from the person's, with the "
+                 "mapping and with retargeting")
       ->excludes("--joints-of");
   add_steps(*command, options->steps);
-  command->add_option("--out", options->out, "Write the basis here (YAML)");
+  command->add_option("--out", options->out, "File for the basis (YAML)");
   command->add_option("--postures", options->postures,
-                      "Write the postures here (CSV), and name them in the basis");
-  command->add_option("--plots", options->plots, "Draw figures to this folder (PNG and SVG)");
+                      "File for the postures (CSV), which the basis then names");
+  command->add_option("--plots", options->plots, "Folder for figures (PNG and SVG)");
   command->add_option("--report", options->report,
-                      "How many directions are enough, how stable they are, and how well they "
-                      "serve each recording: print it, and write it here (JSON)");
-  command->add_option("--seed", options->seed, "Of the report's bootstrap")->capture_default_str();
+                      "File for a report (JSON): the number of directions that are enough, their "
+                      "stability, and their quality for each recording; it is also printed");
+  command->add_option("--seed", options->seed, "Seed of the report's bootstrap")
+      ->capture_default_str();
   command->callback([options, &exit_code] { exit_code = pca(*options); });
 }
 

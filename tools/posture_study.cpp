@@ -166,7 +166,7 @@ PostureStudy study_postures(const fs::path& recording, Normalisation normalisati
       study.basis = sampling::make_pmd_basis(
           mapping.hand,
           fmt::format("{}: {} samples, joints normalised by {}", recording.filename().string(),
-                      analysis.samples, limits ? "their limits" : "the range they went through"),
+                      analysis.samples, limits ? "their limits" : "their recorded range"),
           mapper.joints(), analysis.components, {free, kComponents, kSigmas});
     }
   }
@@ -192,7 +192,8 @@ Json interval_json(const sampling::Interval& interval, double unit) {
 
 std::string stability_text(const BasisStudy& study) {
   std::string text =
-      "Stability: largest angle between its first directions and those of all, deg:\n";
+      "Stability: largest angle between the first directions of a part of the recording and of all "
+      "of it, deg:\n";
   text += fmt::format("  {:>10}", "s");
   for (std::size_t k = 1; k <= study.stability.back().angles.size(); ++k) {
     text += fmt::format("{:>24}", k);
@@ -210,8 +211,9 @@ std::string stability_text(const BasisStudy& study) {
 
 std::string persons_text(const BasisStudy& study) {
   std::string text = fmt::format(
-      "Recordings by the others' basis, mm at the fingertips:\n  {:<24}{:>24}{:>24}  {}\n", "",
-      "own basis", "the others'", "largest angles, deg");
+      "Fingertip error of each recording with its own basis and with that of the others, mm:\n  "
+      "{:<24}{:>24}{:>24}  {}\n",
+      "", "own basis", "the others'", "largest angles, deg");
   for (const sampling::PersonFit& person : study.persons) {
     text += fmt::format("  {:<24}{}{} ", person.name, interval_text(person.own, kMillimetre),
                         interval_text(person.others, kMillimetre));
@@ -220,7 +222,7 @@ std::string persons_text(const BasisStudy& study) {
     }
     text += '\n';
   }
-  return text + fmt::format("  {:<24}{:>24}{}\n", "who was not recorded", "",
+  return text + fmt::format("  {:<24}{:>24}{}\n", "a new person (estimate)", "",
                             interval_text(study.newcomer, kMillimetre));
 }
 
@@ -251,7 +253,7 @@ BasisStudy study_recordings(const std::vector<MappedRecording>& recordings,
 
 std::string study_text(const BasisStudy& study, double confidence) {
   std::string text = fmt::format(
-      "Postures that the basis has not seen, mm at the fingertips ({:.0f} % confidence):\n"
+      "Fingertip error for postures not used for the basis, mm ({:.0f} % confidence):\n"
       "  {:>10}{:>24}{:>10}{:>12}\n",
       100.0 * confidence, "PMDs", "mean", "95 %", "variance %");
   for (const sampling::ReconstructionError& error : study.reconstruction) {
@@ -262,7 +264,7 @@ std::string study_text(const BasisStudy& study, double confidence) {
   for (const double error : sampling::kReportedErrors) {
     const double wanted = error / kMillimetre;
     const int enough = study.enough_for(error);
-    text += enough < 0 ? fmt::format("  for {:g} mm: not even all\n", wanted)
+    text += enough < 0 ? fmt::format("  for {:g} mm: all PMDs are not enough\n", wanted)
                        : fmt::format("  for {:g} mm: {} PMDs\n", wanted, enough);
   }
   if (!study.stability.empty()) {

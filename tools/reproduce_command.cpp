@@ -133,7 +133,7 @@ int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
   write_reproduce_report(tables, done, figures, options.quick, options.out);
   print_out("report in {}\n", (options.out / "report.html").string());
   if (interrupted) {
-    print_error("handway: interrupted; go on with --resume\n");
+    print_error("handway: interrupted; continue with --resume\n");
   }
   return interrupted ? kNoPath : kDone;
 }
@@ -142,7 +142,8 @@ int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
 
 void add_reproduce_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ReproduceOptions>();
-  CLI::App* command = app.add_subcommand("reproduce", "Make the paper's tables and figures again");
+  CLI::App* command =
+      app.add_subcommand("reproduce", "Reproduce the tables and figures of the paper");
   command->add_option("--table", options->tables, "Table 2, 3 or 4 (default: all)")
       ->check(CLI::IsMember({2, 3, 4}))
       ->expected(1)
@@ -151,13 +152,13 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember(reproducible_figures()))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_flag("--quick", options->quick, "A few short runs, within a minute");
+  command->add_flag("--quick", options->quick, "Preview within a minute: a few short runs");
   command->add_option("--runs", options->runs, "Runs of each planner on each problem")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--jobs", options->jobs, "Runs at a time (default: one a core)")
+  command->add_option("--jobs", options->jobs, "Simultaneous runs (default: one per core)")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->out, "Folder for runs and reports")->capture_default_str();
-  command->add_flag("--resume", options->resume, "Go on with the runs that are in --out");
+  command->add_flag("--resume", options->resume, "Continue with the runs that are in --out");
   command->callback([options, &exit_code] {
     exit_code = run_in_team([&](planning::ProcessTeam* team) { return reproduce(*options, team); });
   });

@@ -133,9 +133,9 @@ ReportTable variance_table(const std::vector<Studied>& all) {
 std::string sources_text(const std::vector<Studied>& all) {
   std::string text =
       "Recordings of a glove, mapped to the SAH hand by Table 1: free_hand, which ships and was "
-      "made by an emulated hand, and where HANDWAY_REFERENCE_DIR names the folder of the "
-      "published files, those of a person in it. Directions are of all joints but the thumb base, "
-      "which has an axis of its own. Drawn are";
+      "recorded from an emulated hand, and, if HANDWAY_REFERENCE_DIR is set, the recordings of "
+      "people in that folder. The directions are of all joints except the thumb base, which has an "
+      "axis of its own. The figures show";
   for (const Studied& one : all) {
     text += fmt::format("{} {}, {} postures, {}", &one == all.data() ? "" : ";", one.name,
                         one.study.postures.rows(), text_of(one.study.normalisation));

@@ -354,7 +354,7 @@ void add_figure(ReportDocument& document, const ReproducedFigure& figure) {
     document.push_back(*figure.table);
   }
   if (!figure.problem.empty()) {
-    document.push_back(ReportText{"Not all of it is there. " + figure.problem});
+    document.push_back(ReportText{"Incomplete. " + figure.problem});
   }
 }
 
@@ -364,19 +364,19 @@ void write_reproduce_report(const std::set<int>& tables,
                             const std::vector<ReproducedCampaign>& campaigns,
                             const std::vector<ReproducedFigure>& figures, bool quick,
                             const fs::path& folder) {
-  ReportDocument document = {ReportHeading{1, "The paper's tables and figures, made again"}};
+  ReportDocument document = {ReportHeading{1, "The tables and figures of the paper, reproduced"}};
   document.push_back(ReportText{
       "J. Rosell, R. Suárez, C. Rosales, A. Pérez: Autonomous motion planning of a hand-arm "
       "robotic "
       "system based on captured human-like hand postures. Autonomous Robots 31 (2011)."});
   if (quick) {
-    document.push_back(ReportText{
-        "A quick look: few runs, cut short after a few seconds. Take no figures from it."});
+    document.push_back(
+        ReportText{"Preview: few runs, ended after a few seconds. The numbers are not reliable."});
   }
   const auto incomplete = std::ranges::find_if(
       campaigns, [](const ReproducedCampaign& part) { return !part.outcome.complete; });
   if (incomplete != campaigns.end() && tables != std::set{3} && !tables.empty()) {
-    document.push_back(ReportText{"Not complete: the runs were interrupted."});
+    document.push_back(ReportText{"Incomplete: the runs were interrupted."});
   }
   ReportTable csv = compared_csv();
   CampaignOutcome all;

@@ -54,7 +54,8 @@ TEST_F(HandwayUnderMpi, GivesTheSameRunsOnAnyNumberOfProcesses) {
     const std::string folder = "mpi" + std::to_string(processes);
     const Outcome run = mpirun(processes, "bench study.yaml --out " + folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("study: 32 runs, " + std::to_string(processes) + " at a time"));
+    EXPECT_THAT(run.err,
+                HasSubstr("study: 32 runs, " + std::to_string(processes) + " simultaneously"));
     EXPECT_THAT(run.out, HasSubstr("32 of 32 runs done"));
     EXPECT_EQ(rows(folder), rows("threads"));
     EXPECT_FALSE(line_.read(folder + "/report.md").empty());
@@ -66,7 +67,7 @@ TEST_F(HandwayUnderMpi, GoesOnWithWhatThreadsBegan) {
   line_.replace("study.yaml", "seeds: 8", "seeds: 10");
   const Outcome run = mpirun(2, "bench study.yaml --resume");
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("40 runs, 32 of them done before"));
+  EXPECT_THAT(run.err, HasSubstr("40 runs, 32 of them already done"));
   EXPECT_THAT(rows("study"), SizeIs(40));
 }
 
@@ -98,7 +99,7 @@ TEST_F(HandwayUnderMpi, LosesAndDoublesNothingWhenTheLeaderIsKilled) {
   ASSERT_GT(kept, 0U);
   const Outcome rest = mpirun(2, "bench study.yaml --out killed --resume");
   ASSERT_EQ(rest.exit_code, 0) << rest.err;
-  EXPECT_THAT(rest.err, HasSubstr("of them done before"));
+  EXPECT_THAT(rest.err, HasSubstr("of them already done"));
   EXPECT_EQ(rows("killed"), rows("whole"));
 }
 

@@ -55,7 +55,7 @@ TEST_F(HandwayCampaign, WritesRunsAndReports) {
   const Outcome run = line_.run("bench study.yaml --jobs 2");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("60 of 60 runs done, 60 solved"));
-  EXPECT_THAT(run.err, HasSubstr("Small study: 60 runs, 2 at a time"));
+  EXPECT_THAT(run.err, HasSubstr("Small study: 60 runs, 2 simultaneously"));
   EXPECT_THAT(rows("study"), SizeIs(60));
   EXPECT_THAT(line_.read("study/report.md"),
               AllOf(HasSubstr("# Small study"), HasSubstr("## a post"),
@@ -126,7 +126,7 @@ TEST_F(HandwayCampaign, LosesAndDoublesNothingWhenKilled) {
   }
   const Outcome rest = line_.run("bench study.yaml --out killed --resume");
   ASSERT_EQ(rest.exit_code, 0) << rest.err;
-  EXPECT_THAT(rest.err, HasSubstr("of them done before"));
+  EXPECT_THAT(rest.err, HasSubstr("of them already done"));
   EXPECT_EQ(rows("killed"), rows("whole"));
 }
 
@@ -138,8 +138,8 @@ TEST_F(HandwayCampaign, EndsOnInterruptAndSaysHowToGoOn) {
             "for i in $(seq 300); do [ -s study/runs.sqlite-wal ] && break; sleep 0.05; done; "
             "sleep 0.3; kill -INT $child; wait $child");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr("go on with --resume"));
-  EXPECT_THAT(line_.read("study/report.md"), HasSubstr("Not complete: "));
+  EXPECT_THAT(run.err, HasSubstr("continue with --resume"));
+  EXPECT_THAT(line_.read("study/report.md"), HasSubstr("Incomplete: "));
 }
 
 TEST_F(HandwayCampaign, KeepsRunsOfOtherCampaignsInItsFolder) {
@@ -150,7 +150,7 @@ TEST_F(HandwayCampaign, KeepsRunsOfOtherCampaignsInItsFolder) {
   line_.replace("study.yaml", "seeds: 10", "seeds: 11");
   const Outcome more = line_.run("bench study.yaml --resume");
   EXPECT_EQ(more.exit_code, 0) << more.err;
-  EXPECT_THAT(more.err, HasSubstr("66 runs, 60 of them done before"));
+  EXPECT_THAT(more.err, HasSubstr("66 runs, 60 of them already done"));
 }
 
 TEST_F(HandwayCampaign, DoesNotGoOnAfterAnEditOfAMeshTheRobotOrTheBasis) {
@@ -221,7 +221,7 @@ TEST_F(HandwayCampaign, SaysWhenTheDiskIsFullAndGoesOnLater) {
   const Outcome rest = line_.run("bench study.yaml --resume");
   EXPECT_EQ(rest.exit_code, 0) << rest.err;
   EXPECT_GT(kept, 0U);
-  EXPECT_THAT(rest.err, HasSubstr(std::to_string(kept) + " of them done before"));
+  EXPECT_THAT(rest.err, HasSubstr(std::to_string(kept) + " of them already done"));
   EXPECT_THAT(rows("study"), SizeIs(360));
 }
 

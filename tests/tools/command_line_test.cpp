@@ -453,9 +453,9 @@ TEST_F(Handway, RefusesAStartInCollision) {
   line_.replace("post.yaml", "-0.4", "-0.066");
   const Outcome run = line_.run("plan post.yaml --out path.csv --report report.json");
   EXPECT_EQ(run.exit_code, kInvalidQuery) << run.err;
-  EXPECT_THAT(run.err, AllOf(HasSubstr("start is in collision"), HasSubstr("with post"),
-                             HasSubstr("mm into each other at ("),
-                             HasSubstr("Nearest free start: ")));
+  EXPECT_THAT(run.err,
+              AllOf(HasSubstr("start is in collision"), HasSubstr("with post"),
+                    HasSubstr("mm into each other at ("), HasSubstr("Nearest free start: ")));
   EXPECT_FALSE(fs::exists(line_.folder() / "path.csv"));
   EXPECT_EQ(nlohmann::json::parse(line_.read("report.json"))["solved"], false);
 }

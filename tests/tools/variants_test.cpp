@@ -147,7 +147,7 @@ TEST_F(HandwayVariants, AreRunWithPlannersSideBySide) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("2 variants"), HasSubstr("auto"), HasSubstr("4/4"),
                              HasSubstr("4 of 4 paths valid at 1 mm"), Not(HasSubstr("FAULT")),
-                             HasSubstr("of these the default solves 4 (100.0 %)")));
+                             HasSubstr("of these the scene's own planner solves 4 (100.0 %)")));
   const auto report = nlohmann::json::parse(line_.read("variants.json"));
   EXPECT_EQ(report["variant_seed"], 1);
   EXPECT_EQ(report["summary"]["pairs"], 4);
@@ -166,9 +166,9 @@ TEST_F(HandwayVariants, NameWhatTheDefaultMissed) {
       "bench post.yaml walled.yaml --variants 1 --seeds 1 --time-limit 0.2 --planner rrt-connect "
       "--only-missed --out .");
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("missed: variant 1, seed 1; solved by none"),
+  EXPECT_THAT(run.out, AllOf(HasSubstr("missed: variant 1, seed 1; solved by no planner"),
                              HasSubstr("2 pairs of variant and seed, 1 solved by any planner; of "
-                                       "these the default solves 1 (100.0 %)")));
+                                       "these the scene's own planner solves 1 (100.0 %)")));
   const auto report = nlohmann::json::parse(line_.read("variants.json"));
   const auto& missed = report["summary"]["missed_by_default"];
   ASSERT_EQ(missed.size(), 1U);
@@ -183,7 +183,7 @@ TEST_F(HandwayVariants, SayWhereNoneIsFound) {
   line_.replace("post.yaml", "name: post", "locked: true\n    name: post");  // the start is in it
   const Outcome run = line_.run("bench post.yaml --variants 1 --seeds 1");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("variant 1: no free start and goal in 100 draws"));
+  EXPECT_THAT(run.out, HasSubstr("variant 1: no free start and goal in 100 samples"));
 }
 
 TEST_F(HandwayVariants, RefuseOptionsThatMeanNothing) {

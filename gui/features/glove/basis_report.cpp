@@ -117,7 +117,7 @@ QString enough_text(const BasisStudy& study) {
   for (const double error : sampling::kReportedErrors) {
     const int directions = study.enough_for(error);
     const QString wanted = QString::number(error / kMillimetre);
-    enough << (directions < 0 ? QObject::tr("%1 mm: not even all").arg(wanted)
+    enough << (directions < 0 ? QObject::tr("%1 mm: all PMDs are not enough").arg(wanted)
                               : QObject::tr("%1 mm: <b>%2 PMDs</b>").arg(wanted).arg(directions));
   }
   return QObject::tr("Enough for %1").arg(enough.join(QStringLiteral("; ")));
@@ -150,7 +150,8 @@ QString stability_text(const BasisStudy& study) {
     }
     rows << row(cells);
   }
-  return QObject::tr("<b>How long</b>: the largest angle to what all of it gives") + table(rows);
+  return QObject::tr("<b>Stability</b>: largest angle to the directions of the whole recording") +
+         table(rows);
 }
 
 QString persons_text(const BasisStudy& study) {
@@ -162,8 +163,9 @@ QString persons_text(const BasisStudy& study) {
                  interval_text(person.others, kMillimetre)});
   }
   rows << row(
-      {QObject::tr("who was not recorded"), {}, interval_text(study.newcomer, kMillimetre)});
-  return QObject::tr("<b>Whose</b>: each recording by its own basis and by the others'") +
+      {QObject::tr("a new person (estimate)"), {}, interval_text(study.newcomer, kMillimetre)});
+  return QObject::tr(
+             "<b>Persons</b>: each recording with its own basis and with that of the others") +
          table(rows);
 }
 

@@ -259,7 +259,7 @@ TEST_F(CapturePagesOfAHand, ReportHowGoodABasisOfSeveralPersonsIs) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return report.text().contains(QStringLiteral("ben.csv")); },
                               kPatienceMs));
   EXPECT_THAT(report.text().toStdString(), HasSubstr("anna.csv"));
-  EXPECT_THAT(report.text().toStdString(), HasSubstr("who was not recorded"));
+  EXPECT_THAT(report.text().toStdString(), HasSubstr("a new person (estimate)"));
   EXPECT_THAT(report.text().toStdString(), HasSubstr("PMDs</b>"));
   EXPECT_EQ(part<QComboBox>("explorer_source").currentText(), QStringLiteral("anna.csv + ben.csv"));
 }
