@@ -28,7 +28,7 @@ void apply(ob::Planner& planner, const planning::Parameter& setting) {
   const std::string text = planning::to_text(setting);
   if (!planner.params().setParam(setting.key, text)) {
     throw geometric::InputError(
-        {planner.getName(), setting.key, text, "a value that OMPL takes", ""});
+        {planner.getName(), setting.key, text, "a value that OMPL accepts", ""});
   }
 }
 
@@ -49,7 +49,7 @@ Search::Search(planning::PlanningContext& context, const Method& method,
     set_up(method, settings);
   } catch (const ompl::Exception& e) {
     throw geometric::InputError({context.problem().scene->file.string(), method.name, e.what(),
-                                 "a problem and settings that OMPL takes", ""});
+                                 "a problem and settings that OMPL accepts", ""});
   }
 }
 
@@ -238,7 +238,7 @@ std::string OmplPlanner::description() const {
   return fmt::format("OMPL's {} over {}: {}", method_.name,
                      space_ == HandSpace::kAllJoints
                          ? "all joints"
-                         : "the arm's corridor and principal directions",
+                         : "the arm's corridor and the hand's principal motion directions",
                      method_.summary);
 }
 
@@ -263,18 +263,19 @@ std::vector<BoundParameter> OmplPlanner::method_parameters() {
 
 std::vector<BoundParameter> OmplPlanner::own_parameters() {
   std::vector<BoundParameter> list = method_parameters();
-  list.push_back({"max_samples", "Samples", "", "Samples drawn before the planner gives up.",
-                  &budget_.all, 1, 100000000});
+  list.push_back({"max_samples", "Samples", "",
+                  "Largest number of samples; the planner then gives up.", &budget_.all, 1,
+                  100000000});
   if (method_.traits.improves) {
-    list.push_back({"improvement_samples", "Samples to improve", "",
-                    "Samples drawn after the first path to find a shorter one. 0: the first is "
-                    "taken.",
+    list.push_back({"improvement_samples", "Improvement samples", "",
+                    "Number of samples after the first path, to find a shorter one. 0: the first "
+                    "path is the result.",
                     &budget_.improvement, 0, 100000000});
   }
   if (space_ == HandSpace::kPrincipalDirections) {
     list.push_back({"max_pmds", "Principal directions", "",
-                    "Most principal motion directions that are used together.", &region_.max_pmds,
-                    1, 13});
+                    "Largest number of principal motion directions that are used together.",
+                    &region_.max_pmds, 1, 13});
     planning::append_region_parameters(list, region_);
   }
   return list;

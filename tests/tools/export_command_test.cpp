@@ -59,7 +59,7 @@ TEST_F(Export, SaysHowLongAPathTakes) {
 
 TEST_F(Export, NamesLimitsThatWereAssumed) {
   const auto velocities_and_accelerations =
-      AllOf(HasSubstr("assumed velocity limits"), HasSubstr("assumed acceleration limits"),
+      AllOf(HasSubstr("no velocity limits given"), HasSubstr("no acceleration limits given"),
             HasSubstr("shoulder, elbow, thumb, left, right"), Not(HasSubstr("jerk")));
   const Outcome time = line_.run("time path.csv --scene post.yaml --report report.json");
   EXPECT_THAT(time.out, velocities_and_accelerations);
@@ -72,7 +72,7 @@ TEST_F(Export, NamesLimitsThatWereAssumed) {
   EXPECT_THAT(line_.run("export path.csv --scene post.yaml --to csv --out out").out,
               velocities_and_accelerations);
   EXPECT_THAT(line_.run("time path.csv --scene post.yaml --jerk").out,
-              HasSubstr("assumed jerk limits"));
+              HasSubstr("no jerk limits given"));
 }
 
 TEST_F(Export, RefusesLimitsOfAJointThatTheRobotHasNot) {

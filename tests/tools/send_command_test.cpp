@@ -116,7 +116,7 @@ TEST_F(Send, MovesNothingWithoutYes) {
   const Outcome done = line_.run(send(""));
   EXPECT_EQ(done.exit_code, 2);
   EXPECT_THAT(done.out,
-              AllOf(HasSubstr("cleared"), HasSubstr("assumed acceleration limits"),
+              AllOf(HasSubstr("cleared"), HasSubstr("no acceleration limits given"),
                     HasSubstr("6 joints"), HasSubstr("13 joints"), Not(HasSubstr("done"))));
   EXPECT_THAT(done.err, HasSubstr("--yes"));
   EXPECT_FALSE(std::filesystem::exists(line_.folder() / "log.csv"));

@@ -230,7 +230,7 @@ std::vector<Axis> axes(const std::optional<YamlElement>& map, Planner& planner) 
     }
     std::vector<std::string> keys;
     std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
-    element.refuse(fmt::format("the parameter \"{}\", which {} has not", key, planner.name()),
+    element.refuse(fmt::format("\"{}\", which is no parameter of {}", key, planner.name()),
                    "one of its parameters", geometric::advise_name(key, keys));
   }
   return result;

@@ -125,7 +125,8 @@ const Parameter& find_parameter(const std::vector<Parameter>& parameters, std::s
   if (!found) {
     std::vector<std::string> keys;
     std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
-    throw geometric::InputError({"parameter", std::string(key), "a name that the planner has not",
+    throw geometric::InputError({"parameter", std::string(key),
+                                 "an unknown parameter of this planner",
                                  fmt::format("one of {}", fmt::join(keys, ", ")), ""});
   }
   return *found;

@@ -158,21 +158,19 @@ std::vector<Participant> participants(CorridorForm form, bool has_basis) {
   // If the corridor contains no path, for example around a wall, trees soon find one far from it.
   const RrtConnectSettings corridor = without_limit({.region = {.anywhere = 0.5}});
   return {
-      {"trees in the joint corridor", 0, 0, kPmds, corridor},
-      {"expansive trees", 1, 1, kPmds, expansive},
-      {"expansive trees, from another seed", 2, 2, kPmds, expansive},
-      has_basis
-          ? Participant{"expansive trees over all joints", 3, 3, kAll, expansive}
-          : Participant{"trees over all joints", 1, 5, kAll, without_limit(kSettingsOverAllJoints)},
+      {"tree search in the joint corridor", 0, 0, kPmds, corridor},
+      {"expansive tree search", 1, 1, kPmds, expansive},
+      {"expansive tree search with another seed", 2, 2, kPmds, expansive},
+      has_basis ? Participant{"expansive tree search over all joints", 3, 3, kAll, expansive}
+                : Participant{"tree search over all joints", 1, 5, kAll,
+                              without_limit(kSettingsOverAllJoints)},
   };
 }
 
 class AutoPlanner final : public BuiltInPlanner {
  public:
   AutoPlanner()
-      : BuiltInPlanner(kAutoPlanner,
-                       "Several tree searches, in the principal directions or the arm's corridor "
-                       "first; the first path wins",
+      : BuiltInPlanner(kAutoPlanner, "Runs several tree searches and keeps the first path found",
                        {.uses_pmds = true, .uses_threads = true}) {}
 
  protected:
@@ -200,7 +198,7 @@ class AutoPlanner final : public BuiltInPlanner {
     if (entries_found) {
       between.start = entries_found->from_start.back();
       between.goal = entries_found->from_goal.back();
-      members.front().name = "trees in the principal motion directions";
+      members.front().name = "tree search along the principal motion directions";
       members.front().problem = &between;
     }
     Portfolio portfolio(context, std::move(members), static_cast<std::uint64_t>(max_samples_));
@@ -211,20 +209,21 @@ class AutoPlanner final : public BuiltInPlanner {
                              : portfolio.path();
       constexpr int kMostRounds = 6;
       smooth_result(context, objective(), smoothing_checks_, found, result, kMostRounds);
-      result.reason = fmt::format(
-          "Found a path of {} waypoints after {}, by {}{}.", result.path.waypoints.size(),
-          context.statistics().samples_text(), portfolio.winner().name,
-          has_basis ? "" : ", over all joints: the scene has no hand basis");
+      result.reason = fmt::format("{} waypoints, {}. Found by {}{}.", result.path.waypoints.size(),
+                                  context.statistics().samples_text(), portfolio.winner().name,
+                                  has_basis ? "" : " (the scene has no hand basis)");
     }
   }
 
   [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
     return {
-        {"max_samples", "Samples", "", "Samples that all searches draw together before giving up.",
+        {"max_samples", "Samples", "",
+         "Largest number of samples of all searches together; the planner then gives up.",
          &max_samples_, 1, 100000000},
         smoothing_checks_parameter(smoothing_checks_),
         {"cartesian", "Search in tool poses", "",
-         "Expansive trees grow in poses of the tool, if the arm is built like the TX90.",
+         "Grow expansive trees in poses of the tool, if the arm's inverse kinematics has a closed "
+         "form.",
          &cartesian_, 0.0, 1.0},
     };
   }

@@ -174,11 +174,11 @@ std::string reason_of(const PlanResult& result, PlanningContext& context) {
       return fmt::format("Cancelled after {:.1f} s and {}.", result.time_s, samples);
     case PlanStatus::kStalled:
       return fmt::format(
-          "No path found: the search stalled after {}, as no configuration is left to "
-          "sample.",
+          "No path found: the search stalled after {}, because no more configurations can be "
+          "sampled.",
           samples);
     default:
-      return fmt::format("No path found: all {} samples are spent.", context.statistics().samples);
+      return fmt::format("No path found: all {} samples are used.", context.statistics().samples);
   }
 }
 
@@ -252,30 +252,35 @@ std::vector<BoundParameter> Planner::bound_parameters() {
   std::vector<BoundParameter> list = own_parameters();
   list.push_back(
       {"objective", "Objective", "",
-       "What paths are optimised for. Human-like: the hand stays near the principal "
+       "Property that paths are optimised for. human-like: the hand stays near the principal "
        "motion directions; custom: the weights below.",
        BoundChoice{&objective_.preset, {"human-like", "shortest", "safest", "fastest", "custom"}}});
   const auto weight = [&](const char* key, const char* label, const char* help, double& value) {
     list.push_back({key, label, "", help, &value, 0.0, 1e6});
   };
-  weight("weight_length", "Weight of length", "Of a custom objective, in normalised joints.",
+  weight("weight_length", "Weight of length",
+         "Weight of the path's length in a custom objective, per normalised joint range.",
          objective_.custom.length);
   weight("weight_human_likeness", "Weight of human-likeness",
-         "Of a custom objective: the hand's mean distance from the principal motion directions.",
+         "Weight of the hand's mean distance from the principal motion directions in a custom "
+         "objective.",
          objective_.custom.human_likeness);
   weight("weight_clearance", "Weight of clearance",
-         "Of a custom objective: the mean share of 50 mm that is missing in clearance.",
+         "Weight of the missing clearance in a custom objective: the mean share of 50 mm that the "
+         "clearance lacks.",
          objective_.custom.clearance);
-  weight("weight_duration", "Weight of duration", "Of a custom objective, per second.",
+  weight("weight_duration", "Weight of duration",
+         "Weight of the path's duration in a custom objective, per second.",
          objective_.custom.duration);
-  list.push_back({"optimize_checks", "Checks to optimise", "",
-                  "Configurations checked to optimise the path further after planning and "
-                  "smoothing.",
+  list.push_back({"optimize_checks", "Optimisation checks", "",
+                  "Number of configurations that are checked to optimise the path after planning "
+                  "and smoothing.",
                   &optimize_checks_, 0, 1000000000});
-  list.push_back({"sampler", "Sampler", "",
-                  "How points of a sampling region are chosen: uniformly, by a sequence that fills "
-                  "it evenly, near obstacles, or in narrow passages.",
-                  BoundChoice{&sampler_, sampling::sampler_names()}});
+  list.push_back(
+      {"sampler", "Sampler", "",
+       "Distribution of samples in a sampling region. random: uniform; halton, sdk: "
+       "low-discrepancy sequences; gaussian: near obstacles; bridge-test: in narrow passages.",
+       BoundChoice{&sampler_, sampling::sampler_names()}});
   return list;
 }
 
@@ -389,7 +394,7 @@ PlanResult Planner::plan_to_goal(const PlanningProblem& problem, const PlanReque
     result.reason = "The goal " + goal + ".";
   } else if (problem.start == problem.goal) {
     result.status = PlanStatus::kSolved;
-    result.reason = "The start is the goal: there is nothing to move.";
+    result.reason = "The start equals the goal: nothing has to move.";
     result.path.waypoints = {problem.start, problem.goal};
   } else if (std::string proof = proof_of_infeasibility(problem); !proof.empty()) {
     result.status = PlanStatus::kInfeasible;
@@ -417,20 +422,20 @@ PlanResult Planner::plan_to_goal(const PlanningProblem& problem, const PlanReque
 }
 
 BoundParameter max_samples_parameter(int& value) {
-  return {"max_samples", "Samples", "",       "Samples drawn before the planner gives up.",
-          &value,        1,         100000000};
+  return {
+      "max_samples", "Samples", "",       "Largest number of samples; the planner then gives up.",
+      &value,        1,         100000000};
 }
 
 BoundParameter smoothing_checks_parameter(int& value) {
-  return {
-      "smoothing_checks",
-      "Checks to smooth",
-      "",
-      "Configurations checked to shorten the path once it is found, for every 16 waypoints that "
-      "it then has. 0: it stays as it is.",
-      &value,
-      0,
-      10000000};
+  return {"smoothing_checks",
+          "Smoothing checks",
+          "",
+          "Number of configurations that are checked to shorten the path after it was found, per "
+          "16 waypoints. 0: no smoothing.",
+          &value,
+          0,
+          10000000};
 }
 
 // The default one first.

@@ -150,8 +150,8 @@ class PmdLazy final : public BuiltInPlanner {
  public:
   PmdLazy()
       : BuiltInPlanner("pmd-lazy",
-                       "Roadmap in the same regions that checks edges only where the shortest path "
-                       "leads",
+                       "Lazy roadmap in the regions of pmd-rrt-connect; it checks only edges of "
+                       "candidate shortest paths",
                        {.uses_pmds = true, .needs_basis = true}) {}
 
  protected:
@@ -165,9 +165,10 @@ class PmdLazy final : public BuiltInPlanner {
 
   [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
     std::vector<BoundParameter> list = {
-        {"k", "Neighbours K", "", "Nearest nodes that a new node is joined to.", &settings_.k, 1,
-         1000},
-        {"batch", "Nodes at a time", "", "Nodes added when no path from start to goal is left.",
+        {"k", "Neighbours K", "", "Number of nearest nodes that a new node is connected to.",
+         &settings_.k, 1, 1000},
+        {"batch", "Batch size", "",
+         "Number of nodes that are added when no candidate path from start to goal remains.",
          &settings_.batch, 1, 100000},
         max_samples_parameter(settings_.max_samples),
         smoothing_checks_parameter(settings_.smoothing_checks),

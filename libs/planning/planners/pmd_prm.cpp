@@ -383,9 +383,9 @@ class PmdPrm final : public BuiltInPlanner {
   explicit PmdPrm(HandSpace space)
       : BuiltInPlanner(
             with_pmds(space) ? "pmd-prm" : "full-prm",
-            with_pmds(space) ? "Roadmap in a corridor of the arm and a few principal "
-                               "motion directions of the hand"
-                             : "The same roadmap with every hand joint sampled on its own",
+            with_pmds(space) ? "Roadmap in a corridor around the arm's motion and in a few "
+                               "principal motion directions of the hand"
+                             : "The roadmap of pmd-prm with every hand joint sampled independently",
             {.uses_pmds = with_pmds(space), .needs_basis = with_pmds(space), .uses_threads = true}),
         space_(space) {
     if (!with_pmds(space)) {  // Table 3, in parentheses
@@ -408,41 +408,43 @@ class PmdPrm final : public BuiltInPlanner {
   [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
     std::vector<BoundParameter> list = {
         {"rho_a", "Corridor half-width ρₐ", "",
-         "Half-side of the arm's sampling hypercubes at the "
-         "start, in joints normalised to [0, 1]. It grows with every pass.",
+         "Initial half-side of the arm's sampling hypercubes, in joints normalised to [0, 1]. It "
+         "grows with every pass.",
          &settings_.rho_a, 1e-5, 0.5},
         {"rho_max", "Largest ρₐ", "",
-         "The corridor does not grow beyond this. 0: without limit, as printed.",
-         &settings_.rho_max, 0.0, 0.5, "0"},
+         "Largest half-width of the corridor. 0: no limit, as in the paper.", &settings_.rho_max,
+         0.0, 0.5, "0"},
         {"fill_gaps", "Fill gaps", "",
-         "Where no hypercube lies in the search range, its middle is sampled; as printed, it "
-         "isn't.",
+         "Sample the middle of the search range if no hypercube lies in it. The paper does not.",
          &settings_.fill_gaps, 0.0, 0.0, "false"},
         corridor_parameter(settings_.corridor),
-        {"n_a", "Arm trials nA", "", "Arm configurations tried in each hypercube.", &settings_.n_a,
-         1, 1000},
-        {"n_h", "Hand trials nH", "", "Hand configurations tried with each arm configuration.",
-         &settings_.n_h, 1, 1000},
-        {"k", "Neighbours K", "", "Nearest nodes that a new node is connected to.", &settings_.k, 1,
+        {"n_a", "Arm trials nA", "",
+         "Number of arm configurations that are sampled in each hypercube.", &settings_.n_a, 1,
          1000},
-        {"max_samples", "Samples N", "", "Hand trials before the planner gives up.",
-         &settings_.max_samples, 1, 100000000},
+        {"n_h", "Hand trials nH", "",
+         "Number of hand configurations that are sampled for each arm configuration.",
+         &settings_.n_h, 1, 1000},
+        {"k", "Neighbours K", "", "Number of nearest nodes that a new node is connected to.",
+         &settings_.k, 1, 1000},
+        {"max_samples", "Samples N", "",
+         "Largest number of hand samples; the planner then gives up.", &settings_.max_samples, 1,
+         100000000},
         {"n_checked", "Check N", "",
-         "At each hand trial, or, as printed, at the end of each pass, where failed trials alone "
-         "count.",
+         "When the number of hand samples is compared with max_samples. trial: at every sample; "
+         "pass: at the end of each pass, counting only failed samples, as in the paper.",
          BoundChoice{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
         {"smoothing", "Smoothing", "",
-         "By edges between the path's nodes that lead forwards along it, or, as printed, both "
-         "ways: "
-         "back along it, too, where that makes a shorter path.",
+         "Edges between nodes of the path that smoothing uses. forwards: only edges forwards along "
+         "the path; both-ways: also edges back along it if the path gets shorter, as in the paper.",
          BoundChoice{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0, "both-ways"},
-        {"arm_trials", "Arm draws", "",
-         "Draws for an arm configuration without self-collision (Algorithm 1).",
+        {"arm_trials", "Arm samples", "",
+         "Largest number of samples to find an arm configuration without self-collision (Algorithm "
+         "1).",
          &settings_.arm_trials, 1, 1000},
     };
     if (with_pmds(space_)) {
       list.push_back({"max_pmds", "Principal directions", "",
-                      "Most principal motion directions that are used together.",
+                      "Largest number of principal motion directions that are used together.",
                       &settings_.max_pmds, 1, 13});
     }
     return list;

@@ -204,8 +204,8 @@ class RrtConnect final : public BuiltInPlanner {
  public:
   explicit RrtConnect(HandSpace space)
       : BuiltInPlanner(with_pmds(space) ? "pmd-rrt-connect" : "rrt-connect",
-                       with_pmds(space) ? "Two trees in a widening corridor of the arm and the "
-                                          "hand's principal directions"
+                       with_pmds(space) ? "Two trees in a widening corridor around the arm's "
+                                          "motion and in the hand's principal motion directions"
                                         : "Two trees over all joints",
                        {.uses_pmds = with_pmds(space), .needs_basis = with_pmds(space)}),
         space_(space),
@@ -225,20 +225,19 @@ class RrtConnect final : public BuiltInPlanner {
         {"range", "Step length", "", "Longest step of a tree, in joints normalised to [0, 1].",
          &settings_.range, 1e-3, 10.0},
         {"refinements", "Shorter steps", "",
-         "How often a step that is not free is tried again at a quarter of its length.",
+         "Number of times that a step in collision is repeated with a quarter of its length.",
          &settings_.refinements, 0, 5},
         max_samples_parameter(settings_.max_samples),
         smoothing_checks_parameter(settings_.smoothing_checks),
     };
     if (with_pmds(space_)) {
-      list.push_back({"single_moves", "Moves of one part", "",
-                      "Share of samples that move the arm alone or the hand alone.",
+      list.push_back({"single_moves", "Single-part moves", "",
+                      "Share of samples that move only the arm or only the hand.",
                       &settings_.single_moves, 0.0, 1.0});
-      list.push_back(
-          {"expansions", "Expansions", "",
-           "Share of steps from a node that few were tried from to somewhere near it: to "
-           "get out of tight places.",
-           &settings_.expansions, 0.0, 1.0});
+      list.push_back({"expansions", "Expansions", "",
+                      "Share of steps that go from a node with few attempts to a configuration "
+                      "near it. Helps in narrow passages.",
+                      &settings_.expansions, 0.0, 1.0});
       list.push_back(corridor_parameter(settings_.region.corridor));
       append_region_parameters(list, settings_.region);
     }

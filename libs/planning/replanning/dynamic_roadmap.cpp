@@ -310,7 +310,7 @@ struct DynamicRoadmap::Replanner final : public Planner {
 
   [[nodiscard]] std::string name() const override { return "dynamic-roadmap"; }
   [[nodiscard]] std::string description() const override {
-    return "Roadmap that is kept while the scene changes";
+    return "Roadmap that is reused while the scene changes";
   }
   [[nodiscard]] PlannerCapabilities capabilities() const override {
     return planner->capabilities();
@@ -337,10 +337,9 @@ struct DynamicRoadmap::Replanner final : public Planner {
       } else {
         result.path = std::move(*path);
       }
-      const char* found = source == ReplanSource::kLastPath ? "The last path is still free"
-                          : source == ReplanSource::kRoadmap
-                              ? "Found a path in the roadmap"
-                              : "Led the last path around what cuts it";
+      const char* found = source == ReplanSource::kLastPath  ? "The previous path is still valid"
+                          : source == ReplanSource::kRoadmap ? "Found a path in the roadmap"
+                                                             : "Repaired the previous path";
       result.reason = fmt::format("{}: {} waypoints.", found, result.path.waypoints.size());
     } else if (const std::optional<PlanStatus> interruption = context.interruption()) {
       result.status = *interruption;

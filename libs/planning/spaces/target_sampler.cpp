@@ -178,23 +178,24 @@ Eigen::VectorXd TargetSampler::held(Eigen::VectorXd target, const Eigen::VectorX
 }
 
 BoundParameter corridor_parameter(int& value) {
-  return {"corridor", "Corridor", "",
-          "Around the straight motion of the arm's joints, or of its tool.",
-          BoundChoice{&value, {"joint", "cartesian"}}};
+  return {
+      "corridor", "Corridor", "",
+      "Corridor around the straight motion of the arm's joints (joint) or of its tool (cartesian).",
+      BoundChoice{&value, {"joint", "cartesian"}}};
 }
 
 void append_region_parameters(std::vector<BoundParameter>& list, TargetRegion& region) {
   list.push_back({"near_ends", "Samples near the ends", "",
                   "Share of samples drawn around start and goal.", &region.near_ends, 0.0, 1.0});
   list.push_back({"rho_a", "Corridor half-width ρₐ", "",
-                  "Half-width of the arm's corridor at the start, normalised.", &region.rho_a, 1e-5,
-                  1.0});
-  list.push_back({"rho_max", "Largest ρₐ", "", "The corridor does not grow beyond this.",
+                  "Initial half-width of the arm's corridor, in joints normalised to [0, 1].",
+                  &region.rho_a, 1e-5, 1.0});
+  list.push_back({"rho_max", "Largest ρₐ", "", "Largest half-width of the corridor.",
                   &region.rho_max, 1e-5, 1.0});
-  list.push_back({"rho_growth", "Widening factor", "", "The corridor grows by this factor.",
+  list.push_back({"rho_growth", "Widening factor", "", "Factor by which the corridor grows.",
                   &region.rho_growth, 1.0, 100.0});
   list.push_back({"samples_per_width", "Samples per width", "",
-                  "Samples drawn before the corridor grows.", &region.samples_per_width, 1,
+                  "Number of samples before the corridor grows.", &region.samples_per_width, 1,
                   1000000});
 }
 

@@ -112,10 +112,9 @@ JointKinematicLimits JointKinematicLimits::without_jerk() const {
 
 std::vector<std::string> assumption_lines(const std::vector<AssumedLimit>& assumed,
                                           std::size_t most) {
-  const std::array defaults{
-      fmt::format("{:g} rad/s or m/s", kDefaultVelocity),
-      fmt::format("the velocity limit is reached in {:g} s", kDefaultRampTime),
-      fmt::format("the acceleration limit is reached in {:g} s", kDefaultJerkTime)};
+  const std::array defaults{fmt::format("{:g} rad/s or m/s", kDefaultVelocity),
+                            fmt::format("full speed in {:g} s", kDefaultRampTime),
+                            fmt::format("full acceleration in {:g} s", kDefaultJerkTime)};
   std::vector<std::string> lines;
   for (std::size_t r = 0; r < kRates.size(); ++r) {
     std::vector<std::string> joints;
@@ -129,7 +128,7 @@ std::vector<std::string> assumption_lines(const std::vector<AssumedLimit>& assum
     }
     const std::size_t named = std::min(most, joints.size());
     std::string line = fmt::format(
-        "assumed {} limits, as no file has them ({}): {}", rate_name(kRates.at(r)), defaults.at(r),
+        "no {} limits given; assuming {}: {}", rate_name(kRates.at(r)), defaults.at(r),
         fmt::join(joints.begin(), joints.begin() + static_cast<std::ptrdiff_t>(named), ", "));
     if (named < joints.size()) {
       line += fmt::format(" and {} more", joints.size() - named);

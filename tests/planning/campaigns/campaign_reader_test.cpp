@@ -129,7 +129,7 @@ TEST_F(CampaignReader, NamesWhatIsWrongAndWhere) {
            {head + "seeds: 1\n", {"no \"planners\""}},
            {head + "planners: [pmd-prn]\nseeds: 1\n", {":3", "planners[0]", "pmd-prm"}},
            {head + "planners: [{planner: pmd-prm, parameters: {n_b: 3}}]\nseeds: 1\n",
-            {":3", "parameters.n_b", "pmd-prm has not"}},
+            {":3", "parameters.n_b", "no parameter of pmd-prm"}},
            {head + "planners: [{planner: pmd-prm, parameters: {n_a: [3, 0]}}]\nseeds: 1\n",
             {"n_a[1]", "\"0\"", "1 to 1000"}},
            {head + "planners: [{planner: pmd-prm, parameters: {rho_a: {from: 0, to: 1, steps: 3, "

@@ -67,7 +67,7 @@ TEST_F(ExportDialogTest, ShowsTheFilesBeforeItWritesThem) {
   ASSERT_TRUE(is_ready());
   EXPECT_THAT(field<QLabel>("export_report").text().toStdString(),
               AllOf(HasSubstr("Cleared"), HasSubstr("The motion takes"),
-                    HasSubstr("Assumed acceleration limits")));
+                    HasSubstr("No acceleration limits given")));
   ASSERT_EQ(field<QListWidget>("export_files").count(), 1);
   // Only the beginning of a long file is shown.
   const std::string shown = field<QPlainTextEdit>("export_content").toPlainText().toStdString();

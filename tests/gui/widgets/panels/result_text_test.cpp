@@ -47,10 +47,10 @@ TEST(ResultText, GivesTheReasonWhyThereIsNone) {
 TEST(ResultText, SaysOnceThatNoPathWasFound) {
   planning::PlanResult result;
   result.status = planning::PlanStatus::kSamplesSpent;
-  result.reason = "No path found: all 500 samples are spent.";
+  result.reason = "No path found: all 500 samples are used.";
   const std::string text = result_text(result).toStdString();
   EXPECT_THAT(text, HasSubstr(">No path found<"));
-  EXPECT_THAT(text, HasSubstr(">All 500 samples are spent.<"));
+  EXPECT_THAT(text, HasSubstr(">All 500 samples are used.<"));
 }
 
 TEST(ResultText, ExplainsWhyNoPathWasFound) {
