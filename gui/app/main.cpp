@@ -61,38 +61,38 @@ std::optional<gui::Options> parse_options(int argc, char** argv, int& exit_code)
   std::vector<std::string> settings;
   CLI::App app("The Handway workbench: see, plan and play hand-arm motions.");
   app.add_option("scene", options.scene, "Scene or problem file to open");
-  app.add_option("--screenshot", options.screenshot, "Save a picture of the window and end")
+  app.add_option("--screenshot", options.screenshot, "Save a picture of the window and exit")
       ->type_name("OUT.png");
   app.add_flag("--view-only", options.view_only,
-               "The picture shows the 3-D view alone, of that size");
-  app.add_option("--size", size, "Size of the window (default: as last time; of pictures 1440x900)")
+               "Save a picture of the 3-D view only, with this size");
+  app.add_option("--size", size,
+                 "Size of the window (default: the last one; for pictures 1440x900)")
       ->type_name("WxH")
       ->check(check_size);
   app.add_option("--path", options.path, "Show this path or trajectory (CSV, YAML, JSON)")
       ->type_name("FILE");
   app.add_flag("--play", options.play,
-               "Plan at once, unless a path is given, then play the path in a loop");
+               "Plan at the start, unless a path is given, then play the path in a loop");
   app.add_option("--planner", options.planner, "Planner (default: the scene's)");
   app.add_option("--seed", options.seed, "Seed of all random choices");
-  app.add_option("--set", settings, "A parameter of the planner")
+  app.add_option("--set", settings, "Parameter of the planner")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->check(check_setting)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--glove", options.glove,
-                 "Connect to this glove: a port, HOST:PORT, a recording, or \"emulator\"")
+                 "Glove to connect to: a port, HOST:PORT, a recording, or \"emulator\"")
       ->type_name("DEVICE");
-  app.add_option("--glove-page", options.glove_page, "Page of the glove's panel to open")
+  app.add_option("--glove-page", options.glove_page, "Page of the glove panel to open")
       ->type_name("NAME");
+  app.add_option("--campaign", options.campaign,
+                 "Campaign (.yaml) to execute, or run database (.sqlite) to show");
   app.add_option(
-      "--campaign", options.campaign,
-      "Carry out this campaign (.yaml), or show the runs of this run database (.sqlite)");
-  app.add_option("--tracker", options.tracker,
-                 "Lead the arm by this wrist tracker: \"emulator\", fastrak:PORT, liberty:PORT, "
-                 "udp:PORT")
+         "--tracker", options.tracker,
+         "Wrist tracker that leads the arm: \"emulator\", fastrak:PORT, liberty:PORT, udp:PORT")
       ->type_name("DEVICE");
   app.add_option("--glove-time", options.glove_time,
-                 "Listen to glove and tracker for so many s before a screenshot (default 3)")
+                 "Time to read glove and tracker before a screenshot, s (default 3)")
       ->check(CLI::Range(0.0, 3600.0));
   app.add_option("--theme", options.theme, "light or dark (default: as in the preferences)")
       ->check(CLI::IsMember({"light", "dark"}));

@@ -84,12 +84,12 @@ void MainWindow::add_commands() {
   auto* palette = new CommandPalette(*this);
   QAction* find = workbench_.make_action("", tr("Find a &command…"),
                                          QKeySequence(QStringLiteral("Ctrl+Shift+P")),
-                                         tr("All commands, by a few letters of their names"));
+                                         tr("Find a command by letters of its name"));
   QAction* help = workbench_.make_action("", tr("Help on this &panel"), QKeySequence::HelpContents,
                                          tr("Help on the panel under the pointer"));
   QAction* about = workbench_.make_action("", tr("&About Handway"), {}, {});
-  QAction* layout =
-      workbench_.make_action("", tr("&Reset the layout"), {}, tr("Put all panels back"));
+  QAction* layout = workbench_.make_action("", tr("&Reset the layout"), {},
+                                           tr("Put all panels back to their places"));
   workbench_.add_to_menu(MainMenu::kView, {3, 0}, layout);
   workbench_.add_to_menu(MainMenu::kHelp, {0, 0}, help);
   workbench_.add_to_menu(MainMenu::kHelp, {0, 1}, find);
@@ -155,7 +155,7 @@ void MainWindow::connect_document() {
 void MainWindow::log_refused_plugins() {
   for (const planning::RefusedPlugin& plugin : workbench_.plugins->refused()) {
     workbench_.log.add(LogPanel::Level::kWarning,
-                       tr("Plugin %1 was not taken: %2")
+                       tr("Plugin %1 was not loaded: %2")
                            .arg(QString::fromStdString(plugin.file.filename().string()),
                                 QString::fromStdString(plugin.reason)));
   }
@@ -263,7 +263,7 @@ void MainWindow::show_validity() {
   if (workbench_.validity.state() == PathValidity::State::kInvalid &&
       workbench_.player.is_playing()) {
     workbench_.player.pause();
-    workbench_.show_error(tr("The path is not valid any more"), reason);
+    workbench_.show_error(tr("The path is no longer valid"), reason);
   }
   PlaybackBar& bar = workbench_.playback_bar;
   if (!reason.isEmpty()) {
@@ -272,7 +272,7 @@ void MainWindow::show_validity() {
                   reason);
   } else if (workbench_.document.shows_measured()) {
     bar.show_note(tr("robot as measured"),
-                  tr("The robot is shown where it is measured: see the tab Devices"));
+                  tr("The robot is shown at its measured joint positions: see the tab Devices"));
   } else {
     bar.show_note({}, {});
   }

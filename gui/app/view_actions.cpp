@@ -36,7 +36,7 @@ FrameRateLabel::FrameRateLabel(SceneView& view, QWidget* parent) : QLabel(parent
   setProperty("role", "note");
   setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 frames/s").arg(8888)));
-  setToolTip(tr("How fast the view draws while something moves"));
+  setToolTip(tr("Frame rate of the view during motions"));
   tick_.setInterval(kTickMs);
   connect(&tick_, &QTimer::timeout, this, &FrameRateLabel::show_rate);
   connect(&view_, &QOpenGLWidget::frameSwapped, this, &FrameRateLabel::count_frame);
@@ -177,13 +177,13 @@ ViewActions::ViewActions(Workbench& workbench, BodyDisplayTool& bodies)
   show_all_ = make("", tr("Show &all"), "Shift+F", tr("Show the whole scene"));
   show_all_->setObjectName(QStringLiteral("show_all"));
   connect(show_all_, &QAction::triggered, &view_, &SceneView::show_all);
-  show_selection_ =
-      make("fit", tr("Show selec&tion"), "F", tr("Show what is selected, or else the whole scene"));
+  show_selection_ = make("fit", tr("Show selec&tion"), "F",
+                         tr("Show the selection or, without a selection, the whole scene"));
   connect(show_selection_, &QAction::triggered, &view_, &SceneView::show_selection);
   on_bar_ << show_selection_;
   standard_views_ = make_standard_views();
   orthographic_ = make_switch("orthographic", tr("O&rthographic"), "5",
-                              tr("Lines that are parallel stay parallel in the picture"), false);
+                              tr("Orthographic projection: parallel lines stay parallel"), false);
   on_bar_ << orthographic_;
   connect(orthographic_, &QAction::toggled, this, [this](bool on) {
     preferences_.set(&PreferenceValues::projection,
@@ -230,7 +230,7 @@ QMenu* ViewActions::make_standard_views() {
     return action;
   };
   using enum StandardView;
-  on_bar_ << add(kOblique, make("view_oblique", tr("&Oblique"), "0", tr("Look across the task")))
+  on_bar_ << add(kOblique, make("view_oblique", tr("&Oblique"), "0", tr("Task view")))
           << add(kFront, make("view_front", tr("&Front"), "1", tr("Look against the x axis")))
           << add(kLeft, make("view_left", tr("&Left"), "2", tr("Look against the y axis")))
           << add(kTop, make("view_top", tr("&Top"), "3", tr("Look down")));
@@ -241,7 +241,7 @@ QMenu* ViewActions::make_standard_views() {
 }
 
 QMenu* ViewActions::make_displays() {
-  auto* menu = new QMenu(tr("&Bodies as"), &workbench_.window);
+  auto* menu = new QMenu(tr("&Display style"), &workbench_.window);
   const auto add = [&](BodyDisplay display, QAction* action) {
     action->setCheckable(true);
     action->setChecked(display == bodies_.display());
@@ -253,14 +253,14 @@ QMenu* ViewActions::make_displays() {
     });
   };
   using enum BodyDisplay;
-  add(kVisual, make("bodies_visual", tr("&Visual"), "Alt+1", tr("Bodies as they look")));
+  add(kVisual, make("bodies_visual", tr("&Visual"), "Alt+1", tr("Visual meshes")));
   add(kCollision, make("bodies_collision", tr("&Collision meshes"), "Alt+2",
-                       tr("The triangles that collisions are checked with")));
+                       tr("Triangles of the collision checks")));
   add(kHulls, make("bodies_hulls", tr("Convex &hulls"), "Alt+3",
-                   tr("The hulls that separate bodies before triangles are compared")));
+                   tr("Convex hulls that are tested before triangles")));
   add(kSpheres, make("bodies_spheres", tr("Bounding &spheres"), "Alt+4",
-                     tr("The spheres that cover bodies before triangles are compared")));
-  display_button_->setToolTip(tr("What bodies are drawn as"));
+                     tr("Bounding spheres that are tested before triangles")));
+  display_button_->setToolTip(tr("Display style"));
   display_button_->setPopupMode(QToolButton::InstantPopup);
   display_button_->setMenu(menu);
   return menu;

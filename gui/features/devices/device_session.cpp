@@ -202,8 +202,8 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, MotionDrive
   connect(&driver_, &MotionDriver::progressed, panel_, &DevicesPanel::show_progress);
   connect(&driver_, &MotionDriver::held, this, [this](const QString& reason) {
     panel_->show_held(true);
-    panel_->show_problem(tr("Held: %1").arg(reason));
-    emit reported(false, tr("The robot is held: %1").arg(reason));
+    panel_->show_problem(tr("Paused: %1").arg(reason));
+    emit reported(false, tr("The robot is paused: %1").arg(reason));
   });
   connect(&driver_, &MotionDriver::ended, this, &DeviceSession::take_outcome);
   connect(&driver_, &MotionDriver::failed, this, [this](const QString& message) {
@@ -240,7 +240,7 @@ void DeviceSession::time_again() {
     return;
   }
   if (driver_.state() == State::kRunning) {
-    panel_->show_no_motion(tr("The path is timed again when the robot is at rest."));
+    panel_->show_no_motion(tr("Timing is recomputed when the robot stops."));
     return;
   }
   planning::Path path = player_.timeline().path();
@@ -342,7 +342,7 @@ bool DeviceSession::may_leave(QWidget& window) {
     return true;
   }
   const QString message =
-      tr("STOP was sent to the robot, but it was not seen at rest: look at it.");
+      tr("STOP was sent, but no state at rest was measured: look at the robot.");
   panel_->show_problem(message);
   emit reported(false, message);
   return false;

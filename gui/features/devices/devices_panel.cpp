@@ -125,10 +125,9 @@ MotionDeviceField::MotionDeviceField(QString kind, int port, QWidget* parent)
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(12);
   lineEdit()->setPlaceholderText(tr("host or host:port"));
-  setToolTip(
-      tr("The controller's address, such as 192.168.0.254 (port %1 if none is given), or the "
-         "built-in emulator, which stands where the robot does")
-          .arg(port));
+  setToolTip(tr("Address of the controller, such as 192.168.0.254 (default port %1), or the "
+                "built-in emulator, which starts in the robot's present configuration")
+                 .arg(port));
   addItem(tr("Emulator"), QStringLiteral("emulator"));
   addItem(tr("None"), QStringLiteral("none"));
   for (const QString& address : QSettings().value(key()).toStringList()) {
@@ -225,7 +224,7 @@ QColor state_color(State state) {
 
 // What the user confirms before a motion. Each timing of the path takes it back.
 QString arming_text(bool is_tight) {
-  return is_tight ? QObject::tr("Move, though too close") : QObject::tr("Let the robot move");
+  return is_tight ? QObject::tr("Move despite low clearance") : QObject::tr("Let the robot move");
 }
 
 }  // namespace
@@ -269,7 +268,8 @@ QWidget* DevicesPanel::make_connection() {
   form->addRow(tr("Hand"), hand_);
   mirror_->setChecked(true);
   mirror_->setToolTip(
-      tr("The robot in the view is where the joints are measured, whatever is edited or played"));
+      tr("Show the robot in the view at its measured joint positions, also during editing and "
+         "playback"));
   connect(mirror_, &QCheckBox::toggled, this, &DevicesPanel::mirror_changed);
   connect(connect_, &QPushButton::clicked, this, [this] {
     if (state_ == State::kOff) {
@@ -284,8 +284,8 @@ QWidget* DevicesPanel::make_connection() {
 QWidget* DevicesPanel::make_motion() {
   speed_->setObjectName(QStringLiteral("devices_speed"));
   speed_->set_value(kCautiousSpeed);
-  speed_->setToolTip(tr("Share of the pace that the joints' limits allow"));
-  armed_->setToolTip(tr("Nothing moves unless this is ticked; it holds for one motion"));
+  speed_->setToolTip(tr("Share of the full speed that the joint limits allow"));
+  armed_->setToolTip(tr("The robot moves only if this is ticked; applies to one motion"));
   run_->setProperty("role", "primary");
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
@@ -300,9 +300,9 @@ QWidget* DevicesPanel::make_motion() {
   lay_out(*problem_, in_column({problem_text_}), {10, 7, 10, 7});
   problem_text_->setTextFormat(Qt::PlainText);
   problem_->hide();
-  start_here_->setToolTip(tr("Makes the robot's measured posture the start, and plans"));
+  start_here_->setToolTip(tr("Set the start to the measured configuration, and plan"));
   start_here_->hide();
-  with_margin_->setToolTip(tr("Plans a path that keeps this clearance from everything"));
+  with_margin_->setToolTip(tr("Plan a path with this clearance"));
   with_margin_->hide();
   connect(with_margin_, &QPushButton::clicked, this, [this] { emit margin_requested(margin_mm_); });
   connect(speed_, &SliderRow::value_edited, this, &DevicesPanel::speed_changed);
@@ -438,14 +438,14 @@ void DevicesPanel::update_buttons() {
   if (!armed_->isEnabled() && !running) {
     armed_->setChecked(false);
   }
-  const QString missing = off         ? tr("Connect first.")
-                          : !cleared_ ? tr("There is no motion that is cleared to run: see below.")
+  const QString missing = off                    ? tr("Connect first.")
+                          : !cleared_            ? tr("No motion is cleared to run: see below.")
                           : !armed_->isChecked() ? tr("Tick \"%1\" first.").arg(armed_->text())
                                                  : QString();
   run_->setEnabled(state_ == State::kConnected && missing.isEmpty());
   run_->setToolTip(missing);
   hold_->setEnabled(running);
-  hold_->setText(held_ ? tr("Go on") : tr("Hold"));
+  hold_->setText(held_ ? tr("Continue") : tr("Hold"));
   progress_->setVisible(running);
   progress_text_->setVisible(running);
 }

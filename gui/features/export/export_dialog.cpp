@@ -112,7 +112,7 @@ MotionPreview::MotionPreview(QWidget* parent)
     plot->set_colors(screen_colors());
   }
   names_->setAccessibleName(tr("Files"));
-  content_->setAccessibleName(tr("What the file holds"));
+  content_->setAccessibleName(tr("Contents of the file"));
   content_->setReadOnly(true);
   content_->setLineWrapMode(QPlainTextEdit::NoWrap);
   content_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -204,7 +204,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
       arcs_(new QCheckBox(tr("Round the corners"))),
       deviation_(make_number(0.001, 10.0, planning::BlendOptions{}.deviation, 3, tr(" rad"))),
       any_robot_(named("export_any_robot", new QCheckBox(tr("Any robot")))),
-      too_close_(named("export_too_close", new QCheckBox(tr("Though too close")))),
+      too_close_(named("export_too_close", new QCheckBox(tr("Export despite low clearance")))),
       preview_(new MotionPreview),
       folder_(named("export_folder", new QLineEdit(QDir::homePath()))),
       export_button_(named("export_now", new QPushButton(tr("Export")))),
@@ -263,14 +263,14 @@ QWidget* ExportDialog::make_settings() {
         name + QLatin1Char('\n') + QString::fromStdString(exporter->description()), formats_);
     item->setData(Qt::UserRole, name);
   }
-  name_->setToolTip(tr("Of the motion, in the files and for them"));
+  name_->setToolTip(tr("Name of the motion, used in the files and for their names"));
   speed_->setObjectName(QStringLiteral("export_speed"));
-  speed_->setToolTip(tr("Share of the pace that the joints' limits allow"));
-  period_->setToolTip(tr("Time from point to point"));
+  speed_->setToolTip(tr("Share of the full speed that the joint limits allow"));
+  period_->setToolTip(tr("Time from one point to the next"));
   arcs_->setChecked(true);
-  arcs_->setToolTip(
-      tr("Pass waypoints on arcs, checked against collision, instead of stopping there"));
-  deviation_->setToolTip(tr("Farthest that an arc passes its waypoint, over all joints"));
+  arcs_->setToolTip(tr("Round waypoints with collision-free arcs instead of stopping there"));
+  deviation_->setToolTip(
+      tr("Largest distance of an arc from its waypoint, over all joints together"));
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(10);
   form->setVerticalSpacing(6);
@@ -279,12 +279,12 @@ QWidget* ExportDialog::make_settings() {
   form->addRow(tr("Period"), period_);
   form->addRow(QString(), arcs_);
   form->addRow(tr("Deviation"), deviation_);
-  any_robot_->setToolTip(tr("Export though the format does not seem to be for this robot"));
+  any_robot_->setToolTip(tr("Export even if the format does not seem to suit this robot"));
   any_robot_->hide();
   form->addRow(QString(), any_robot_);
   too_close_->setToolTip(
-      tr("Export though something is nearer to the robot than the following error and the margin "
-         "allow: see Pre-flight. It holds for one motion"));
+      tr("Export although the clearance is less than following error and margin require: see "
+         "Pre-flight. Applies to one motion"));
   too_close_->hide();
   form->addRow(QString(), too_close_);
   auto* box = new QWidget;

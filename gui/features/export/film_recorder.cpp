@@ -55,7 +55,8 @@ QString parts_beside(const QString& file) {
 void need_writable(const QTemporaryDir& parts, const QString& file) {
   if (!parts.isValid()) {
     throw geometric::InputError({QFileInfo(file).absolutePath().toStdString(), "",
-                                 "a folder that can't be written to", "one that can be", ""});
+                                 "a folder that can't be written to",
+                                 "a folder that can be written to", ""});
   }
 }
 

@@ -173,7 +173,7 @@ QFormLayout* PicturesDialog::make_settings() {
   }
   rates_->setCurrentIndex(rates_->findData(25));
   offer_speeds(*speeds_);
-  speeds_->setToolTip(tr("Of the film; 1× is real time"));
+  speeds_->setToolTip(tr("Speed of the film; 1× is real time"));
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(8);
@@ -246,16 +246,17 @@ void PicturesDialog::take_kind() {
   const QString bare = old.absoluteDir().filePath(old.completeBaseName());
   file_->setText(suffix().isEmpty() ? bare : bare + QLatin1Char('.') + suffix());
   note_->setText(FfmpegFilm::program().isEmpty()
-                     ? tr("ffmpeg is not installed, without which there are no films and "
-                          "animations. On Debian and Ubuntu: apt install ffmpeg")
+                     ? tr("Films and animations need ffmpeg, which is not installed. On Debian and "
+                          "Ubuntu: apt install ffmpeg")
                      : QString());
   show_count();
 }
 
 void PicturesDialog::show_count() {
-  count_->setText(kind() == Kind::kStrip
-                      ? tr("As the view looks now, on white; as PNG or, by the file's name, SVG")
-                      : tr("%1 pictures, as the view looks now, on white").arg(shot().pictures));
+  count_->setText(
+      kind() == Kind::kStrip
+          ? tr("Like the present view, on white; PNG or SVG, depending on the file's name")
+          : tr("%1 pictures like the present view, on white").arg(shot().pictures));
 }
 
 void PicturesDialog::browse() {

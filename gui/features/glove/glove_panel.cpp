@@ -111,7 +111,8 @@ QWidget* GlovePanel::build_header() {
 QWidget* GlovePanel::build_sensors_page() {
   auto* calibration = new CalibrationChoice;
   auto* calibrate = named("calibrate", new QPushButton(tr("Calibrate…")));
-  calibrate->setToolTip(tr("Some postures to hold, shown one by one: a calibration in a minute"));
+  calibrate->setToolTip(
+      tr("Calibrate the glove in a minute: hold some postures, which are shown one by one"));
   auto* form = new QFormLayout;
   form->setContentsMargins(kMargin, 4, kMargin, 0);
   form->setHorizontalSpacing(12);
@@ -126,7 +127,7 @@ QWidget* GlovePanel::build_sensors_page() {
   pages->addWidget(new PanelArea(guide));
   connect(calibrate, &QPushButton::clicked, this, [this, guide, pages] {
     if (session_.link().state() != StreamState::kStreaming) {
-      show_problem(tr("Connect the glove that is to be calibrated first"));
+      show_problem(tr("Connect the glove first"));
       return;
     }
     pages->setCurrentIndex(1);
@@ -146,13 +147,13 @@ QWidget* GlovePanel::build_footer() {
   auto* footer = new QFrame;
   footer->setProperty("role", "playback");
   follow_->setChecked(session_.following());
-  follow_->setToolTip(tr("The hand in the view takes the postures of the glove"));
-  rule_->addItem(tr("Go on at contact"));
+  follow_->setToolTip(tr("The hand in the view follows the glove"));
+  rule_->addItem(tr("Pass through, mark red"));
   rule_->addItem(tr("Stop at contact"));
   rule_->addItem(tr("Slide at contact"));
   rule_->setToolTip(
-      tr("What becomes of a motion of glove or tracker that leads into something: it goes on and "
-         "the links turn red, it stops, or arm and fingers go as far as each is free"));
+      tr("Motion of glove or tracker into an object: the robot passes through and colliding links "
+         "turn red, it stops, or arm and fingers move as far as each is free"));
   contact_->setWordWrap(true);
   contact_->hide();
   rule_->setMinimumContentsLength(rule_->itemText(0).size());
@@ -161,7 +162,7 @@ QWidget* GlovePanel::build_footer() {
   connect(rule_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           [this](int rule) { guard_.set_rule(static_cast<ContactRule>(rule)); });
   connect(&guard_, &ContactGuard::held, this, [this](const QString& contact) {
-    contact_->setText(tr("Held: %1").arg(contact));
+    contact_->setText(tr("Blocked: %1").arg(contact));
     contact_->setVisible(!contact.isEmpty());
   });
   connect(&guard_, &ContactGuard::passed, this, &GlovePanel::posture_changed);

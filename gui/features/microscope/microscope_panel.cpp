@@ -264,7 +264,7 @@ QString step_text(const RecordedRun& run, std::size_t index) {
     return arm_text(step, recorded.sample >= 0);
   }
   if (step.line == lines::kNoArm) {
-    return QObject::tr("All samples for the arm are used: the next attempt.");
+    return QObject::tr("All samples for the arm are used. Next attempt.");
   }
   if (step.line == lines::kHandFreeOfSelf || step.line == lines::kHandFree) {
     return hand_text(run, step);
@@ -398,9 +398,9 @@ QWidget* MicroscopePanel::make_controls() {
   filter_->addItem(tr("All steps"), static_cast<int>(StepFilter::kAll));
   filter_->addItem(tr("Samples"), static_cast<int>(StepFilter::kSamples));
   filter_->addItem(tr("Nodes and edges"), static_cast<int>(StepFilter::kEdges));
-  filter_->setToolTip(tr("What the buttons stop at"));
+  filter_->setToolTip(tr("Steps at which the buttons stop"));
   for (const int pace : {1, 3, 10, 25}) {
-    pace_->addItem(tr("%1 a second").arg(pace), pace);
+    pace_->addItem(tr("%1 per second").arg(pace), pace);
   }
   pace_->setCurrentIndex(1);
   for (QLabel* label : {words_, state_}) {
@@ -455,7 +455,7 @@ std::shared_ptr<planning::Planner> MicroscopePanel::make_planner() const {
 void MicroscopePanel::record() {
   const auto& scene = document_.scene();
   if (!document_.problem() || !scene->start || !scene->goal) {
-    state_->setText(tr("A scene with a start and a goal is needed."));
+    state_->setText(tr("The scene needs a start and a goal."));
     return;
   }
   set_running(false);
@@ -485,7 +485,7 @@ void MicroscopePanel::show_state() {
   if (run) {
     QString text = result_line(run->result);
     if (run->left_out > 0) {
-      text += QLatin1Char(' ') + tr("The first %1 steps are kept; %2 came after them.")
+      text += QLatin1Char(' ') + tr("Only the first %1 steps are recorded; %2 more followed.")
                                      .arg(run->steps.size())
                                      .arg(run->left_out);
     }
@@ -499,11 +499,11 @@ void MicroscopePanel::show_state() {
     }
     state_->setText(text);
   } else if (microscope_.is_recording()) {
-    state_->setText(tr("Planning, and writing down every step…"));
+    state_->setText(tr("Planning and recording every step…"));
   } else {
     state_->setText(
-        tr("Record a run of the paper's planner, and go through it line by line: the robot shows "
-           "the sample in question, the view the roadmap as it was."));
+        tr("Record a run of the paper's planner and step through it line by line. The robot shows "
+           "the current sample, the view the roadmap at that step."));
   }
 }
 

@@ -98,7 +98,7 @@ CollisionDisplay::CollisionDisplay(CollisionMonitor& monitor, SceneView& view, Q
       view_(view),
       label_(new CollisionLabel),
       closest_shown_(named("closest_points", new QAction(tr("C&losest points"), &view))) {
-  closest_shown_->setStatusTip(tr("Show where the robot is closest to something"));
+  closest_shown_->setStatusTip(tr("Show the closest points of robot and obstacles"));
   closest_shown_->setShortcut(QKeySequence(Qt::Key_C));
   closest_shown_->setCheckable(true);
   closest_shown_->setChecked(true);
@@ -173,8 +173,8 @@ bool is_hollow(const planning::CollisionRemedy& remedy) {
 QString remedy_text(const planning::CollisionRemedy& remedy) {
   return is_hollow(remedy)
              ? QObject::tr(
-                   "The robot is inside of %1, which is taken as filled. If it is a cell or "
-                   "a room, make it hollow: its walls alone count then.")
+                   "The robot is inside of %1, which is solid. If it is a cell or a room, make it "
+                   "hollow: then only its walls collide.")
                    .arg(words(remedy.objects))
              : QObject::tr("%1 is attached and touches %2. If it is held there, allow the contact.")
                    .arg(words(remedy.objects), words(remedy.links));
@@ -189,7 +189,7 @@ QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& e
     for (const std::string& joint : end.beyond_limits) {
       joints << words(joint);
     }
-    lines << QObject::tr("Beyond its limits: <b>%1</b>").arg(joints.join(QStringLiteral(", ")));
+    lines << QObject::tr("Out of limits: <b>%1</b>").arg(joints.join(QStringLiteral(", ")));
   }
   for (const std::string& violated : end.violated) {
     lines << QObject::tr("Violates %1").arg(words(violated));
@@ -233,7 +233,7 @@ DoctorCard::DoctorCard(QWidget* host, std::function<std::vector<QPoint>()> to_be
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   show_->setToolTip(tr("Move the robot to the free posture"));
-  use_->setToolTip(tr("Take the free posture instead"));
+  use_->setToolTip(tr("Use the free posture instead"));
   use_->setProperty("role", "primary");
   area_->setWidget(text_);
   area_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);

@@ -43,9 +43,9 @@ void GroupChoice::show_scene() {
                    : list.size() <= kFits
                        ? list
                        : tr("%1 and %2 more").arg(names.front()).arg(names.size() - 1));
-  button_->setToolTip(
-      names.isEmpty() ? tr("All joints of the robot may move")
-                      : tr("These move; all else stays where it is at the start: %1").arg(list));
+  button_->setToolTip(names.isEmpty()
+                          ? tr("All joints of the robot may move")
+                          : tr("Joints that move: %1. All others stay at the start.").arg(list));
 }
 
 void GroupChoice::fill_menu() {

@@ -142,18 +142,18 @@ QWidget* PlanPanel::make_settings() {
   time_limit_->setDecimals(1);
   time_limit_->setSuffix(tr(" s"));
   time_limit_->setSpecialValueText(tr("none"));
-  time_limit_->setToolTip(tr("Give up after this time"));
+  time_limit_->setToolTip(tr("Stop planning after this time"));
   margin_->setRange(0.0, 1000.0);
   margin_->setDecimals(1);
   margin_->setSuffix(tr(" mm"));
   margin_->setSpecialValueText(tr("none"));
   margin_->setToolTip(
-      tr("Clearance that the robot keeps from all else along the path, where start and goal allow "
-         "it"));
+      tr("Clearance from all other bodies along the path; less near a start or goal with less "
+         "clearance"));
   threads_->setRange(1, 1024);
   threads_->setToolTip(tr("More threads plan faster; the path stays the same"));
 
-  reset_->setToolTip(tr("Give every parameter the value that it has in the preset"));
+  reset_->setToolTip(tr("Reset every parameter to its value in the preset"));
 
   auto* form = new QFormLayout;
   auto* box =
@@ -178,8 +178,8 @@ QWidget* PlanPanel::make_seeds() {
   constexpr int kMostSeeds = 1000;
   seeds_->setRange(1, kMostSeeds);
   seeds_->setToolTip(
-      tr("Plan with so many seeds, from the one above on, and show the best path of all"));
-  merit_->setToolTip(tr("Which of their paths is shown"));
+      tr("Plan with this number of seeds, from the seed above, and show the best path"));
+  merit_->setToolTip(tr("Criterion of the best path"));
   merit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   merit_->setMinimumContentsLength(6);
   for (const PathMerit merit : kPathMerits) {
@@ -212,7 +212,7 @@ QWidget* PlanPanel::make_results() {
   validity_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   validity_->hide();
   all_runs_->setProperty("role", "link");
-  all_runs_->setToolTip(tr("Compare the runs of this scene, and put one back"));
+  all_runs_->setToolTip(tr("Compare the runs of this scene, and restore one"));
   all_runs_->setVisible(false);
   connect(all_runs_, &QPushButton::clicked, this, &PlanPanel::runs_requested);
   missing_->setWordWrap(true);
@@ -222,14 +222,14 @@ QWidget* PlanPanel::make_results() {
 
 QWidget* PlanPanel::make_optimizing() {
   optimize_->setToolTip(
-      tr("Make the path better for the objective above, until nothing more is to be gained, it is "
-         "stopped, or the time is over. The path before stays among the runs."));
+      tr("Optimise the path for the objective above until it converges, is stopped, or the time is "
+         "over. The previous path stays among the runs."));
   optimize_limit_->setRange(0.0, 86400.0);
   optimize_limit_->setDecimals(1);
   optimize_limit_->setPrefix(tr("for "));
   optimize_limit_->setSuffix(tr(" s"));
   optimize_limit_->setSpecialValueText(tr("until stopped"));
-  optimize_limit_->setToolTip(tr("For how long at most; 0: until it is stopped"));
+  optimize_limit_->setToolTip(tr("Time limit of the optimisation; 0: no limit"));
   connect(optimize_, &QPushButton::clicked, this, &PlanPanel::optimize_requested);
   lay_out(*optimizing_, in_row({{optimize_, 2}, {optimize_limit_, 1}}, 8));
   optimizing_->hide();
@@ -244,7 +244,7 @@ void PlanPanel::show_planners_that_serve(bool has_basis) {
     const bool serves = has_basis || !planners_->itemData(i).toBool();
     items->item(i)->setEnabled(serves);
     items->item(i)->setToolTip(serves ? QString()
-                                      : tr("Needs a hand basis, and the scene names none"));
+                                      : tr("This planner needs a hand basis; the scene has none"));
   }
 }
 

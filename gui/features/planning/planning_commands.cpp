@@ -32,10 +32,10 @@ PlanningCommands::PlanningCommands(Workbench& workbench, PlanPanel& panel)
                                          "objective"))),
       roadmap_shown_(workbench.make_action(
           "samples", tr("&Roadmap"), QKeySequence(Qt::Key_N),
-          tr("Show the planner's nodes, where the palm is in each, and its edges"))),
+          tr("Show the nodes of the planner, at the positions of the palm, and its edges"))),
       hypercubes_shown_(workbench.make_action(
-          "", tr("&Hypercubes"), QKeySequence(QStringLiteral("Shift+N")),
-          tr("Show where the palm goes in the hypercubes that are searched"))) {
+          "", tr("Sampling &cells"), QKeySequence(QStringLiteral("Shift+N")),
+          tr("Show the positions of the palm in the sampling cells (hypercubes)"))) {
   optimize_->setObjectName(QStringLiteral("optimize_action"));
   hypercubes_shown_->setObjectName(QStringLiteral("hypercubes"));
   roadmap_shown_->setCheckable(true);
@@ -91,7 +91,7 @@ void PlanningCommands::report_presets() {
   if (const QString fault = panel_.presets().store().fault(); !fault.isEmpty()) {
     workbench_.show_error(
         tr("Your presets can't be read"),
-        tr("%1. The file stays as it is; once a preset is saved it is put aside.").arg(fault));
+        tr("%1. The file is unchanged; it is renamed when a preset is saved.").arg(fault));
   }
 }
 
@@ -153,8 +153,7 @@ void PlanningCommands::show_optimized(const planning::Path& path) {
 
 void PlanningCommands::show_validity() {
   const bool valid = workbench_.validity.state() == PathValidity::State::kValid;
-  allow(*optimize_,
-        valid ? QString() : tr("There is no path that is valid in this scene: plan one."));
+  allow(*optimize_, valid ? QString() : tr("No path is valid in this scene. Plan one first."));
   panel_.set_optimizable(valid);
   panel_.show_validity(workbench_.validity.reason());
 }

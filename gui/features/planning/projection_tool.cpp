@@ -72,7 +72,7 @@ QStringList titles_of(const planning::HandArmChart& chart) {
         titles << QObject::tr("PMD %1").arg(++direction);
         break;
       case Kind::kHandDistance:
-        titles << QObject::tr("Off the PMD subspace");
+        titles << QObject::tr("Distance from the PMD subspace");
         break;
     }
   }
@@ -109,8 +109,8 @@ ProjectionPanel::ProjectionPanel(QWidget* parent)
       pages_(new QStackedWidget),
       plot_(new ProjectionPlot),
       note_(named("projection_note", note())) {
-  x_->setToolTip(tr("What goes from left to right"));
-  y_->setToolTip(tr("What goes upwards"));
+  x_->setToolTip(tr("Horizontal axis"));
+  y_->setToolTip(tr("Vertical axis"));
   note_->setTextFormat(Qt::RichText);
   note_->setContentsMargins(12, 0, 12, 6);
   note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -119,7 +119,7 @@ ProjectionPanel::ProjectionPanel(QWidget* parent)
   }
   auto* all = new QToolButton;
   all->setText(tr("Show all"));
-  all->setToolTip(tr("Look at the whole roadmap (double click beside the nodes)"));
+  all->setToolTip(tr("Show the whole roadmap (double click beside the nodes)"));
   auto* row = in_row({new QLabel(tr("Across")), x_, new QLabel(tr("Up")), y_, all, room()}, 8);
   row->setContentsMargins(12, 6, 12, 0);
   QLabel* empty = named("projection_empty", note());

@@ -63,8 +63,8 @@ RegionPreviewBox::RegionPreviewBox(QWidget* parent)
       note_(named("preview_note", note())),
       legend_(new QLabel) {
   on_->setToolTip(
-      tr("Shows in the view where palm and fingertips are in configurations that the "
-         "planner may draw, free or not"));
+      tr("Show the positions of palm and fingertips in configurations that the planner may sample, "
+         "free or in collision"));
   rho_->setRange(0, kRhoSteps);
   rho_->setPageStep(kRhoSteps / 20);
   pmds_->setPageStep(1);
@@ -163,9 +163,8 @@ void RegionPreviewBox::show_draws(const planning::RegionDraws& draws) {
           .arg(geometric::millimetres(draws.palm_reach), 0, 'f', draws.palm_reach < 0.01 ? 1 : 0)
           .arg(QLocale().toString(draws.hypercubes));
   if (!bound_) {
-    text += QLatin1Char(' ') +
-            tr("This planner chooses its own width, and begins with 0.1; the sliders are for "
-               "looking only.");
+    text += QLatin1Char(' ') + tr("This planner chooses the width itself, starting with 0.1. The "
+                                  "sliders only change the display.");
   }
   set_note(text);
   if (std::exchange(was_switched_on_, false)) {

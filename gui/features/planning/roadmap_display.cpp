@@ -159,10 +159,9 @@ RoadmapLegend::RoadmapLegend(QAction& hypercubes, QWidget* host)
   counts_->setTextFormat(Qt::RichText);
   boxes_->setFocusPolicy(Qt::NoFocus);
   boxes_->setChecked(hypercubes.isChecked());
-  boxes_->setToolTip(
-      tr("Boxes around the palm's places in the hypercubes that arm configurations are drawn "
-         "from (%1). Orange: still searched; grey: given up")
-          .arg(hypercubes.shortcut().toString(QKeySequence::NativeText)));
+  boxes_->setToolTip(tr("Boxes around the positions of the palm in the sampling cells of the arm "
+                        "(%1). Orange: still searched; grey: abandoned")
+                         .arg(hypercubes.shortcut().toString(QKeySequence::NativeText)));
   connect(boxes_, &QCheckBox::toggled, &hypercubes, &QAction::setChecked);
   connect(&hypercubes, &QAction::toggled, boxes_, &QCheckBox::setChecked);
 }
@@ -191,7 +190,7 @@ void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap, const Search& sea
   counts_->setVisible(most > 0);
   boxes_->setVisible(search.half_side.has_value());
   if (search.half_side) {
-    boxes_->setText(tr("Hypercubes, ρₐ %1").arg(*search.half_side, 0, 'g', 2));
+    boxes_->setText(tr("Sampling cells (ρₐ = %1)").arg(*search.half_side, 0, 'g', 2));
   }
   appear();
 }
@@ -289,7 +288,7 @@ FrontierLegend::FrontierLegend(QWidget* host)
   rows->addWidget(colliding_, 2, 0, 1, 2);
   lay_out(
       *this,
-      in_column({in_row({{heading(tr("No path: how far the search came")), 1}, close}), rows}, 3),
+      in_column({in_row({{heading(tr("No path: configurations reached")), 1}, close}), rows}, 3),
       {12, 6, 8, 10});
 }
 

@@ -88,18 +88,18 @@ LikenessMeter::LikenessMeter(RecordedHand& recorded, QWidget* parent)
       to_subspace_(named("likeness_subspace", new DistanceRow(tr("To the PMD subspace")))),
       to_recorded_(named("likeness_recorded", new DistanceRow(tr("To recorded postures")))),
       note_(named("likeness_note", note())),
-      take_(named("likeness_take", new QPushButton(tr("Take the nearest")))),
+      take_(named("likeness_take", new QPushButton(tr("Use the nearest")))),
       choose_(named("likeness_choose", new QPushButton(tr("Postures")))) {
   QLabel* title = heading(tr("Human-likeness"));
-  title->setToolTip(tr("Distances in normalised joints; 0 is as human as can be"));
+  title->setToolTip(tr("Distances in normalised joints; smaller is more human-like"));
   to_subspace_->setToolTip(
-      tr("How far the hand is from the postures that its free joints and principal motion "
-         "directions span, in normalised joints"));
+      tr("Distance of the hand from the subspace of its free joints and principal motion "
+         "directions, in normalised joints"));
   to_recorded_->setToolTip(
-      tr("How far the hand is from the nearest posture that was recorded of a person, in "
-         "normalised joints; the basis' free joints don't count"));
+      tr("Distance of the hand from the nearest recorded posture of a person, in normalised "
+         "joints, without the basis' free joints"));
   note_->setWordWrap(true);
-  take_->setToolTip(tr("Move the hand to the recorded posture that is nearest"));
+  take_->setToolTip(tr("Move the hand to the nearest recorded posture"));
   choose_->setToolTip(tr("Compare with other postures, as handway pca --postures writes them"));
   lay_out(*this,
           in_column({title, to_subspace_, to_recorded_, note_, in_row({take_, choose_, room()}, 8)},
@@ -159,7 +159,7 @@ void LikenessMeter::show_distances() {
 QString LikenessMeter::note_text() const {
   switch (recorded_.state()) {
     case RecordedHand::State::kNone:
-      return tr("The basis keeps no recorded postures: choose some to compare with.");
+      return tr("The basis names no recorded postures. Choose a file of postures to compare with.");
     case RecordedHand::State::kReading:
       return tr("Reading the recorded postures…");
     case RecordedHand::State::kFailed:

@@ -64,11 +64,11 @@ void PreferencesDialog::add_appearance(QFormLayout& form) {
   form.addRow(heading(tr("Appearance")));
   add_choice<std::optional<Theme>>(
       form, "theme", tr("Theme"),
-      {{tr("As the desktop"), std::nullopt},
+      {{tr("Follow system"), std::nullopt},
        {tr("Light"), Theme::kLight},
        {tr("Dark"), Theme::kDark}},
       [](Values& values) -> std::optional<Theme>& { return values.theme; });
-  add_choice<int>(form, "text_size", tr("Text size, from the next start"),
+  add_choice<int>(form, "text_size", tr("Text size (after restart)"),
                   {{tr("100 %"), 100}, {tr("125 %"), 125}, {tr("150 %"), 150}, {tr("200 %"), 200}},
                   [](Values& values) -> int& { return values.text_size; });
   add_choice<LengthUnit>(form, "length_unit", tr("Lengths in fields"),
@@ -101,7 +101,7 @@ void PreferencesDialog::add_view(QFormLayout& form) {
       form, "samples", tr("Smooth edges"),
       {{tr("Off"), 0}, {tr("2 samples"), 2}, {tr("4 samples"), 4}, {tr("8 samples"), 8}},
       [](Values& values) -> int& { return values.samples; });
-  add_choice<bool>(form, "motion_quality", tr("While something moves"),
+  add_choice<bool>(form, "motion_quality", tr("During motions"),
                    {{tr("Fast pictures"), false}, {tr("Fine pictures"), true}},
                    [](Values& values) -> bool& { return values.always_fine; });
   add_choice<int>(form, "frame_limit", tr("Frames per second"),

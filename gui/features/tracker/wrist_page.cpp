@@ -48,7 +48,7 @@ QuantityField* length_field(const QString& name) {
 FollowForm::FollowForm(QWidget* parent)
     : QWidget(parent),
       sensor_(new QSpinBox),
-      button_(new QCheckBox(tr("Lead while its button is pressed"))),
+      button_(new QCheckBox(tr("Track while the button is held"))),
       scale_(named("tracker_scale", new QDoubleSpinBox)),
       turn_(named("tracker_turn", new QCheckBox(tr("Turn with the wrist")))),
       source_yaw_(
@@ -69,21 +69,22 @@ QWidget* FollowForm::build_motion() {
   sensor_->setRange(kAnySensor, 255);
   sensor_->setValue(kAnySensor);
   sensor_->setSpecialValueText(tr("first"));
-  sensor_->setToolTip(tr("Polhemus stations count from 1, senders of datagrams from 0"));
+  sensor_->setToolTip(
+      tr("Number of the sensor: Polhemus stations count from 1, senders of datagrams from 0"));
   scale_->setRange(0.05, 10.0);
   scale_->setSingleStep(0.05);
   scale_->setValue(1.0);
   scale_->setPrefix(QStringLiteral("× "));
-  scale_->setToolTip(tr("How far the tool moves for a motion of the wrist"));
+  scale_->setToolTip(tr("Translation scale, tool per wrist"));
   turn_->setChecked(true);
   source_yaw_->setToolTip(
-      tr("How the tracker's source is turned about the vertical, seen from the robot's base"));
+      tr("Rotation of the tracker's source about the vertical axis of the robot's base"));
   smoothing_->setRange(0, 2000);
   smoothing_->setValue(50);
   smoothing_->setSuffix(tr(" ms"));
-  smoothing_->setToolTip(tr("Time constant of the low-pass that calms a trembling hand"));
+  smoothing_->setToolTip(tr("Time constant of the low-pass filter that reduces tremor"));
   speed_->show_quantity(60.0 * kDegree);
-  speed_->setToolTip(tr("No joint turns faster, whatever the wrist does"));
+  speed_->setToolTip(tr("Velocity limit of each joint"));
   auto* part = new QWidget;
   auto* form = new QFormLayout(part);
   form->setContentsMargins(0, 0, 0, 0);
@@ -92,7 +93,7 @@ QWidget* FollowForm::build_motion() {
   form->addRow(button_);
   form->addRow(tr("Scale"), scale_);
   form->addRow(turn_);
-  form->addRow(tr("Source turned"), source_yaw_);
+  form->addRow(tr("Source rotation"), source_yaw_);
   form->addRow(tr("Smoothing"), smoothing_);
   form->addRow(tr("Top speed"), speed_);
   const auto notify = [this] { emit settings_edited(); };
@@ -285,8 +286,8 @@ QWidget* WristPage::build_clutch() {
   clutch_->setCheckable(true);
   clutch_->setShortcut(QKeySequence(QStringLiteral("Ctrl+K")));
   clutch_->setToolTip(
-      tr("While the arm is led, its tool moves as the wrist does, from where both are now. "
-         "Release it to bring the hand back to where it is comfortable (Ctrl+K)"));
+      tr("The tool follows the wrist's motion relative to the present poses of both. Release the "
+         "button to move your hand back to a comfortable position (Ctrl+K)"));
   follow_->setTextFormat(Qt::RichText);
   follow_->setWordWrap(true);
   connect(clutch_, &QPushButton::clicked, &leader_, &ArmLeader::set_clutch);

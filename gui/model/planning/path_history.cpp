@@ -33,13 +33,13 @@ QString status_text(planning::PlanStatus status) {
     case planning::PlanStatus::kGoalInvalid:
       return QObject::tr("The goal is not valid");
     case planning::PlanStatus::kSamplesSpent:
-      return QObject::tr("No path found: the samples are used up");
+      return QObject::tr("No path found: all samples are used");
     case planning::PlanStatus::kTimeLimit:
-      return QObject::tr("No path found in the time given");
+      return QObject::tr("No path found within the time limit");
     case planning::PlanStatus::kCancelled:
       return QObject::tr("Cancelled");
     case planning::PlanStatus::kStalled:
-      return QObject::tr("No path found: nothing is left to sample");
+      return QObject::tr("No path found: no more configurations can be sampled");
     case planning::PlanStatus::kInfeasible:
       return QObject::tr("There is no path");
   }

@@ -330,9 +330,9 @@ OptimizeOutcome OptimizeRunner::run(const OptimizeTask& task, int generation,
   outcome.repeatable = work_->found.optimize_checks == 0;
   result.statistics += work_->context.statistics();
   result.reason =
-      fmt::format("Optimised for {:.1f} s with {} checks: cost {:.4g}, {:.4g} before.{}",
+      fmt::format("Optimised for {:.1f} s with {} checks: cost {:.4g}, before {:.4g}.{}",
                   work_->seconds, work_->checks, outcome.last.cost, outcome.last.cost_before,
-                  outcome.last.converged ? " Nothing more is to be gained." : "");
+                  outcome.last.converged ? " Converged." : "");
   planning::PlanningContext certifying(*work_->problem, unlimited(task.request), discarded,
                                        work_->silent);
   result.certificate = certifying.validator().certify(result.path);

@@ -263,7 +263,7 @@ void PlanningSession::take_seeds(bool cancelled) {
     return;
   }
   const auto solved = std::ranges::count_if(found_, &PathRecord::is_solved);
-  const QString note = tr("The %1 path is that of seed %2 (%3 paths from %4).")
+  const QString note = tr("Best path (%1): seed %2. %3 paths from %4.")
                            .arg(superlative(merit))
                            .arg(best->run->request.seed)
                            .arg(solved)

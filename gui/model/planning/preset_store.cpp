@@ -59,9 +59,9 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
   const auto add = [&](const QString& name, const QString& purpose, Settings settings) {
     presets.push_back({name, purpose, std::move(settings), true});
   };
-  const QString as_found = QObject::tr("Takes the path as it is found, without shortening it.");
+  const QString as_found = QObject::tr("Keeps the path as it was found, without shortening it.");
   const QString shortened =
-      QObject::tr("Shortens the path for as long as that still helps: a shorter path, later.");
+      QObject::tr("Shortens the path until it converges: shorter paths, but longer planning.");
   const auto is_one_of = [&](std::initializer_list<const char*> names) {
     return std::ranges::find(names, planner) != names.end();
   };
@@ -73,33 +73,31 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
   }
   if (is_one_of({"auto", "pmd-rrt-connect", "rrt-connect", "pmd-lazy"})) {
     add(QObject::tr("Shortest"),
-        QObject::tr("Optimises for the shortest path, whatever the hand looks like."),
+        QObject::tr("Optimises for the shortest path, without human-likeness."),
         {{"objective", "shortest"}, {"smoothing_checks", "2000"}});
     add(QObject::tr("Safest"), QObject::tr("Optimises for distance from obstacles."),
         {{"objective", "safest"}, {"smoothing_checks", "5000"}});
     add(QObject::tr("Fastest"),
-        QObject::tr("Optimises for the time that the joints' velocity limits allow."),
+        QObject::tr("Optimises for the shortest duration under the joints' velocity limits."),
         {{"objective", "fastest"}, {"smoothing_checks", "2000"}});
   }
   if (planner == "pmd-lazy") {
     add(QObject::tr("Thorough"),
-        QObject::tr(
-            "Chooses the path among more nodes, and shortens it for as long as that helps."),
+        QObject::tr("Chooses the path among more nodes, and shortens it until it converges."),
         {{"batch", "50"}, {"smoothing_checks", "5000"}});
   }
   if (planner == "pmd-rrt-connect") {
-    add(QObject::tr("Tight places"),
+    add(QObject::tr("Narrow passages"),
         QObject::tr(
-            "Short steps in poses of the tool, from where few were tried: for hands that have "
-            "to leave or reach a narrow place. Needs an arm of six or more joints."),
+            "Short steps in poses of the tool, from nodes with few attempts. For hands that have "
+            "to leave or enter a narrow place. Needs an arm of six or more joints."),
         {{"corridor", "cartesian"}, {"range", "0.1"}, {"expansions", "1"}});
   }
   if (is_of_the_paper(planner)) {
-    add(QObject::tr("As printed"),
-        QObject::tr("The paper's values (Table 3) and its Algorithm 4 to the letter: ρₐ grows "
-                    "without limit, and N is compared at the end of each pass; smoothing may go "
-                    "back along the "
-                    "path."),
+    add(QObject::tr("As in the paper"),
+        QObject::tr(
+            "The paper's values (Table 3) and exactly its Algorithm 4: ρₐ grows without limit, N "
+            "is compared at the end of each pass, and smoothing may go back along the path."),
         {{"rho_max", "0"},
          {"fill_gaps", "false"},
          {"n_checked", "pass"},
@@ -107,8 +105,8 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
   }
   if (planner == "pmd-prm") {
     add(QObject::tr("Fast"),
-        QObject::tr("Begins with larger hypercubes: a first path sooner on most tasks, but farther "
-                    "from the straight motion."),
+        QObject::tr("Starts with larger hypercubes: finds most paths sooner, but farther from the "
+                    "straight motion."),
         {{"rho_a", "0.01"}});
   }
   return presets;

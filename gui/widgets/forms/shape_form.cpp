@@ -97,7 +97,7 @@ void ShapeForm::add_scale() {
   scale_->setDecimals(4);
   scale_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   scale_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  scale_->setToolTip(tr("Of the numbers in the file; 0.001 if these are millimetres"));
+  scale_->setToolTip(tr("Unit of the numbers in the file, m; 0.001 for millimetres"));
   layout_->addRow(note(tr("Scale")), scale_);
   connect(scale_, &QDoubleSpinBox::editingFinished, this, [this] {
     const auto& mesh = std::get<geometric::Mesh>(shape_);

@@ -21,11 +21,11 @@ QString state_text(StreamState state, const QString& what) {
     case StreamState::kStreaming:
       return what;
     case StreamState::kUnplugged:
-      return QObject::tr("The sensor is off its unit: plug it in again");
+      return QObject::tr("The sensor is unplugged from its unit: plug it in again");
     case StreamState::kLost:
       return QObject::tr("Connection lost, trying again…");
     case StreamState::kEnded:
-      return QObject::tr("The recording is over");
+      return QObject::tr("The recording has ended");
     case StreamState::kFailed:
     case StreamState::kStopped:
       break;

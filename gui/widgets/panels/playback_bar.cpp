@@ -46,14 +46,14 @@ QString time_text(const PathPlayer& player) {
 PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
     : QWidget(parent),
       player_(player),
-      back_(make_button("step_back", tr("To the waypoint before ([)"))),
-      frame_back_(make_button("frame_back", tr("A picture back (,)"))),
+      back_(make_button("step_back", tr("Previous waypoint ([)"))),
+      frame_back_(make_button("frame_back", tr("Previous frame (,)"))),
       play_(make_button("play", tr("Play or pause the planned path (Space)"))),
-      frame_forward_(make_button("frame_forward", tr("A picture on (.)"))),
-      forward_(make_button("step_forward", tr("To the next waypoint (])"))),
-      loop_(make_button("loop", tr("Begin again at the end"))),
+      frame_forward_(make_button("frame_forward", tr("Next frame (.)"))),
+      forward_(make_button("step_forward", tr("Next waypoint (])"))),
+      loop_(make_button("loop", tr("Repeat"))),
       reverse_(make_button("reverse", tr("Play backwards"))),
-      show_(make_button("traces", tr("Drawings of the path"))),
+      show_(make_button("traces", tr("Path display"))),
       traces_(new QMenu(this)),
       above_(new QHBoxLayout),
       row_(new QHBoxLayout),
@@ -77,7 +77,7 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   time_->setAlignment(Qt::AlignCenter);
   note_->hide();
   offer_speeds(*speed_);
-  speed_->setToolTip(tr("Speed of playing; 1× is as fast as the robot can go"));
+  speed_->setToolTip(tr("Playback speed; 1× is the robot's full speed"));
   show_->setPopupMode(QToolButton::InstantPopup);
   show_->setMenu(traces_);
   traces_->setToolTipsVisible(true);

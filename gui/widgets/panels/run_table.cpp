@@ -80,8 +80,8 @@ ResultWords words_of(const planning::PlanResult& result) {
   for (const planning::OutOfMargin& near : result.out_of_margin) {
     const QString end = near.at_goal ? QObject::tr("goal") : QObject::tr("start");
     words.notes << QObject::tr(
-                       "%1 and %2 are %3 mm apart at the %4: next to it they keep less "
-                       "than the margin.")
+                       "%1 and %2 are %3 mm apart at the %4: near it their clearance is less than "
+                       "the margin.")
                        .arg(QString::fromStdString(near.pair.a),
                             QString::fromStdString(near.pair.b))
                        .arg(geometric::millimetres(near.pair.distance), 0, 'f', 2)
@@ -129,7 +129,7 @@ QString replanned_text(const planning::PlanResult& result, const QString& source
   QString text =
       result.solved()
           ? headline(QObject::tr("Path follows the scene"), colors.good) + paragraph(source)
-          : headline(QObject::tr("No path in the scene as it is now"), colors.bad) +
+          : headline(QObject::tr("No path in the present scene"), colors.bad) +
                 paragraph(QString::fromStdString(result.reason));
   text += begin_table();
   text += row(QObject::tr("Replanned in"), seconds_text(result.time_s + result.smoothing_s));
@@ -144,7 +144,7 @@ QString replanned_text(const planning::PlanResult& result, const QString& source
 QString optimizing_text(const OptimizeProgress& progress) {
   QString text = headline(QObject::tr("Optimising the path"), colors_of(current_theme()).good);
   text += begin_table();
-  text += row(QObject::tr("Cost"), QObject::tr("%1, %2 before")
+  text += row(QObject::tr("Cost"), QObject::tr("%1, before %2")
                                        .arg(progress.cost, 0, 'f', 3)
                                        .arg(progress.cost_before, 0, 'f', 3));
   text += row(QObject::tr("Length"), QStringLiteral("%1").arg(progress.length, 0, 'f', 3));
@@ -192,8 +192,8 @@ QString shortfall_text(const planning::PreflightReport& report) {
   const planning::ClearanceShortfall& place = *report.shortfall;
   const QString off =
       report.assumed_following_error
-          ? tr("%1 mm because joints may be up to %2° off (assumed, nothing was measured)")
-          : tr("%1 mm because joints were up to %2° off at that speed");
+          ? tr("%1 mm for a following error of up to %2° (assumed; none was measured)")
+          : tr("%1 mm for the measured following error of up to %2°");
   QString needed = off.arg(place.following_mm, 0, 'f', 1)
                        .arg(geometric::degrees(place.following_error), 0, 'f', 2);
   if (place.margin_mm > 0.0) {
@@ -262,7 +262,7 @@ QString outcome_text(const execution::MotionOutcome& outcome) {
     text += QStringLiteral("<br>") +
             (outcome.at_rest_ms >= 0.0
                  ? tr("At rest %1 ms after the stop").arg(outcome.at_rest_ms, 0, 'f', 0)
-                 : strong(tr("Not seen at rest: look at the robot"), colors.bad));
+                 : strong(tr("Rest not confirmed: look at the robot"), colors.bad));
   }
   double error = 0.0;
   for (const execution::FollowingError& device : outcome.errors) {
@@ -396,11 +396,11 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
   }
   if (role == Qt::ToolTipRole && section == kHandDistance) {
     return tr(
-        "Mean distance of the hand from the nearest posture of a person, or from the "
-        "principal directions where none are recorded; less is more human");
+        "Mean distance of the hand from the nearest recorded posture of a person, or from the "
+        "principal motion directions if none is recorded; smaller is more human-like");
   }
   if (role == Qt::ToolTipRole && section == kLength) {
-    return tr("In joints normalised to [0, 1]");
+    return tr("Length in joints normalised to [0, 1]");
   }
   if (role != Qt::DisplayRole) {
     return {};

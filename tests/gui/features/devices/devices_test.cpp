@@ -157,7 +157,7 @@ TEST_F(Devices, AreLetMoveTooCloseOnlyByAConfirmationThatSaysSo) {
   EXPECT_FALSE(armed.isChecked()) << "it was for the slow motion";
   ASSERT_TRUE(QTest::qWaitFor([&] { return armed.isEnabled(); }, kPatienceMs));
   EXPECT_THAT(text("devices_motion"), HasSubstr("too close"));
-  EXPECT_EQ(armed.text(), "Move, though too close");
+  EXPECT_EQ(armed.text(), "Move despite low clearance");
   EXPECT_FALSE(part<QPushButton>("devices_run").isEnabled());
   armed.click();
   EXPECT_TRUE(part<QPushButton>("devices_run").isEnabled());

@@ -79,7 +79,7 @@ TEST_F(ReplanningLive, SaysWhenThereIsNoPathAnyMore) {
   const auto before = window().player().timeline().path().waypoints;
   try_post_at(0.3, 0.0);  // into the arm at start
   wait_for_path();
-  EXPECT_THAT(result(), HasSubstr("No path in the scene as it is now"));
+  EXPECT_THAT(result(), HasSubstr("No path in the present scene"));
   EXPECT_EQ(window().player().timeline().path().waypoints, before) << "the last one stays";
   try_post_at(0.41, 0.38);
   wait_for_path();

@@ -190,7 +190,7 @@ TEST_F(Pictures, SayWhatFfmpegSaysAndLeaveNothing) {
 TEST_F(Pictures, SayThatFfmpegIsMissing) {
   qputenv("PATH", "/nowhere");
   const gui::PicturesDialog& dialog = begin();
-  EXPECT_THAT(note(dialog), HasSubstr("ffmpeg is not installed"));
+  EXPECT_THAT(note(dialog), HasSubstr("ffmpeg, which is not installed"));
 }
 
 TEST_F(Pictures, KeepTheWindowAlive) {

@@ -71,7 +71,7 @@ TEST_F(OptimizingInTheWindow, MakesThePathBetterUntilNothingIsToBeGained) {
   ASSERT_TRUE(wait_for_end());
   EXPECT_GE(progressed, 2) << "a better path, and the end";
   EXPECT_LT(length(), before);
-  EXPECT_THAT(result(), HasSubstr("Nothing more is to be gained"));
+  EXPECT_THAT(result(), HasSubstr("Converged."));
   EXPECT_THAT(result(), HasSubstr("Clearance"));
   EXPECT_TRUE(planning::check_path(problem(), path(), 1e-3).valid());
   EXPECT_EQ(window().player().made_from(), window().document().revision());

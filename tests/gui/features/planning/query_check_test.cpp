@@ -50,7 +50,7 @@ TEST_F(GoalDoctor, NamesJointsBeyondTheirLimits) {
   editor().set_start(q);
   wait_for_diagnosis();
   EXPECT_THAT(said(), AllOf(HasSubstr("Start not valid"),
-                            HasSubstr("Beyond its limits: <b>shoulder</b>"), HasSubstr("5.7°")));
+                            HasSubstr("Out of limits: <b>shoulder</b>"), HasSubstr("5.7°")));
 }
 
 // The card stood before what it spoke of.

@@ -56,7 +56,7 @@ TEST_F(RegionPreviewInThePanel, FollowsTheParametersField) {
   settle();
   EXPECT_GT(part<QSlider>("preview_rho").value(), position);
   EXPECT_NE(note(), before);
-  EXPECT_THAT(note(), Not(HasSubstr("looking only")));
+  EXPECT_THAT(note(), Not(HasSubstr("only change the display")));
 }
 
 TEST_F(RegionPreviewInThePanel, SetsTheParameterThatIsDragged) {
@@ -74,7 +74,7 @@ TEST_F(RegionPreviewInThePanel, SetsTheParameterThatIsDragged) {
 TEST_F(RegionPreviewInThePanel, IsForLookingOnlyWherePlannersChooseTheirWidth) {
   open_with("auto");
   switch_on();
-  EXPECT_THAT(note(), HasSubstr("looking only"));
+  EXPECT_THAT(note(), HasSubstr("only change the display"));
   part<QSlider>("preview_rho").setValue(100);
   settle();
   EXPECT_TRUE(is_shown());

@@ -72,7 +72,7 @@ class HumanLikenessMeter : public WindowTest {
 TEST_F(HumanLikenessMeter, SaysThatTheBasisKeepsNoPostures) {
   open(cell().post());
   show_hand();
-  EXPECT_THAT(note(), HasSubstr("keeps no recorded postures"));
+  EXPECT_THAT(note(), HasSubstr("names no recorded postures"));
   EXPECT_EQ(to_recorded(), "–");
   EXPECT_FALSE(part<QPushButton>("likeness_take").isEnabled());
   pose(0.5 + 0.08, 0.5 - 0.06);  // across the only direction

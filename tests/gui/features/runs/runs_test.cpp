@@ -133,7 +133,7 @@ TEST_F(RunsInTheWindow, WithSeveralSeedsShowTheBest) {
   }
   EXPECT_THAT(seeds, ::testing::UnorderedElementsAre(1, 2, 3, 4, 5, 6));
   EXPECT_EQ(shown_path(), shortest->run->result.path.waypoints);
-  EXPECT_THAT(result(), AllOf(HasSubstr("The shortest path is that of seed " +
+  EXPECT_THAT(result(), AllOf(HasSubstr("Best path (shortest): seed " +
                                         std::to_string(shortest->run->request.seed)),
                               HasSubstr("6 paths from 6 seeds")));
   EXPECT_FALSE(part<QDockWidget>("runs").isHidden());
