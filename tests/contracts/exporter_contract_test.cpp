@@ -163,7 +163,7 @@ TEST_P(EveryExporter, RefusesMotionsThatAreTooFast) {
 TEST_P(EveryExporter, RefusesTimeThatDoesNotIncrease) {
   Motion broken = motion();
   broken.trajectory.points[3].time = broken.trajectory.points[2].time;
-  EXPECT_THAT(refusal(broken), HasSubstr("has to increase"));
+  EXPECT_THAT(refusal(broken), HasSubstr("must increase"));
 }
 
 TEST_P(EveryExporter, RefusesWhatIsNoMotion) {

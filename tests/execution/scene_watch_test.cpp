@@ -371,7 +371,7 @@ TEST_F(WatchedRun, HoldsWhereMeasuredPosturesAreNotCheckedForTooLong) {
       EXPECT_THAT(reason, HasSubstr("too busy"));
       is_busy = false;
     } else {
-      EXPECT_THAT(reason, HasSubstr("can go on"));
+      EXPECT_THAT(reason, HasSubstr("can continue"));
       requests_.hold = false;
     }
   };
@@ -391,7 +391,7 @@ TEST_F(WatchedRun, HoldsUntilThereIsAnAnswerAndThenWaitsForAPerson) {
       held_ms = ms_since(edited_.value());
       EXPECT_THAT(reason, HasSubstr("not checked yet"));
     } else {
-      EXPECT_THAT(reason, HasSubstr("can go on"));
+      EXPECT_THAT(reason, HasSubstr("can continue"));
       EXPECT_TRUE(requests_.hold);
       EXPECT_GE(ms_since(edited_.value()), 600.0);
       requests_.hold = false;
@@ -425,7 +425,7 @@ TEST_F(WatchedRun, DoesNotGoOnThroughAWallAfterAHold) {
     } else if (refusals == 4) {
       watch.follow(source_of(nothing_added()));
     } else {
-      EXPECT_THAT(reason, HasSubstr("can go on"));
+      EXPECT_THAT(reason, HasSubstr("can continue"));
       requests_.hold = false;
     }
   };

@@ -101,7 +101,7 @@ TEST_F(CarriedObjects, AreNamedWhereFingersMoveWhileTheyCarry) {
   EXPECT_EQ(planned.size(), 8U);
   const Path path{{releasing.start, releasing.goal}};
   EXPECT_THAT(check_path(releasing, path, 0.01).warnings,
-              Contains(HasSubstr("moves while the hand carries bar")));
+              Contains(HasSubstr("moves while the hand holds bar")));
   Configuration still = releasing.start;
   still[0] += 0.1;
   EXPECT_THAT(holding_warnings(*releasing.scene, std::vector{releasing.start, still}), IsEmpty());

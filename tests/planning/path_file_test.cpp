@@ -189,7 +189,7 @@ TEST_F(PathCsv, PassesOverColumnsThatAreNoJoint) {
                               &rest);
   EXPECT_EQ(path.waypoints.at(1)[0], 0.2);
   EXPECT_THAT(rest.remark("arm.csv"),
-              HasSubstr("columns passed over, as no joint of the robot: battery, frame_index, "
+              HasSubstr("ignored columns, which name no joint of the robot: battery, frame_index, "
                         "wrist"));
 }
 

@@ -130,7 +130,7 @@ TEST_F(Send, RefusesARobotThatStandsElsewhere) {
   const Outcome again = line_.run(send("--yes"));
   EXPECT_EQ(again.exit_code, 1) << "it stands at the goal now";
   EXPECT_THAT(again.out,
-              AllOf(HasSubstr("away from where the trajectory begins"), HasSubstr("NOT CLEARED")));
+              AllOf(HasSubstr("away from the start of the trajectory"), HasSubstr("NOT CLEARED")));
 }
 
 TEST_F(Send, StopsOnRequestWithinATenthOfASecond) {
@@ -298,7 +298,7 @@ TEST_F(Send, RefusesTargetsThatMakeNoSense) {
   EXPECT_THAT(refusal("localhost:11000"), HasSubstr("arm://"));
   EXPECT_THAT(refusal("arm://localhost:1,arm://localhost:2"), HasSubstr("two devices"));
   EXPECT_THAT(refusal("arm://localhost:99999"), HasSubstr("65535"));
-  EXPECT_THAT(refusal("arm://localhost:1"), AllOf(HasSubstr("Joint"), HasSubstr("no device")));
+  EXPECT_THAT(refusal("arm://localhost:1"), AllOf(HasSubstr("joint"), HasSubstr("No device")));
   EXPECT_THAT(refusal("arm://localhost:1,hand://localhost:1"), HasSubstr("arm://localhost:1"));
 }
 

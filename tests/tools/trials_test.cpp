@@ -54,7 +54,7 @@ const std::vector<Trial> kTrials{
     {"06", "plan back.yaml", 0, {}},
     {"06", "plan ff.yaml", 4, {"-0.0009 m", "0.9 mm beyond", "lift +0.9 mm"}},
     // Joints outside of the group need not be within their limits.
-    {"07", "plan scene.yaml", 0, {"joint gripper at -0.2467", "not of the group"}},
+    {"07", "plan scene.yaml", 0, {"joint gripper at -0.2467", "not in the group"}},
     // Soft limits.
     {"08", "info soft.urdf", 0, {"-18.49", "57.30"}},
     {"08", "plan soft.yaml", 4, {"lift", "allowed -0.3227 to 1.0000"}},

@@ -29,7 +29,7 @@ PathToolCurve::PathToolCurve(const std::shared_ptr<const geometric::RobotModel>&
                              planning::Path path, const std::string& link)
     : path_(std::move(path)) {
   if (path_.empty()) {
-    refuse("no waypoints", "one at least");
+    refuse("no waypoints", "at least one");
   }
   const auto index = model->find_link(link);
   if (!index) {

@@ -94,7 +94,7 @@ class Reader {
       devices.push_back(matrices_of(std::move(rows)));
     }
     if (devices.empty()) {
-      refuse("no rows", "what a device measured");
+      refuse("no rows", "measurements of a device");
     }
     return devices;
   }
@@ -102,7 +102,7 @@ class Reader {
  private:
   [[noreturn]] void refuse(const std::string& found, const std::string& expected) const {
     throw InputError({fmt::format("{}:{}", file_.string(), line_), "", found, expected,
-                      "Take a file that handway send --log wrote."});
+                      "Choose a file that handway send --log wrote."});
   }
 
   void read_header(const std::string& line) {
@@ -146,7 +146,7 @@ class Reader {
       }
     }
     if (rows.columns.empty()) {
-      refuse(fmt::format("no number for any joint of {}", cells[1]), "what was planned for it");
+      refuse(fmt::format("no number for any joint of {}", cells[1]), "its planned value");
     }
     return rows;
   }

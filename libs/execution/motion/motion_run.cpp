@@ -229,7 +229,7 @@ class Run {
     }
     const SceneVerdict now = verdict();
     if (now.state == SceneVerdict::State::kFree && held_ && !reason_.empty()) {
-      hold_for("The rest of the motion is free in the scene as it is: it can go on.");
+      hold_for("The scene changed; the remaining motion is free and can continue.");
     }
     if (now.state == SceneVerdict::State::kUnknown && !held_ &&
         Clock::now() - now.since >= SceneWatch::kLongestWait) {

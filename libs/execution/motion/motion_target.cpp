@@ -32,7 +32,7 @@ constexpr const char* kDefaultController = "/joint_trajectory_controller";
 [[noreturn]] void refuse(const std::string& found) {
   throw geometric::InputError(
       {"--to", "", fmt::format("\"{}\"", found),
-       "arm://HOST[:PORT], hand://HOST[:PORT], both with a comma between, or "
+       "arm://HOST[:PORT], hand://HOST[:PORT], both separated by a comma, or "
        "ros://HOST[:PORT][/CONTROLLER][#arm|#hand]",
        "Write, for example, arm://localhost:11000."});
 }
@@ -88,7 +88,7 @@ MotionTarget parse_target(const std::string& text, const planning::PlanningProbl
   MotionTarget target{address.part, problem.joints.of_part(address.part), nullptr};
   if (target.variables.empty()) {
     throw geometric::InputError(
-        {"--to", "", text, "a device that the robot has",
+        {"--to", "", text, "a device for a part of the robot",
          fmt::format("Robot \"{}\" has no {}.", problem.model().name(), address.part)});
   }
   device::JointRanges joints = device_joints(problem.model(), target.variables);
@@ -142,7 +142,7 @@ std::vector<MotionTarget> parse_targets(const std::string& text,
     for (const MotionTarget& other : targets) {
       if (share_joints(target, other)) {
         throw geometric::InputError({"--to", "", fmt::format("two devices for the {}", target.kind),
-                                     "one for each joint", "Leave one away."});
+                                     "one for each joint", "Remove one."});
       }
     }
     targets.push_back(std::move(target));
@@ -188,10 +188,10 @@ void check_that_the_rest_stands(const geometric::RobotModel& model, const planni
   for (const planning::Configuration& waypoint : path.waypoints) {
     for (Eigen::Index v = 0; v < first.size(); ++v) {
       if (!driven[static_cast<std::size_t>(v)] && std::abs(waypoint[v] - first[v]) > kStillSpeed) {
-        throw geometric::InputError(
-            {"--to", "", devices, "devices for all joints that the path moves",
-             fmt::format("Joint \"{}\" moves, and no device is there for it.",
-                         model.variable(static_cast<int>(v)).name)});
+        throw geometric::InputError({"--to", "", devices,
+                                     "devices for all joints that the path moves",
+                                     fmt::format("No device moves joint \"{}\".",
+                                                 model.variable(static_cast<int>(v)).name)});
       }
     }
   }

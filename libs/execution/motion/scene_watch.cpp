@@ -59,7 +59,7 @@ class SceneWatch::Checks {
   [[nodiscard]] SceneVerdict posture(const Place& place) {
     const std::string conflict = search_.conflict_at(place.measured);
     if (!conflict.empty()) {
-      return blocked(fmt::format("{} where the robot is measured.", conflict), place.time);
+      return blocked(fmt::format("At the robot's measured position: {}.", conflict), place.time);
     }
     return {SceneVerdict::State::kFree, "", 0.0, {}};
   }
@@ -112,7 +112,7 @@ SceneWatch::~SceneWatch() {
 void SceneWatch::renew() {
   if (answered_ == asked_) {
     verdict_ =
-        unknown("The scene was edited: the rest of the motion is not checked yet.", Clock::now());
+        unknown("The scene was edited, and the remaining motion is not checked yet.", Clock::now());
   }
   ++asked_;
 }
@@ -148,7 +148,7 @@ SceneVerdict SceneWatch::look(double time, const Configuration& measured) {
   const auto unchecked_since = checked_since_ ? checked_since_ : new_since_;
   if (verdict_.state == SceneVerdict::State::kFree && unchecked_since &&
       Clock::now() - *unchecked_since >= kLongestWait) {
-    return unknown("This computer is too busy to check where the robot is measured.",
+    return unknown("This computer is too busy to check the robot's measured position.",
                    *unchecked_since);
   }
   return verdict_;

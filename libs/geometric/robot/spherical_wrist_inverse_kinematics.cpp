@@ -74,7 +74,7 @@ class Structure {
     const double cosine = direction(axes, joint).dot(direction(axes, other));
     if (std::abs(cosine) > kStructureTolerance) {
       refuse(joint,
-             fmt::format("an axis {:.6g} degrees off the square to axis {}",
+             fmt::format("an axis {:.6g} degrees from perpendicular to axis {}",
                          std::asin(std::clamp(cosine, -1.0, 1.0)) * 180.0 / M_PI, other + 1),
              "a right angle");
     }

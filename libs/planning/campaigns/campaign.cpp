@@ -200,13 +200,13 @@ std::vector<CampaignProblem> campaign_problems(const YamlElement& list, const fs
     const std::optional<YamlElement> own_name = is_map ? item.find("name") : std::nullopt;
     const std::string name = own_name ? own_name->text() : found.file.stem().string();
     if (std::ranges::count(problems, name, &CampaignProblem::name) != 0) {
-      item.refuse(fmt::format("a second problem called \"{}\"", name), "names that differ",
+      item.refuse(fmt::format("a second problem called \"{}\"", name), "different names",
                   "Give it a \"name\" of its own");
     }
     problems.push_back({name, found.file});
   }
   if (problems.empty()) {
-    list.refuse("no problem that is there", "at least one");
+    list.refuse("no problem that exists", "at least one");
   }
   return problems;
 }
@@ -266,7 +266,7 @@ class PlannerList {
       if (const auto fixed = std::ranges::find(others, axis.key, &Axis::key);
           fixed != others.end()) {
         if (fixed->values.size() > 1) {
-          varied->need(axis.key).refuse("a parameter that has a list under \"parameters\" too",
+          varied->need(axis.key).refuse("a parameter that also has a list under \"parameters\"",
                                         "each list in one place");
         }
         others.erase(fixed);
@@ -310,7 +310,7 @@ class PlannerList {
       return;
     }
     if (std::ranges::count(planners_, entry.label, &CampaignPlanner::label) != 0) {
-      item.refuse(fmt::format("a second planner called \"{}\"", entry.label), "labels that differ",
+      item.refuse(fmt::format("a second planner called \"{}\"", entry.label), "different labels",
                   "Give it a \"label\" of its own");
     }
     if (planners_.size() == kMostPlanners) {

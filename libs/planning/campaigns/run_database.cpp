@@ -38,7 +38,7 @@ constexpr int kApplicationId = 0x48574159;
 constexpr int kSchemaVersion = 1;
 constexpr int kBusyTimeout = 2000;  // ms, while another program writes
 constexpr const char* kResumeAdvice =
-    "Make room or correct what is wrong, and go on with --resume: the runs done so far are kept";
+    "Free disk space or correct the problem, and continue with --resume: finished runs are kept";
 
 /// Calls `use` with name and value of each field of `record` that is a column of the run database,
 /// in the order of the table: after problem, planner, seed and version; `nodes_per_pmds` (JSON) and
@@ -174,8 +174,8 @@ class FolderLock {
     }
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       close(descriptor_);
-      throw InputError({folder.string(), "", "a campaign that is being run there",
-                        "a folder that no other program works in",
+      throw InputError({folder.string(), "", "a campaign that is running there",
+                        "a folder that no other program uses",
                         "Wait until it is done, or choose another folder"});
     }
   }
@@ -304,7 +304,7 @@ void RunDatabase::Connection::prepare(Opening opening) {
   const int runs = database.execAndGet("SELECT count(*) FROM run").getInt();
   if (opening == Opening::kNew && runs > 0) {
     throw InputError({file.string(), "", fmt::format("{} runs", runs), "a folder without runs",
-                      "Go on with them with --resume, or choose another folder"});
+                      "Continue them with --resume, or choose another folder"});
   }
 }
 
@@ -431,7 +431,7 @@ std::vector<std::string> RunDatabase::versions() const {
 std::vector<ArchivedRun> read_runs(const fs::path& file) {
   const auto refuse = [&](const std::string& found) -> InputError {
     return InputError({file.string(), "", found, "a run database of `handway bench`",
-                       "It is called runs.sqlite, in the folder of the campaign"});
+                       "Its name is runs.sqlite, in the folder of the campaign"});
   };
   if (std::error_code ignored; !fs::is_regular_file(file, ignored)) {
     throw refuse("no such file");

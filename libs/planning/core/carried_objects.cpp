@@ -144,8 +144,8 @@ std::vector<std::string> holding_warnings(const geometric::Scene& scene,
     const std::size_t more = moved.size() > kMostNamed ? moved.size() - kMostNamed : 0;
     moved.resize(moved.size() - more);
     warnings.push_back(fmt::format(
-        "{}{} move{} while the hand carries {}, which is taken to stay where it is in the hand. "
-        "Give start and goal the same values there, or detach it.",
+        "{}{} move{} while the hand holds {}, whose pose in the hand is assumed to be fixed. Give "
+        "start and goal the same values of these joints, or detach the object.",
         fmt::join(moved, ", "),
         more == 0 ? "" : fmt::format(" and {} more joint{}", more, more == 1 ? "" : "s"),
         moved.size() + more == 1 ? "s" : "", object.name));

@@ -154,9 +154,9 @@ std::vector<std::string> explain_failure(const PlanResult& result) {
        {std::tuple(start_boxed_in, "start", reach.start_nodes),
         std::tuple(goal_boxed_in, "goal", reach.goal_nodes)}) {
     if (is_boxed_in) {
-      sentences.push_back(
-          fmt::format("The {} is boxed in: {} of {} free configurations connect to it.", end, nodes,
-                      reach.nodes));
+      sentences.push_back(fmt::format(
+          "The {} is enclosed by obstacles: {} of {} free configurations connect to it.", end,
+          nodes, reach.nodes));
     }
   }
   const std::vector<Rejected> pairs = most_rejected(result.statistics);
@@ -171,13 +171,13 @@ std::vector<std::string> explain_failure(const PlanResult& result) {
                                ? " in constraint " + pairs.front().a
                                : " between " + pairs.front().a + " and " + pairs.front().b;
   if (start_boxed_in || stretch.to <= kNearEnd) {
-    sentences.push_back(fmt::format("Try a start with more room{}.", room));
+    sentences.push_back(fmt::format("Try a start with more clearance{}.", room));
   } else if (goal_boxed_in || stretch.from >= 10 - kNearEnd) {
-    sentences.push_back(fmt::format("Try a goal with more room{}.", room));
+    sentences.push_back(fmt::format("Try a goal with more clearance{}.", room));
   } else {
-    sentences.push_back(
-        fmt::format("Try more time, another seed or planner{}.",
-                    room.empty() ? "" : fmt::format(", or more room{} along the motion", room)));
+    sentences.push_back(fmt::format(
+        "Try more time, another seed or planner{}.",
+        room.empty() ? "" : fmt::format(", or more clearance{} along the motion", room)));
   }
   return sentences;
 }

@@ -80,7 +80,7 @@ void warn_of_fixed_joints(PlanningProblem& problem) {
     const std::optional<int> variable = problem.model().find_variable(name);
     if (variable && std::ranges::binary_search(problem.joints.fixed, *variable)) {
       problem.warnings.push_back(fmt::format(
-          "The start has {}. It is not of the group and stays there.", to_string(violation)));
+          "The start has {}. It is not in the group and stays there.", to_string(violation)));
     }
   }
 }

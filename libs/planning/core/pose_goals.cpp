@@ -174,9 +174,9 @@ class GoalPoseSearch {
       text += fmt::format(" and {} more", pairs.size() - kMostNamedPairs);
     }
     return fmt::format(
-        "The goal is in collision: {} can be reached, but in none of the {} configurations that "
-        "were found the robot is free{}.",
-        poses(), refused_, text.empty() ? ", all being too close to something" : text);
+        "The goal is in collision: {} can be reached, but all {} configurations found are in "
+        "collision{}.",
+        poses(), refused_, text.empty() ? " or too close to a body" : text);
   }
 
   void nearest_miss() {

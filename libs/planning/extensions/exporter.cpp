@@ -31,7 +31,7 @@ void check_limits(const Motion& motion) {
   const Eigen::Index count = motion.model->variable_count();
   for (const Eigen::VectorXd* limits : {&motion.limits.velocity, &motion.limits.acceleration}) {
     if (limits->size() != count || !limits->allFinite() || !(limits->array() > 0.0).all()) {
-      throw InputError({"the motion", "limits", "limits that are none",
+      throw InputError({"the motion", "limits", "invalid limits",
                         fmt::format("{} finite numbers above 0", count), ""});
     }
   }
@@ -116,8 +116,8 @@ std::vector<ExportedFile> Exporter::files(const Motion& motion,
       !expected.empty() && !options.any_robot) {
     throw InputError(
         {"robot " + motion.model->name(), "",
-         fmt::format("a robot that {} does not seem to be for", name()), expected,
-         "If it is one, export with --any-robot, in the workbench with \"Any robot\""});
+         fmt::format("a robot that does not seem to suit {}", name()), expected,
+         "If it does, export with --any-robot, or with \"Any robot\" in the workbench"});
   }
   return do_export(motion);
 }

@@ -74,7 +74,7 @@ void need_trusted(const fs::path& path) {
   }
   if ((state.st_mode & S_IWOTH) != 0) {
     throw std::runtime_error(fmt::format(
-        "every user may write to {0}: take that right away (chmod o-w {0})", path.string()));
+        "every user may write to {0}: remove this permission (chmod o-w {0})", path.string()));
   }
 }
 
@@ -87,12 +87,12 @@ const Plugin& open_plugin(const fs::path& file) {
     throw std::runtime_error(fmt::format("not a library that can be loaded: {}", error.what()));
   }
   if (!library.has(kEntryPoint)) {
-    throw std::runtime_error(fmt::format("no plugin: it has no function {}", kEntryPoint));
+    throw std::runtime_error(fmt::format("not a plugin: it has no function {}", kEntryPoint));
   }
   const Plugin* plugin = library.get<const Plugin*()>(kEntryPoint)();
   keep_loaded(std::move(library));
   if (plugin == nullptr) {
-    throw std::runtime_error(fmt::format("{} gave nothing", kEntryPoint));
+    throw std::runtime_error(fmt::format("{} returned nothing", kEntryPoint));
   }
   if (plugin->api_version != kPluginApiVersion) {
     throw std::runtime_error(fmt::format("made for version {} of the plugin interface, not {}",

@@ -80,7 +80,7 @@ void check_group(const PlanningProblem& problem, const Path& path, PathCheckResu
       return std::abs(q[v] - path.waypoints.front()[v]) > kNoMotion;
     });
     if (moved != path.waypoints.end() && !std::ranges::binary_search(problem.joints.moving, v)) {
-      result.faults.push_back(fmt::format("Waypoint {}: joint {} moves, which is not of the group.",
+      result.faults.push_back(fmt::format("Waypoint {}: joint {} moves, but is not in the group.",
                                           moved - path.waypoints.begin() + 1,
                                           problem.model().variable(v).name));
     }
@@ -175,9 +175,10 @@ std::string turn_fault(const geometric::RobotModel& model, const Configuration& 
   const Configuration nearest = model.nearest_equivalent(from, to);
   for (int v = 0; v < std::min(from.size(), to.size()); ++v) {
     if (nearest[v] != to[v]) {
-      return fmt::format("joint {} turns by {:.0f}° at once, where {:.1f}° lead to the same place",
-                         model.variable(v).name, geometric::degrees(to[v] - from[v]),
-                         geometric::degrees(nearest[v] - from[v]));
+      return fmt::format(
+          "joint {} turns by {:.0f}° at once, although {:.1f}° lead to the same position",
+          model.variable(v).name, geometric::degrees(to[v] - from[v]),
+          geometric::degrees(nearest[v] - from[v]));
     }
   }
   return "";

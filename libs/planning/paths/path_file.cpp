@@ -29,7 +29,7 @@ using geometric::Configuration;
 using geometric::InputError;
 using geometric::RobotModel;
 
-constexpr const char* kWhat = "a path: a table with the names of joints above it, or messages";
+constexpr const char* kWhat = "a path: a table with joint names in its header, or messages";
 constexpr double kSlack = 1e-3;              // rad, of limits that degrees fit in
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
 constexpr double kJump = 1.0;                // rad: far above rounding, far below a turn
@@ -373,10 +373,10 @@ std::string JointsAtRest::remark(const std::filesystem::path& file) const {
   }
   if (!jumps.empty()) {
     parts.push_back(
-        fmt::format("{}; joints without ends go the short way round", fmt::join(jumps, ", ")));
+        fmt::format("{}; continuous joints take the shorter rotation", fmt::join(jumps, ", ")));
   }
   if (!passed_over.empty()) {
-    parts.push_back("columns passed over, as no joint of the robot: " + some_of(passed_over));
+    parts.push_back("ignored columns, which name no joint of the robot: " + some_of(passed_over));
   }
   const std::string source = names.empty() && !parts.empty() ? file.string() + ": " : "";
   return fmt::format("{}{}", source, fmt::join(parts, "; "));

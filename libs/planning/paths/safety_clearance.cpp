@@ -119,8 +119,8 @@ std::optional<ClearanceShortfall> path_shortfall(const PlanningProblem& problem,
 
 std::string to_string(const ClearanceShortfall& shortfall) {
   std::string text = fmt::format(
-      "{} with {}: {:.3f} mm clearance where {:.2f} mm are needed ({:.2f} mm for joints that are "
-      "up to {:.2f}° off",
+      "{} with {}: clearance {:.3f} mm, {:.2f} mm are needed ({:.2f} mm for joint errors of "
+      "{:.2f}°",
       shortfall.a, shortfall.b, shortfall.clearance_mm, shortfall.needed_mm(),
       shortfall.following_mm, geometric::degrees(shortfall.following_error));
   if (shortfall.margin_mm > 0.0) {

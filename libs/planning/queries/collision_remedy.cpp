@@ -109,15 +109,15 @@ std::string describe_remedy(const Scene& scene, const CollisionRemedy& remedy) {
   if (remedy.kind == Kind::kHollow) {
     const bool one = remedy.objects.size() == 1;
     return fmt::format(
-        "The robot is inside of {0}, which {1} taken for solid. If {2} hollow, as a cell or a room "
-        "{1}, write `solid: false` at the object, or give --hollow {3}",
+        "The robot is inside of {0}, which {1} solid. If {2} hollow, such as a cell or a room, "
+        "write `solid: false` at the object, or use --hollow {3}",
         fmt::join(remedy.objects, ", "), one ? "is" : "are", one ? "it is" : "they are",
         remedy.objects.front());
   }
   const std::string& object = remedy.objects.front();
   return fmt::format(
-      "{} is carried by {}. If {} may touch it, as what holds it, add {} to its `touch_links` "
-      "(MoveIt) or `touching` (a scene of Handway)",
+      "{} is attached to {}. If {} may touch it, add {} to its `touch_links` (MoveIt) or "
+      "`touching` (Handway scene)",
       object, geometric::find_object(scene, object)->attachment->link,
       fmt::join(remedy.links, ", "), remedy.links.size() == 1 ? "the link" : "the links");
 }

@@ -35,7 +35,7 @@ void check_start(const geometric::RobotModel& model, const TrajectoryPoint& firs
       report.faults.push_back(
           {joint, first.time, measured[v],
            fmt::format(
-               "Joint {} is at {:.6f}, {:.6f} away from where the trajectory begins ({:.6f}).",
+               "Joint {} is at {:.6f}, {:.6f} away from the start of the trajectory ({:.6f}).",
                joint, measured[v], std::abs(off), first.position[v])});
     }
   }
@@ -200,7 +200,7 @@ bool PreflightReport::is_under_way() const {
 
 std::string PreflightReport::advice() const {
   if (!is_under_way()) {
-    return fmt::format("The {} itself is that near: move it, or the object.",
+    return fmt::format("The {} itself has too little clearance: move it, or the object.",
                        shortfall->place < 0.5 * duration ? "start" : "goal");
   }
   return fmt::format("Plan again with a margin of {:g} mm (plan --margin {:g}), or run slower.",
@@ -222,7 +222,7 @@ std::string to_text(const PreflightReport& report) {
                       report.points, report.duration);
   if (report.is_tight()) {
     text += fmt::format(
-        "warning: at {:.3f} s {}{}. {}\n", report.shortfall->place, to_string(*report.shortfall),
+        "warning: at {:.3f} s: {}{}. {}\n", report.shortfall->place, to_string(*report.shortfall),
         report.assumed_following_error ? "; no following error was measured" : "", report.advice());
   }
   for (const auto& [what, share] :

@@ -153,8 +153,8 @@ class Check {
     if (point.position.size() != count || point.velocity.size() != count ||
         point.acceleration.size() != count) {
       add(point.time, static_cast<double>(point.position.size()),
-          fmt::format("At {:.4f} s: {} positions, {} velocities and {} accelerations where the "
-                      "robot has {} joints that move on their own.",
+          fmt::format("At {:.4f} s: {} positions, {} velocities and {} accelerations, but the "
+                      "robot has {} independent joints.",
                       point.time, point.position.size(), point.velocity.size(),
                       point.acceleration.size(), count));
       return false;
@@ -221,7 +221,7 @@ class Check {
     if (!(step > 0.0)) {
       if (first("time", "")) {
         add(point.time, step,
-            fmt::format("Time goes from {:.6f} s to {:.6f} s: it has to increase.", before.time,
+            fmt::format("Time goes from {:.6f} s to {:.6f} s: it must increase.", before.time,
                         point.time));
       }
       return;

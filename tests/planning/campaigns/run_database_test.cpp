@@ -147,7 +147,7 @@ TEST_F(RunDatabaseTest, NoticesAChangeOfAnyFileThatAProblemRefersTo) {
 TEST_F(RunDatabaseTest, KeepsASecondProgramOut) {
   const RunDatabase database(file_, campaign_, "1.0", Opening::kNew);
   EXPECT_THAT([&] { RunDatabase(file_, campaign_, "1.0", Opening::kResume); },
-              ThrowsMessage<InputError>(HasSubstr("being run")));
+              ThrowsMessage<InputError>(HasSubstr("is running there")));
 }
 
 TEST_F(RunDatabaseTest, SaysWhenThereIsNoRoomAndKeepsWhatThereIs) {

@@ -38,7 +38,7 @@ TEST(FailureExplanation, NamesThePairsAndTheStretchOfTheMotion) {
               testing::ElementsAre(
                   "Of the samples that were rejected, in 78 % thumb collided with can and in 22 % "
                   "palm collided with table; most of them between 60 and 70 % of the motion.",
-                  "Try more time, another seed or planner, or more room between thumb and can "
+                  "Try more time, another seed or planner, or more clearance between thumb and can "
                   "along the motion."));
 }
 
@@ -51,18 +51,22 @@ TEST(FailureExplanation, LeavesOutAStretchThatIsMostOfTheMotion) {
 TEST(FailureExplanation, AdvisesTheEndThatIsTooTight) {
   PlanResult result = failed();
   result.statistics.rejections_per_tenth = {0, 0, 0, 0, 0, 0, 0, 10, 40, 50};
-  EXPECT_EQ(explain_failure(result).back(), "Try a goal with more room between thumb and can.");
+  EXPECT_EQ(explain_failure(result).back(),
+            "Try a goal with more clearance between thumb and can.");
   result.statistics.rejections_per_tenth = {50, 40, 10, 0, 0, 0, 0, 0, 0, 0};
-  EXPECT_EQ(explain_failure(result).back(), "Try a start with more room between thumb and can.");
+  EXPECT_EQ(explain_failure(result).back(),
+            "Try a start with more clearance between thumb and can.");
 }
 
 TEST(FailureExplanation, RecognisesAnEndThatIsBoxedIn) {
   PlanResult result = failed();
   result.reach = {
       .from_start = 0.9, .from_goal = 1.0, .start_nodes = 995, .goal_nodes = 5, .nodes = 1000};
-  EXPECT_THAT(explain_failure(result),
-              Contains("The goal is boxed in: 5 of 1000 free configurations connect to it."));
-  EXPECT_EQ(explain_failure(result).back(), "Try a goal with more room between thumb and can.");
+  EXPECT_THAT(
+      explain_failure(result),
+      Contains("The goal is enclosed by obstacles: 5 of 1000 free configurations connect to it."));
+  EXPECT_EQ(explain_failure(result).back(),
+            "Try a goal with more clearance between thumb and can.");
 }
 
 TEST(FailureExplanation, HasSomethingToTryWithoutRejections) {

@@ -110,7 +110,7 @@ TEST_F(PluginsOfOthers, AreRefusedInAFolderThatEveryoneMayWriteTo) {
                                std::filesystem::perm_options::add);
   EXPECT_EQ(reason_of_refusal(scratch_.path()),
             "every user may write to " + scratch_.path().string() +
-                ": take that right away (chmod o-w " + scratch_.path().string() + ")");
+                ": remove this permission (chmod o-w " + scratch_.path().string() + ")");
 }
 
 TEST_F(PluginsOfOthers, AreRefusedIfEveryoneMayWriteToTheFile) {

@@ -305,7 +305,7 @@ TEST_F(Devices, HoldBeforeAWallThatIsAddedUnderWay) {
     EXPECT_TRUE(window().document().configuration().isApprox(held, 1e-3));
   }
   editor().undo_stack().undo();
-  ASSERT_TRUE(says("devices_problem", "can go on")) << text("devices_problem");
+  ASSERT_TRUE(says("devices_problem", "can continue")) << text("devices_problem");
   click("devices_hold");
   ASSERT_EQ(state_after_motion(), MotionDriver::State::kConnected);
   EXPECT_THAT(text("devices_outcome"), HasSubstr("Done in"));
