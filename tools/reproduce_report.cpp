@@ -280,12 +280,11 @@ void add_table_2(ReportDocument& document, ReportTable& csv, const ReproducedCam
   };
   const double as_printed = mean_time("Full") / mean_time("Reduced");
   const double as_shipped = mean_time("full-prm as it ships") / mean_time("pmd-prm as it ships");
-  document.push_back(
-      ReportText{fmt::format("Full by reduced, mean times: {} as printed, {} as the planners ship "
-                             "(ρₐ at most 0.05), {} in "
-                             "the paper.",
-                             number_text(as_printed), number_text(as_shipped),
-                             number_text(rows.front().published[1] / rows.front().published[0]))});
+  document.push_back(ReportText{fmt::format(
+      "Mean time of the full divided by that of the reduced search space: {} as in the paper, {} "
+      "with the default parameters (ρₐ at most 0.05); {} is the paper's result.",
+      number_text(as_printed), number_text(as_shipped),
+      number_text(rows.front().published[1] / rows.front().published[0]))});
 }
 
 void add_table_4(ReportDocument& document, ReportTable& csv,
@@ -294,12 +293,12 @@ void add_table_4(ReportDocument& document, ReportTable& csv,
   document.push_back(ReportHeading{2, "Table 4: four problems"});
   document.push_back(ReportText{fmt::format(
       "Means from 1,000 runs in the paper, on an {}; ours with 95 % intervals, over the runs that "
-      "found a path. \"As published\" are the authors' own problem files (where "
-      "HANDWAY_REFERENCE_DIR names their folder), the others scenes that ship, built after the "
-      "paper's figures. The paper chose N so that all runs found a path. On problem 4 as published "
-      "pmd-prm mostly finds none; there N is 2,250, a little above the published mean, so that its "
-      "figures are those of the quick runs only: look at the share of runs that were solved. The "
-      "default planner finds one there, but takes long, and has fewer runs.",
+      "found a path. \"As published\": the authors' own problem files (if HANDWAY_REFERENCE_DIR is "
+      "set to their folder); the other columns use scenes that ship, built after the paper's "
+      "figures. The paper chose N so that all runs found a path. On problem 4 as published, "
+      "pmd-prm mostly finds no path. There N is 2,250, a little above the published mean, so that "
+      "the means are over the quick runs only: see the share of solved runs. The default planner "
+      "finds paths there, but takes longer, and has fewer runs.",
       kTable4Machine)});
   const std::vector<PaperRow> rows = paper_table_4();
   for (std::size_t problem = 0; problem < kProblems; ++problem) {
@@ -333,15 +332,15 @@ void add_table_4(ReportDocument& document, ReportTable& csv,
 void add_table_3(ReportDocument& document, const planning::Campaign& campaign) {
   document.push_back(ReportHeading{2, "Table 3: parameters"});
   document.push_back(parameters_compared(campaign.planners[0], campaign.planners[1]));
-  document.push_back(ReportText{
-      "N ends a run without a path. Table 3 prints 100 (10,000) as initial values; section 6.2 "
-      "says "
-      "that N was \"chosen large enough to allow finding a solution in all cases\", and the "
-      "samples "
-      "of Table 2 are more than 100. Here N is large enough not to end a run; Table 2 has columns "
-      "for N = 100 and 10,000, compared at the end of each pass as printed, and problem 4 of Table "
-      "4 has N = 2,250. rho_a is the value at the start; it is multiplied by 1, 2, 3, … with the "
-      "passes, without limit."});
+  document.push_back(
+      ReportText{"A run without a path ends after N samples. Table 3 has the initial values 100 "
+                 "(10,000); section 6.2 says that N was \"chosen large enough to allow finding a "
+                 "solution in all cases\", and the "
+                 "samples "
+                 "of Table 2 are more than 100. Here N is too large to end a run. Exceptions: "
+                 "Table 2 has columns for N = 100 and 10,000, compared at the end of each pass as "
+                 "in the paper, and problem 4 of Table 4 has N = 2,250. rho_a is the initial "
+                 "value; it is multiplied by 1, 2, 3, … with the passes, without limit."});
 }
 
 void add_figure(ReportDocument& document, const ReproducedFigure& figure) {

@@ -148,7 +148,7 @@ RunRow row_of(const planning::ArchivedRun& run) {
     row.nodes = run.record.path_nodes;
     row.clearance = run.record.min_clearance_mm;
   }
-  row.tip = QObject::tr("Open its scene and plan it again with its seed");
+  row.tip = QObject::tr("Open the scene of the run and plan again with its seed");
   return row;
 }
 
@@ -165,8 +165,9 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::PluginManager> pl
       open_(named("campaign_open", new QPushButton(tr("Open…")))),
       stop_(named("campaign_stop", new QPushButton(tr("Stop")))),
       progress_(new QProgressBar),
-      state_(named("campaign_state",
-                   new QLabel(tr("Open a campaign to run it, or a run database to look at it.")))),
+      state_(named(
+          "campaign_state",
+          new QLabel(tr("Open a campaign to execute it, or a run database to show its runs.")))),
       problems_(named("campaign_problem", new QComboBox)) {
   shown_ = new RunsOfProblem(runs_, *problems_, this);
   shown_->setSourceModel(table_);
@@ -213,8 +214,8 @@ void CampaignsPanel::take_theme() {
 }
 
 QWidget* CampaignsPanel::make_actions() {
-  open_->setToolTip(tr("A campaign (.yaml) is carried out, a run database (.sqlite) is read"));
-  stop_->setToolTip(tr("Runs that are done are kept; open the campaign again to go on"));
+  open_->setToolTip(tr("Execute a campaign (.yaml), or open a run database (.sqlite)"));
+  stop_->setToolTip(tr("Finished runs are kept; open the campaign again to continue"));
   stop_->setEnabled(false);
   connect(open_, &QPushButton::clicked, this, &CampaignsPanel::choose_file);
   connect(stop_, &QPushButton::clicked, &runner_, &CampaignRunner::stop);

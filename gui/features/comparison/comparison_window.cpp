@@ -189,7 +189,7 @@ void FigureTable::fill() {
         bold.setBold(true);
         item->setFont(bold);
         item->setForeground(good);
-        item->setToolTip(tr("The better one"));
+        item->setToolTip(tr("Better of the two"));
       }
       setItem(row, column, item);
     }
@@ -379,8 +379,8 @@ void ComparisonWindow::show_figures() {
 QString ComparisonWindow::note_on_both() const {
   if (!shown_[0] || !shown_[1]) {
     return tr(
-        "There is one path so far: plan again with another seed or planner (it comes here by "
-        "itself), or open one from a file.");
+        "There is one path so far. Plan again with another seed or planner, which adds a path "
+        "here, or open one from a file.");
   }
   if (shown_[0]->motion == shown_[1]->motion) {
     return tr("Both sides show the same path.");
@@ -388,7 +388,7 @@ QString ComparisonWindow::note_on_both() const {
   if (shown_[0]->scene != shown_[1]->scene) {
     return tr("The two paths are of different scenes.");
   }
-  return tr("Bold and green: the better of the two. Both views look from one place.");
+  return tr("Bold and green: the better of the two. Both views have the same camera.");
 }
 
 void ComparisonWindow::ask_for_file(std::size_t side) {

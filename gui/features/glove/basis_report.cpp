@@ -171,7 +171,7 @@ QString persons_text(const BasisStudy& study) {
 
 QString study_text(const BasisStudy& study, double confidence) {
   QString text = QObject::tr(
-                     "<b>How many</b>: postures that the basis has not seen, at the fingertips "
+                     "<b>Number of PMDs</b>: fingertip error for postures not used for the basis "
                      "(%1 % confidence)<br>%2")
                      .arg(100.0 * confidence, 0, 'f', 0)
                      .arg(enough_text(study)) +

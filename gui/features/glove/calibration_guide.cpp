@@ -128,8 +128,8 @@ BonesForm::BonesForm(QWidget* parent)
   setObjectName(QStringLiteral("calibration_bones"));
   length_->setObjectName(QStringLiteral("hand_length"));
   length_->setToolTip(
-      tr("From the wrist's crease to the tip of the middle finger: all bones follow "
-         "in proportion"));
+      tr("Length from the crease of the wrist to the tip of the middle finger; all bones are "
+         "scaled to it"));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(4);
@@ -243,7 +243,7 @@ QString range_quality(const device::PersonRanges& ranges, const device::Recordin
       narrow << QString::fromUtf8(label.data(), static_cast<int>(label.size()));
     }
   }
-  const QString text = QObject::tr("%1 of %2 joints went through most of a typical range.")
+  const QString text = QObject::tr("%1 of %2 joints covered most of a typical range.")
                            .arg(wide)
                            .arg(motion.header.sensors.size());
   return narrow.isEmpty() ? text
@@ -268,7 +268,7 @@ CalibrationGuide::CalibrationGuide(GloveSession& session, QWidget* parent)
       back_(named("calibration_back", new QPushButton(tr("Back")))),
       skip_(named("calibration_skip", new QPushButton(tr("Leave out")))),
       capture_(named("calibration_capture", new QPushButton)) {
-  person_->setPlaceholderText(tr("whose hand it is"));
+  person_->setPlaceholderText(tr("name of the person"));
   instruction_->setWordWrap(true);
   quality_->setWordWrap(true);
   progress_->setRange(0, kPercentDone);
@@ -287,7 +287,8 @@ CalibrationGuide::CalibrationGuide(GloveSession& session, QWidget* parent)
 
 QWidget* CalibrationGuide::build_buttons() {
   capture_->setProperty("role", "primary");
-  skip_->setToolTip(tr("Sensors that only this posture measures keep the calibration before"));
+  skip_->setToolTip(
+      tr("Skip this posture; sensors that only it calibrates keep their previous calibration"));
   auto* close = named("calibration_close", new QPushButton(tr("Close")));
   connect(capture_, &QPushButton::clicked, this,
           [this] { step_ == Step::kDone ? choose_to_save() : capture(); });
@@ -416,8 +417,9 @@ void CalibrationGuide::fit() {
   QStringList lines;
   if (!angles) {
     lines << (read.empty()
-                  ? tr("No posture was read: the sensors keep what they had.")
-                  : tr("%1 sensors calibrated; the others keep what they had.").arg(fitted));
+                  ? tr("No posture was read: the sensors keep their previous calibration.")
+                  : tr("%1 sensors calibrated; the others keep their previous calibration.")
+                        .arg(fitted));
   }
   if (!moved_.empty()) {
     const device::Recording motion = device::to_angles(recording_of(moved_), fit_.calibration);
@@ -453,8 +455,8 @@ void CalibrationGuide::show_step() {
   if (done) {
     title_->setText(tr("Bones"));
     instruction_->setText(
-        tr("Bones, in mm: as measured, or type the hand's length or each bone. Save the "
-           "calibration under the person's name; then the coach shows what the hand has covered."));
+        tr("Bones in mm: as measured, or type the length of the hand or of each bone. Save the "
+           "calibration under the person's name; the coach then shows the covered ranges."));
     capture_->setText(tr("Save the calibration…"));
     return;
   }

@@ -78,9 +78,7 @@ QString joint_label(const std::string& joint) {
 CoverageBars::CoverageBars(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("coverage_bars"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setToolTip(
-      tr("The range of each joint: where the hand has been is filled, the line is "
-         "where it is"));
+  setToolTip(tr("Range of each joint: the visited part is filled, the line is the present value"));
 }
 
 void CoverageBars::show_coverage(const JointCoverage& coverage) {
@@ -259,8 +257,8 @@ CombinationSquares::CombinationSquares(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("combination_squares"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setToolTip(
-      tr("A square for each two fingers, one across, one down, from straight to bent: filled where "
-         "both were so together"));
+      tr("A square for each pair of fingers, from straight to bent along both axes; visited "
+         "combinations are filled"));
 }
 
 void CombinationSquares::show_combinations(const FingerCombinations& combinations) {
@@ -506,7 +504,7 @@ void CaptureCoach::show_advice(const CapturedPostures& postures) {
     return;
   }
   if (!postures.turn()) {
-    advise(tr("Keep moving: too early to tell"), attention_color());
+    advise(tr("Keep moving: not enough data yet"), attention_color());
     return;
   }
   const QString turn = tr("%1° in %2 s")
@@ -545,7 +543,7 @@ void CaptureCoach::show_hints(double duration) {
   for (const QString& hint : hints_) {
     text += QStringLiteral("<div>→&nbsp; %1</div>").arg(hint.toHtmlEscaped());
   }
-  hints_label_->setText(hints_.isEmpty() ? tr("All joints have been through most of their ranges")
+  hints_label_->setText(hints_.isEmpty() ? tr("All joints have covered most of their ranges")
                                          : text);
 }
 

@@ -363,7 +363,7 @@ void CapturePages::choose_recordings() {
 void CapturePages::show_recordings(const QStringList& files) {
   const device::PostureSource* source = session_.source();
   if (!source) {
-    emit failed(tr("Open a scene with the hand that the mapping is for first"));
+    emit failed(tr("First open a scene with the hand of the mapping"));
     return;
   }
   std::vector<std::filesystem::path> paths;
@@ -466,11 +466,11 @@ void CapturePages::compare_methods(std::vector<device::GloveAngles> measured) {
     }
     const device::FingertipErrors of_retargeting =
         device::fingertip_errors(measured, hand->joints(), retargeted, *hand);
-    const QString text =
-        tr("<table cellspacing=0 cellpadding=1><tr><td>Fingertips from the person's, mm</td>"
-           "<td>&nbsp; mean</td><td>&nbsp; median</td><td>&nbsp; 95 %</td></tr>") +
-        error_row(tr("Joint mapping"), of_mapping) +
-        error_row(tr("Fingertip retargeting"), of_retargeting) + QStringLiteral("</table>");
+    const QString text = tr("<table cellspacing=0 cellpadding=1><tr><td>Fingertip error, mm</td>"
+                            "<td>&nbsp; mean</td><td>&nbsp; median</td><td>&nbsp; 95 %</td></tr>") +
+                         error_row(tr("Joint mapping"), of_mapping) +
+                         error_row(tr("Fingertip retargeting"), of_retargeting) +
+                         QStringLiteral("</table>");
     return [this, text] { explorer_->show_errors(reading_notes() + text); };
   });
 }

@@ -66,10 +66,9 @@ QString recording_filter() {
 
 QString recording_kinds() {
   return QObject::tr(
-      "Files are recognised by what is in them: recordings of this window, tables with the "
-      "sensors' names or in VirtualHand's order, MATLAB data sets with 'angles' or 'glove', hand "
-      "landmarks as JSON lines. Any other table needs a map of its columns, a small YAML file, "
-      "which is opened in its place.");
+      "Files are recognised by their contents: recordings of this window, tables with sensor names "
+      "or in VirtualHand's order, MATLAB data sets with 'angles' or 'glove', hand landmarks as "
+      "JSON lines. For any other table open a map of its columns, a small YAML file.");
 }
 
 QStringList recent_gloves() { return QSettings().value(key()).toStringList(); }
@@ -132,7 +131,7 @@ void DeviceField::refresh() {
   addItem(tr("Emulator: no hardware needed"), GloveSession::emulator_name());
   addItem(tr("Replay a recording…"), QLatin1String(kChooseRecording));
   setItemData(count() - 1,
-              tr("Plays a file again and again, as if the glove made it now. ") + recording_kinds(),
+              tr("Plays a file in a loop, like a connected glove. ") + recording_kinds(),
               Qt::ToolTipRole);
   const QList<GlovePort> ports = find_glove_ports();
   if (!ports.isEmpty()) {

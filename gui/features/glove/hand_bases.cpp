@@ -123,7 +123,7 @@ QString comparison_text(const RobotModel& model, const HandBasis& a, const HandB
   text += QStringLiteral(
               "<table cellspacing=0 cellpadding=3><tr><td>%1</td><td>%2</td><td>%3</td>"
               "</tr>")
-              .arg(QObject::tr("Variance held, joints missed by"), escaped(a), escaped(b));
+              .arg(QObject::tr("Variance held, RMS joint error"), escaped(a), escaped(b));
   for (const HandBasis* own : {&a, &b}) {
     const auto postures = postures_of(*own);
     const QString of = QObject::tr("Postures of %1").arg(escaped(*own));
@@ -131,7 +131,7 @@ QString comparison_text(const RobotModel& model, const HandBasis& a, const HandB
                            .arg(of, held_text(model, *a.basis, *postures),
                                 held_text(model, *b.basis, *postures))
                      : QStringLiteral("<tr><td>%1</td><td colspan=2>%2</td></tr>")
-                           .arg(of, QObject::tr("it keeps none"));
+                           .arg(of, QObject::tr("none recorded"));
   }
   return text + QStringLiteral("</table>");
 }
@@ -145,8 +145,8 @@ BasisComparisonView::BasisComparisonView(QWidget* parent)
   other_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   other_->setMinimumContentsLength(3);
   other_->setToolTip(
-      tr("Another basis of this hand: how far apart their subspaces are, and how much of each "
-         "other's postures they hold"));
+      tr("Compare with another basis of this hand: the angles between the subspaces, and the share "
+         "of each other's postures that they contain"));
   table_->setWordWrap(true);
   table_->setTextFormat(Qt::RichText);
   auto* label = new QLabel(tr("Compare with"));

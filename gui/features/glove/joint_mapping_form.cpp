@@ -46,8 +46,8 @@ CurveView::CurveView(QWidget* parent)
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setCursor(Qt::CrossCursor);
   setToolTip(
-      tr("What the joint makes of its sensor. Click to add a point, drag it, right-click to take "
-         "it away"));
+      tr("Joint angle over sensor angle. Click to add a point, drag to move it, right-click to "
+         "remove it"));
 }
 
 void CurveView::set_joint_mapping(const device::JointMapping& mapped, double lower, double upper) {
@@ -328,9 +328,9 @@ JointMappingForm::JointMappingForm(QWidget* parent)
   sensor_->setMinimumContentsLength(6);
   sensor_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   sensor_->addItem(tr("Fixed, no sensor"), kFixed);
-  sensor_->addItem(tr("Left to the arm"), kOfArm);
+  sensor_->addItem(tr("Joint of the arm"), kOfArm);
   sensor_->setItemData(1,
-                       tr("The hand does not move this joint: it is planned as one of the arm's"),
+                       tr("The hand does not move this joint: it is planned as a joint of the arm"),
                        Qt::ToolTipRole);
   for (int i = 0; i < static_cast<int>(device::cyberglove_sensors().size()); ++i) {
     const auto& sensor = device::cyberglove_sensors()[static_cast<std::size_t>(i)];
@@ -341,13 +341,13 @@ JointMappingForm::JointMappingForm(QWidget* parent)
         i);
     sensor_->setItemData(sensor_->count() - 1, sensor_tip(i), Qt::ToolTipRole);
   }
-  gain_->setToolTip(tr("Joint angle for each unit of the sensor's; -1/3 will do"));
-  offset_->setToolTip(tr("Joint angle where the sensor's is 0, degrees"));
+  gain_->setToolTip(tr("Joint angle per sensor angle; fractions such as -1/3 are accepted"));
+  offset_->setToolTip(tr("Joint angle at sensor angle 0, degrees"));
   curve_->setToolTip(
-      tr("Instead of gain and offset: SENSOR:JOINT pairs in degrees, straight "
-         "between, for example 0:-4, 45:-52, 97:-75"));
+      tr("Instead of gain and offset: SENSOR:JOINT pairs in degrees, interpolated linearly, for "
+         "example 0:-4, 45:-52, 97:-75"));
   curve_->setPlaceholderText(tr("none"));
-  fixed_->setToolTip(tr("Where the joint stays, degrees"));
+  fixed_->setToolTip(tr("Fixed value of the joint, degrees"));
   fixed_->setPlaceholderText(tr("middle of its range"));
   line_part_ = row({new QLabel(tr("Gain")), gain_, new QLabel(tr("Offset °")), offset_});
   curve_part_ = row({new QLabel(tr("Curve")), curve_});

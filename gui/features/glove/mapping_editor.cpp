@@ -52,7 +52,8 @@ QString label_of(int sensor) {
 MappingWires::MappingWires(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("mapping_wires"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setToolTip(tr("Drag from a sensor to a joint to lay a wire; click a joint to edit its wire"));
+  setToolTip(
+      tr("Drag from a sensor to a joint to connect them; click a joint to edit its mapping"));
 }
 
 void MappingWires::set_mapping(const device::HandMapping& mapping) {
@@ -327,7 +328,7 @@ MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget
       source_(named("mapping_source", new QLineEdit)),
       comparison_(named("mapping_comparison", note())),
       choices_(named("mapping_choices", new QPushButton(tr("Mapping")))) {
-  source_->setPlaceholderText(tr("where the correspondence comes from"));
+  source_->setPlaceholderText(tr("source of the mapping"));
   connect(source_, &QLineEdit::textChanged, source_, &QWidget::setToolTip);
   comparison_->setWordWrap(true);
   auto* inner = in_column({form_, curve_, in_row({new QLabel(tr("Source")), {source_, 1}}, 8),
@@ -368,8 +369,8 @@ QWidget* MappingEditor::build_buttons() {
   menu->addAction(tr("All joints fixed"), this, &MappingEditor::clear);
   menu->addSeparator();
   menu->addAction(tr("Fit to this motion"), this, [this] { fit(recording_of(motion_)); })
-      ->setToolTip(tr("Lays the joints' ranges on what the hand went through since connecting: "
-                      "open it, make a fist, move the thumb"));
+      ->setToolTip(tr("Fits the joints' ranges to the motion since connecting: open the hand, make "
+                      "a fist, move the thumb"));
   menu->addAction(tr("Fit to a recording…"), this, &MappingEditor::choose_to_fit);
   menu->addSeparator();
   menu->addAction(tr("Open…"), this, &MappingEditor::choose_to_open);
@@ -390,7 +391,7 @@ QWidget* MappingEditor::build_buttons() {
   });
   others->addAction(tr("With a file…"), this, &MappingEditor::choose_to_compare);
   compare->setMenu(others);
-  compare->setToolTip(tr("What both mappings make of the motion since connecting"));
+  compare->setToolTip(tr("Compare both mappings on the motion since connecting"));
   return boxed(in_row({{choices_, 1}, {compare, 1}}, 8));
 }
 

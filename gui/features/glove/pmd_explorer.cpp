@@ -47,12 +47,12 @@ BasisOptions::BasisOptions(QWidget* parent)
     : QWidget(parent),
       directions_(named("basis_directions", new QSpinBox)),
       free_(named("basis_free", new QPushButton)) {
-  directions_->setToolTip(tr("Principal motion directions that the basis takes"));
+  directions_->setToolTip(tr("Number of principal motion directions of the basis"));
   free_->setProperty("role", "compact");
   free_->setMenu(new QMenu(free_));
   free_->setToolTip(
-      tr("Joints with an axis of their own over their whole range, as the thumb's base in the "
-         "paper; they take no part in the directions"));
+      tr("Free joints: excluded from the directions, with an axis of their own over their whole "
+         "range, like the thumb's base in the paper"));
   auto* label = new QLabel(tr("PMDs"));
   label->setBuddy(directions_);
   lay_out(*this, in_row({label, directions_, {free_, 1}}, 8));
@@ -133,14 +133,15 @@ PmdExplorer::PmdExplorer(QWidget* parent)
       note_(note({})) {
   source_->addItems({tr("Live"), tr("A recording…")});
   source_->setToolTip(
-      tr("Postures that the glove makes now, or those of one or several recordings together"));
-  source_->setItemData(kLive, tr("All that the glove has made since it was connected"),
+      tr("Live postures of the glove, or those of one or several recordings together"));
+  source_->setItemData(kLive, tr("All postures of the glove since it was connected"),
                        Qt::ToolTipRole);
   source_->setItemData(
       kFromFile,
-      tr("Reads files, makes postures of this hand of them as 'Hand by' says, and shows them and "
-         "their principal motion directions. Several files count together, each as a person of "
-         "its own in Report. Recordings of the robot hand's own joints, as JointState messages or "
+      tr("Reads files, maps them to this hand with the method 'Hand by', and shows the postures "
+         "and their principal motion directions. Several files are analysed together; in Report "
+         "each is a person of its own. Recordings of the robot hand's own joints, as JointState "
+         "messages or "
          "tables with the joints' names, are shown as they are. The scene changes with 'Use for "
          "planning' only.") +
           QStringLiteral("\n\n") + recording_kinds(),
@@ -230,8 +231,8 @@ void PmdExplorer::show_method(PostureMethod method) {
 void PmdExplorer::enable_method(bool enabled) {
   method_->setEnabled(enabled);
   method_->setToolTip(
-      enabled ? tr("What makes postures of this hand from a person's: sensor by sensor, as Mapping "
-                   "says, or by where the person's fingertips are")
+      enabled ? tr("Method that maps a person's postures to this hand: sensor by sensor with the "
+                   "mapping, or by the positions of the fingertips")
               : tr("The recordings are of the robot hand's own joints, which are shown as they "
                    "are"));
 }
@@ -242,10 +243,10 @@ void PmdExplorer::show_errors(const QString& text) {
 }
 
 QWidget* PmdExplorer::build_buttons() {
-  save_->setToolTip(tr("Write the basis that is shown, and the postures it is made of, to files"));
+  save_->setToolTip(tr("Write the basis that is shown and its postures to files"));
   use_->setToolTip(
       tr("The scene names this basis: the planner samples in it, and human-likeness is measured "
-         "against it. Undo takes the one before"));
+         "against it. Undo restores the previous basis"));
   connect(save_, &QPushButton::clicked, this, [this] { (void)choose_to_save(); });
   connect(use_, &QPushButton::clicked, this, &PmdExplorer::use_shown);
   return boxed(in_row({{save_, 1}, {use_, 1}}, 8));
@@ -267,9 +268,8 @@ void PmdExplorer::list_bases() {
   const QSignalBlocker quiet(basis_);
   const int row = std::max(0, basis_->currentIndex());
   basis_->clear();
-  basis_->addItem(scene_basis_.basis ? tr("Of the scene: %1").arg(scene_basis_.name)
-                                     : tr("Of the scene"));
-  basis_->addItem(tr("Of these postures"));
+  basis_->addItem(scene_basis_.basis ? tr("Scene: %1").arg(scene_basis_.name) : tr("Scene"));
+  basis_->addItem(tr("These postures"));
   for (const HandBasis& basis : bases_) {
     basis_->addItem(basis.name);
   }
@@ -435,8 +435,8 @@ void PmdExplorer::rebuild_axes() {
     reason = tr("No postures yet: connect a glove, or choose a recording");
   } else {
     reason =
-        tr("The scene names no hand basis. Capture postures, or choose a recording, and "
-           "take the basis of these postures");
+        tr("The scene has no hand basis. Capture postures, or choose a recording, and use the "
+           "basis of these postures");
   }
   save_->setEnabled(shown != nullptr);
   use_->setEnabled(shown != nullptr && shown != &scene_basis_);

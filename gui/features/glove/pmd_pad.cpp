@@ -27,7 +27,7 @@ PmdPad::PmdPad(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("pmd_pad"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setCursor(Qt::CrossCursor);
-  setToolTip(tr("Drag to move the hand along both axes; the box is where the planner samples"));
+  setToolTip(tr("Drag to move the hand along both axes; the planner samples in the box"));
 }
 
 void PmdPad::clear(const QString& reason) {

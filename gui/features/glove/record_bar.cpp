@@ -27,7 +27,7 @@ std::filesystem::path new_recording_file(const std::filesystem::path& folder) {
     if (!file.exists()) {
       throw geometric::InputError({file.fileName().toStdString(), "",
                                    file.errorString().toStdString(), "a file that can be written",
-                                   "Look whether the folder is full or locked"});
+                                   "Check whether the disk is full or the folder is read-only"});
     }
     file.setFileName(QStringLiteral("%1-%2.csv").arg(stem).arg(i));
   }
@@ -110,7 +110,7 @@ void RecordBar::finish() {
   if (session_.link().tap().rows() == 0) {
     std::error_code ignored;
     std::filesystem::remove(file_, ignored);
-    progress_->setText(tr("Nothing came: no recording"));
+    progress_->setText(tr("No data arrived: nothing was recorded"));
     return;
   }
   progress_->setText(tr("%1 rows kept as %2")
@@ -175,7 +175,7 @@ void RecordBar::show_idle() {
   ticker_.stop();
   button_->setText(tr("Record"));
   refresh_icon();
-  button_->setToolTip(tr("Write what comes from the glove to a file; its name is asked after"));
+  button_->setToolTip(tr("Record the glove to a file; you choose its name when you stop"));
   button_->setEnabled(session_.link().state() == StreamState::kStreaming);
 }
 

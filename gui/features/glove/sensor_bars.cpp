@@ -246,17 +246,17 @@ QString SensorBars::explain(int sensor) const {
   text += QLatin1Char('\n') +
           (joints.empty() ? tr("Drives no joint") : tr("Drives %1").arg(joined(joints)));
   if (latest_ && state.verdict == Verdict::kMissing) {
-    return text + QLatin1Char('\n') + tr("This glove does not have it");
+    return text + QLatin1Char('\n') + tr("This glove does not have this sensor");
   }
   if (latest_) {
     text += QLatin1Char('\n') + tr("Seen so far: %1 to %2 counts").arg(state.least).arg(state.most);
   }
   if (state.verdict == Verdict::kDead) {
-    text += QLatin1Char('\n') + tr("Has not moved, though others have: check its cable");
+    text += QLatin1Char('\n') + tr("Does not change although other sensors do: check its cable");
   } else if (state.verdict == Verdict::kSaturated) {
     text += QLatin1Char('\n') + tr("At the end of its range: check its gain and its cable");
   } else if (at_limit(sensor)) {
-    text += QLatin1Char('\n') + tr("Would take the joint beyond its limit");
+    text += QLatin1Char('\n') + tr("Exceeds the limit of the joint");
   }
   return text;
 }

@@ -131,8 +131,8 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
                           tr("Smallest disturbance in N that 1 N of contact forces cannot resist, "
                              "with friction %1; 0 or less: it may slip")
                               .arg(planning::PregraspOptions{}.contact.friction),
-                          tr("Distance of robot and hand to everything else, up to 50 mm"),
-                          tr("What they are ranked by, from 0 to 1"),
+                          tr("Clearance of robot and hand from all other bodies, up to 50 mm"),
+                          tr("Score for the ranking, from 0 to 1"),
                           tr("Simulated: in how many of six directions the object stays in the "
                              "hand")};
   for (int column = 0; column < words.size(); ++column) {
@@ -151,7 +151,7 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
   connect(film_, &QPushButton::clicked, this,
           [this](bool wanted) { emit film_wanted(row(), wanted); });
   plan_->setProperty("role", "primary");
-  plan_->setToolTip(tr("Take it for the goal and plan"));
+  plan_->setToolTip(tr("Set this grasp as the goal, and plan"));
   QToolButton* close = make_close("grasp_close", tr("Leave the goal as it is"));
   connect(close, &QToolButton::clicked, this, [this] {
     hide();
@@ -195,15 +195,17 @@ void GraspCard::show_progress(const std::vector<planning::Pregrasp>& grasps, dou
   progress_->setValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
   list(grasps);
   const int percent = static_cast<int>(std::lround(100.0 * fraction));
-  set_up(grasps.empty() ? tr("Searching for grasps… %1 %").arg(percent)
-                        : tr("The best so far, %1 % searched. Plan to one, or go on.").arg(percent),
-         !grasps.empty(), true);
+  set_up(
+      grasps.empty()
+          ? tr("Searching for grasps… %1 %").arg(percent)
+          : tr("The best so far, %1 % searched. Choose one, or continue the search.").arg(percent),
+      !grasps.empty(), true);
 }
 
 void GraspCard::show_grasps(const std::vector<planning::Pregrasp>& grasps, bool stopped) {
   list(grasps);
-  set_up(stopped ? tr("The best of those found until the search was stopped.")
-                 : tr("The best first; the ghost shows the one chosen."),
+  set_up(stopped ? tr("The best grasps that were found until the search was stopped.")
+                 : tr("The best grasp is first; the ghost shows the selected grasp."),
          true, false);
 }
 

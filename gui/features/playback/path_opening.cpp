@@ -35,9 +35,9 @@ QString note_of(const planning::PlanningProblem& problem, const planning::Path& 
 
 PathOpening::PathOpening(Workbench& workbench)
     : workbench_(workbench),
-      action_(workbench.make_action({}, tr("Open a pa&th…"), {},
-                                    tr("Show a path or trajectory of a file, to play, check, "
-                                       "export or run it"))) {
+      action_(workbench.make_action(
+          {}, tr("Open a pa&th…"), {},
+          tr("Open a path or trajectory file to play, check, export or run it"))) {
   action_->setObjectName(QStringLiteral("open_path"));
   workbench_.add_to_menu(MainMenu::kFile, {0, 3}, action_);
   workbench_.add_work([this] { return job_.is_busy(); });
@@ -75,11 +75,11 @@ void PathOpening::open_wanted() {
 
 void PathOpening::open(const QString& file) {
   if (!workbench_.document.robot()) {
-    refuse(tr("A path needs the robot that it is of: open a scene first."));
+    refuse(tr("Open a scene with the robot of this path first."));
     return;
   }
   if (workbench_.session.is_running()) {
-    refuse(tr("A planner is running: wait for its end, or cancel it."));
+    refuse(tr("A planner is running: wait until it ends, or cancel it."));
     return;
   }
   job_.run([this, file, prepared = workbench_.document.problem()](

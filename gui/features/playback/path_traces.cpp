@@ -38,11 +38,11 @@ PathTraces::PathTraces(Document& document, PathPlayer& player, SceneView& view, 
       player_(player),
       view_(view),
       trails_(add(menu, QStringLiteral("trails"), tr("&Fingertip paths"),
-                  tr("Draw where each fingertip goes"))),
+                  tr("Draw the path of each fingertip"))),
       postures_(add(menu, QStringLiteral("copies"), tr("&Postures along the path"),
                     tr("Draw the robot at even times along the path, from green to orange"))),
       volume_(add(menu, QStringLiteral("volume"), tr("Swept &volume"),
-                  tr("Draw all that the robot passes through"))) {
+                  tr("Draw the swept volume of the robot"))) {
   connect(trails_, &QAction::toggled, this, &PathTraces::update_trails);
   connect(postures_, &QAction::toggled, this, [this](bool on) {
     if (on) {

@@ -360,13 +360,13 @@ QWidget* PlotsPanel::make_top() {
   }
   quantities_->setItemData(
       static_cast<int>(Quantity::kUnlikeness),
-      tr("How far the hand is from the postures that its principal motion directions can reach, "
-         "and from the nearest recorded posture, in normalised joints; 0 is as human as can be"),
+      tr("Distance of the hand from the subspace of its principal motion directions, and from the "
+         "nearest recorded posture, in normalised joints; smaller is more human-like"),
       Qt::ToolTipRole);
   all_->setToolTip(
       tr("The whole path (double click). The wheel zooms, with Ctrl in values; drag "
          "with the right button to move"));
-  export_->setToolTip(tr("Write what is drawn as a picture (PNG, SVG) or a table (CSV)"));
+  export_->setToolTip(tr("Export the plot as a picture (PNG, SVG) or a table (CSV)"));
   return boxed(in_row({quantities_, {value_, 1}, all_, export_}, 10));
 }
 
@@ -391,8 +391,8 @@ void PlotsPanel::take_analysis() {
   switch (analysis_.state()) {
     case State::kNoPath:
       note_->setText(
-          tr("No path yet. Plan one (Ctrl+P), and its joints, its clearance and how "
-             "human its hand looks are drawn here over time."));
+          tr("No path yet. Plan one (Ctrl+P) to plot its joints, its clearance and the "
+             "human-likeness of its hand over time."));
       break;
     case State::kTiming:
       note_->setText(tr("Timing the path…"));
@@ -446,8 +446,7 @@ void PlotsPanel::draw() {
   const bool has_none = !is_of_joints(quantity()) && lines.empty();
   if (has_none) {
     note_->setText(analysis_.curves()
-                       ? tr("This scene names no basis of principal motion directions for its "
-                            "hand, which the hand could be compared with.")
+                       ? tr("The scene has no hand basis, so human-likeness can't be measured.")
                        : tr("Measuring along the path…"));
   }
   middle_->setCurrentWidget(has_none ? static_cast<QWidget*>(note_) : curves_);

@@ -158,7 +158,8 @@ PmdPanel::PmdPanel(RecordedHand& recorded, QWidget* parent)
       tr("This scene names no PMD basis for its hand. Choose one, or make one from postures of a "
          "person, to move the hand along its principal motion directions and to plan "
          "human-like."));
-  choose_->setToolTip(tr("Bases of this hand: that ship, from files, or of captured postures"));
+  choose_->setToolTip(
+      tr("Choose a basis of this hand: one that ships, a file, or captured postures"));
   lay_out(*this, in_column({axes_, note_, {choose_, 0, Qt::AlignLeft}, likeness_, room()}, 8),
           {12, 10, 12, 10});
   connect(likeness_, &LikenessMeter::configuration_edited, this, &PmdPanel::configuration_edited);

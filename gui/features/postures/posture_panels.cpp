@@ -41,7 +41,7 @@ PostureBar::PostureBar(QWidget* parent)
                   new QPushButton(icon("goal", to_qcolor(kGoalColor)), tr("Go to goal")))),
       postures_(named("postures", new QPushButton(tr("Postures")))),
       menu_(new QMenu(this)) {
-  postures_->setToolTip(tr("Go to a posture that has a name, or save this one under a name"));
+  postures_->setToolTip(tr("Go to a saved posture, or save this one under a name"));
   postures_->setMenu(menu_);
   for (QPushButton* button : {start_, goal_, postures_}) {
     button->setProperty("role", "compact");
@@ -137,7 +137,7 @@ void PosturePanels::add_commands() {
   QAction* goal = workbench_.make_action("goal", tr("Set &goal here"), {},
                                          tr("End in the posture that is shown"));
   QAction* keep = workbench_.make_action("", tr("Save &posture…"), {},
-                                         tr("Give the posture a name, in the scene"));
+                                         tr("Save the posture under a name in the scene"));
   keep->setObjectName(QStringLiteral("keep_posture"));
   int order = 0;
   for (QAction* action : {start, goal, keep}) {
@@ -225,7 +225,7 @@ void KeepPostureDialog::look_at_name() {
   keep_->setEnabled(!name().isEmpty());
   note_->setText(
       taken_.contains(name())
-          ? tr("It takes the place of the posture of that name.")
+          ? tr("It replaces the posture of that name.")
           : tr("Postures are saved with the scene. Joints of other parts stay where they "
                "are when the robot goes to it."));
 }

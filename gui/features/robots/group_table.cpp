@@ -105,7 +105,7 @@ GroupTable::GroupTable(QWidget* parent) : QTreeWidget(parent) {
   setRootIsDecorated(false);
   setUniformRowHeights(true);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
-  setToolTip(tr("A box of a selected row decides for all that are selected"));
+  setToolTip(tr("Changing a check box changes all selected rows"));
   connect(this, &QTreeWidget::itemChanged, this,
           [this](QTreeWidgetItem* row, int column) { decide(*row, column); });
   connect(this, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* row) {

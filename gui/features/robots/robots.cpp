@@ -123,12 +123,12 @@ void add_robots(Workbench& workbench) {
   QAction* write = workbench.make_action("", QObject::tr("Export ro&bot…"), {},
                                          QObject::tr("Write the robot with all that is mounted on "
                                                      "it as one URDF with its SRDF"));
-  QAction* first = workbench.make_action("", QObject::tr("Plan &for this robot"), {},
-                                         QObject::tr("Start, goal and joints are the selected "
-                                                     "robot's from now on"));
-  QAction* setup = workbench.make_action("", QObject::tr("Robot set&up…"), {},
-                                         QObject::tr("Look for what is suspicious in the robot, "
-                                                     "sample its self-collisions, write its SRDF"));
+  QAction* first =
+      workbench.make_action("", QObject::tr("Plan &for this robot"), {},
+                            QObject::tr("Use the selected robot for start, goal and joints"));
+  QAction* setup = workbench.make_action(
+      "", QObject::tr("Robot set&up…"), {},
+      QObject::tr("Find mistakes of the robot file, sample self-collisions, and write the SRDF"));
   QAction* open = workbench.make_action("", QObject::tr("Open a robot…"), {},
                                         QObject::tr("Begin a scene with a robot file"));
   open->setObjectName(QStringLiteral("open_robot"));

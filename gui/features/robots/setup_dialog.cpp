@@ -128,7 +128,7 @@ QWidget* SetupDialog::make_view() {
 }
 
 QWidget* SetupDialog::make_choices() {
-  wrist_->setToolTip(tr("What the joints between root and palm belong to"));
+  wrist_->setToolTip(tr("Group of the joints between root and palm"));
   wrist_->addItem(tr("Not decided: with the hand"));
   wrist_->addItem(tr("Of the arm"));
   wrist_->addItem(tr("Of the hand"));
@@ -151,7 +151,7 @@ QWidget* SetupDialog::make_sampling() {
   progress_->setRange(0, kSteps);
   progress_->setTextVisible(false);
   progress_->setAccessibleName(sampling_->text());
-  cancel_->setToolTip(tr("Go on with the samples that there are"));
+  cancel_->setToolTip(tr("Continue with the samples drawn so far"));
   for (QPushButton* button : {cancel_, again_}) {
     button->setAutoDefault(false);
   }
@@ -192,7 +192,7 @@ QWidget* SetupDialog::make_pairs() {
 }
 
 QWidget* SetupDialog::make_panel() {
-  list_->setAccessibleName(tr("What looks suspicious"));
+  list_->setAccessibleName(tr("Suspicious findings"));
   list_->setWordWrap(true);
   list_->setSpacing(3);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -258,9 +258,9 @@ void SetupDialog::show_robot() {
   wrist_->setCurrentIndex(0);
   const QString file = QString::fromStdString(chosen().srdf.string());
   show_outcome(file.isEmpty()
-                   ? tr("%1 comes from no URDF: export it as one first.").arg(robot_->currentText())
+                   ? tr("%1 has no URDF: export it as one robot first.").arg(robot_->currentText())
                : std::filesystem::exists(chosen().srdf)
-                   ? tr("Brings %1 up to date; the rest of it stays.").arg(file)
+                   ? tr("Updates %1; the rest of the file is unchanged.").arg(file)
                    : tr("There is no SRDF yet: sampled pairs and proposed groups are used. "
                         "Writes %1.")
                          .arg(file),
@@ -438,7 +438,7 @@ void SetupDialog::write() {
   write_->setEnabled(false);
   show_outcome(tr("Writing %1…").arg(file), false);
   editor_.set_model(robot.name, robot.model, [this, file](const QString& problem) {
-    show_outcome(problem.isEmpty() ? tr("Wrote %1; the scene goes on with it.").arg(file) : problem,
+    show_outcome(problem.isEmpty() ? tr("Wrote %1; the scene uses it now.").arg(file) : problem,
                  !problem.isEmpty());
     write_->setEnabled(true);
     if (problem.isEmpty()) {

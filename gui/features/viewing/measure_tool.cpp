@@ -75,7 +75,7 @@ MeasureCard::MeasureCard(QWidget* host)
     : FloatingCard(host, "measure_card", "legend"), text_(named("measure_text", new QLabel)) {
   text_->setTextFormat(Qt::RichText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  QToolButton* close = make_close("measure_close", tr("Measure no more (Esc)"));
+  QToolButton* close = make_close("measure_close", tr("End measuring (Esc)"));
   connect(close, &QToolButton::clicked, this, &MeasureCard::closed);
   lay_out(*this, in_row({{text_, 1}, {close, 0, Qt::AlignTop}}), {12, 8, 8, 8});
 }
@@ -96,7 +96,7 @@ MeasureTool::MeasureTool(Workbench& workbench)
     : workbench_(workbench),
       action_(workbench.make_action(QStringLiteral("measure"), tr("&Measure distances"),
                                     QKeySequence(Qt::Key_D),
-                                    tr("Measure from one point to another that you click on"))),
+                                    tr("Measure the distance of two points that you click on"))),
       card_(new MeasureCard(&workbench.view)) {
   action_->setCheckable(true);
   workbench_.add_to_menu(MainMenu::kView, {1, 10}, action_);
@@ -246,7 +246,7 @@ void MeasureTool::draw(const std::optional<SceneHit>& end) {
 void MeasureTool::show_card() {
   if (!to_) {
     card_->show_text(from_ ? tr("Click on the second point.")
-                           : tr("Click on a point. Corners attract."));
+                           : tr("Click on a point. The pointer snaps to corners."));
     return;
   }
   const UnitText unit = unit_text(workbench_.preferences.values().units.length);

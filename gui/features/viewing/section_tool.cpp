@@ -33,7 +33,7 @@ SectionCard::SectionCard(QWidget* host)
                    new QuantityField(QuantityField::Kind::kLength, -kFarthest, kFarthest))),
       other_side_(named("section_side", new QCheckBox(tr("Other side")))) {
   axis_->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
-  slider_->setAccessibleName(tr("Place of the section"));
+  slider_->setAccessibleName(tr("Position of the section plane"));
   slider_->setRange(0, kSteps);
   field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   other_side_->setToolTip(tr("Cut away the other side of the objects"));
