@@ -93,7 +93,7 @@ std::string clamp_text(const std::vector<MappedRecording>& recordings,
     }
   }
   return text.empty() ? fmt::format("All {} samples are within the joint limits.\n", samples)
-                      : fmt::format("Samples clamped to joint limits, of {}:\n", samples) + text;
+                      : fmt::format("Clamped to joint limits, of {} samples:\n", samples) + text;
 }
 
 /// A line of cumulative shares, in percent, for each of the named analyses.

@@ -147,7 +147,7 @@ TEST_F(Send, StopsOnRequestWithinATenthOfASecond) {
     }
     return std::string();
   };
-  ASSERT_THAT(skip_to("1.0 of "), HasSubstr("arm up to")) << "progress";
+  ASSERT_THAT(skip_to("1.0 of "), HasSubstr("arm error up to")) << "progress";
   sending.send(SIGINT);
   const std::string stopped = skip_to("STOPPED");
   EXPECT_EQ(sending.wait(), kMotionStopped);
@@ -189,7 +189,7 @@ TEST_F(SendToAFloodingHand, EndsOnRequestUnderWay) {
   while (!line.empty() && line.find("0.5 of") == std::string::npos) {
     line = sending.read_line();
   }
-  ASSERT_THAT(line, HasSubstr("arm up to"));
+  ASSERT_THAT(line, HasSubstr("arm error up to"));
   proxy_->flood();
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_LT(interrupt(sending), 2.0) << "at most 1.5 s until the devices are seen at rest";
@@ -218,7 +218,7 @@ class SendInAnEditedScene : public Send {
     sending_ = std::make_unique<BackgroundProcess>(
         std::vector<std::string>{"send", (line_.folder() / "path.csv").string(), "--scene",
                                  edited_.string(), "--to", targets_, "--yes"});
-    ASSERT_THAT(skip_to("0.5 of "), HasSubstr("arm up to"));
+    ASSERT_THAT(skip_to("0.5 of "), HasSubstr("arm error up to"));
   }
 
   std::string skip_to(const std::string& words) {
