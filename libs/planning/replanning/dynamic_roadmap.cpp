@@ -552,8 +552,8 @@ PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop
 }
 
 const char* to_string(ReplanSource source) {
-  static constexpr std::array kWords{"No path", "Reused the last path", "Found in the roadmap",
-                                     "Repaired the last path", "Planned from scratch"};
+  static constexpr std::array kWords{"No path", "Previous path still valid", "Found in the roadmap",
+                                     "Repaired the previous path", "Planned from scratch"};
   return kWords.at(static_cast<std::size_t>(source));
 }
 

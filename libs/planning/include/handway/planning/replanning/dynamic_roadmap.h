@@ -69,7 +69,7 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
   std::unique_ptr<Replanner> replanner_;
 };
 
-/// Text for display: "Reused the last path", "Found in the roadmap", …
+/// Text for display: "Previous path still valid", "Found in the roadmap", …
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(ReplanSource source);
 
 }  // namespace handway::planning
