@@ -204,7 +204,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
       arcs_(new QCheckBox(tr("Round the corners"))),
       deviation_(make_number(0.001, 10.0, planning::BlendOptions{}.deviation, 3, tr(" rad"))),
       any_robot_(named("export_any_robot", new QCheckBox(tr("Any robot")))),
-      too_close_(named("export_too_close", new QCheckBox(tr("Export despite low clearance")))),
+      too_close_(named("export_too_close", new QCheckBox(tr("Accept low clearance")))),
       preview_(new MotionPreview),
       folder_(named("export_folder", new QLineEdit(QDir::homePath()))),
       export_button_(named("export_now", new QPushButton(tr("Export")))),
