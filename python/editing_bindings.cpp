@@ -5,13 +5,19 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/setup/mounting.h"
 #include "handway/geometric/setup/moving_group.h"
+#include "handway/geometric/setup/placing.h"
+#include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/robot_edits.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "planner_model.h"
 #include "scene_questions.h"
 
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -115,16 +121,8 @@ std::unique_ptr<SceneModel> with_objects(const SceneModel& model, const py::obje
 }
 
 geometric::SceneObject& needed_object(Scene& scene, const std::string& name) {
-  const auto found = std::ranges::find(scene.objects, name, &geometric::SceneObject::name);
-  if (found == scene.objects.end()) {
-    std::vector<std::string> names;
-    for (const geometric::SceneObject& object : scene.objects) {
-      names.push_back(object.name);
-    }
-    throw InputError({"object", "", "\"" + name + "\"", "an object of the scene",
-                      geometric::advise_name(name, names)});
-  }
-  return *found;
+  planning::need_objects(scene, {name});
+  return *std::ranges::find(scene.objects, name, &geometric::SceneObject::name);
 }
 
 std::unique_ptr<SceneModel> without_object(const SceneModel& model, const std::string& name) {
@@ -200,6 +198,128 @@ std::unique_ptr<SceneModel> with_group(const SceneModel& model, const py::args& 
   return changed(model, std::move(scene));
 }
 
+using planning::ObjectNames;
+using planning::SceneState;
+
+SceneState state_of(const SceneModel& model) {
+  return {std::make_shared<const Scene>(model.scene()), model.problem().basis};
+}
+
+// The first robot's configuration, which attached objects go with.
+const geometric::Configuration& posture_of(const SceneModel& model) {
+  return model.problem().start;
+}
+
+std::unique_ptr<SceneModel> made(const SceneState& state) {
+  const py::gil_scoped_release release;
+  return std::make_unique<SceneModel>(state.scene, state.basis);
+}
+
+int axis_from(const std::string& name) {
+  const std::size_t axis = std::string("xyz").find(name);
+  if (name.size() != 1 || axis == std::string::npos) {
+    throw InputError({"axis", "", "\"" + name + "\"", "x, y or z", ""});
+  }
+  return static_cast<int>(axis);
+}
+
+planning::AlignTo side_from(const std::string& name) {
+  if (name == "min") {
+    return planning::AlignTo::kLeast;
+  }
+  if (name == "max") {
+    return planning::AlignTo::kMost;
+  }
+  if (name != "centre") {
+    throw InputError({"to", "", "\"" + name + "\"", "min, centre or max", ""});
+  }
+  return planning::AlignTo::kCentre;
+}
+
+py::array_t<double> object_pose_of(const SceneModel& model, const std::string& name,
+                                   const py::object& q) {
+  planning::need_objects(model.scene(), {name});
+  const geometric::Configuration at =
+      q.is_none() ? posture_of(model)
+                  : vector_from(py::cast<Array>(q), model.robot().variable_count(), "q");
+  const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> X_WO =
+      object_pose(model.scene(), at, *geometric::find_object(model.scene(), name)).matrix();
+  return py::array_t<double>({4, 4}, X_WO.data());
+}
+
+std::unique_ptr<SceneModel> aligned_scene(const SceneModel& model, const ObjectNames& objects,
+                                          const std::string& axis, const std::string& to) {
+  planning::need_objects(model.scene(), objects);
+  return made(aligned(state_of(model), posture_of(model), objects, axis_from(axis), side_from(to)));
+}
+
+std::unique_ptr<SceneModel> distributed_scene(const SceneModel& model, const ObjectNames& objects,
+                                              const std::string& axis) {
+  planning::need_objects(model.scene(), objects);
+  return made(distributed(state_of(model), posture_of(model), objects, axis_from(axis)));
+}
+
+std::unique_ptr<SceneModel> with_rows(const SceneModel& model, const ObjectNames& objects,
+                                      const std::array<int, 3>& count,
+                                      const std::array<double, 3>& spacing) {
+  planning::need_objects(model.scene(), objects);
+  if (std::ranges::any_of(count, [](int n) { return n < 1 || n > 100; })) {
+    throw InputError({"count", "", "a number that is not from 1 to 100", "three such numbers", ""});
+  }
+  const planning::LinearArray rows{{count[0], count[1], count[2]},
+                                   {spacing[0], spacing[1], spacing[2]}};
+  return made(copied(state_of(model), posture_of(model), objects, rows.motions()).state);
+}
+
+std::unique_ptr<SceneModel> with_circle(const SceneModel& model, const ObjectNames& objects,
+                                        int copies, const std::string& axis,
+                                        const std::array<double, 3>& centre, double angle,
+                                        bool turning) {
+  planning::need_objects(model.scene(), objects);
+  if (copies < 2 || copies > 1000) {
+    throw InputError({"copies", "", std::to_string(copies), "a number from 2 to 1000", ""});
+  }
+  const planning::CircularArray circle{
+      copies, axis_from(axis), {centre[0], centre[1], centre[2]}, angle, turning};
+  const Eigen::Vector3d middle = bounds(model.scene(), posture_of(model), objects).centre();
+  return made(copied(state_of(model), posture_of(model), objects, circle.motions(middle)).state);
+}
+
+std::unique_ptr<SceneModel> dropped_scene(const SceneModel& model, const ObjectNames& objects) {
+  planning::need_objects(model.scene(), objects);
+  for (const std::string& name : objects) {
+    if (geometric::find_object(model.scene(), name)->attachment) {
+      throw InputError({"objects", "", "\"" + name + "\", which is attached to a link",
+                        "an object that stands in the world", "Detach it first"});
+    }
+  }
+  return made(dropped(state_of(model), posture_of(model), objects));
+}
+
+std::unique_ptr<SceneModel> attached_scene(const SceneModel& model, const ObjectNames& objects,
+                                           const std::string& link,
+                                           const std::vector<std::string>& touching) {
+  planning::need_objects(model.scene(), objects);
+  return made(attached(state_of(model), posture_of(model), objects,
+                       {model.scene().robots.front().name, link}, touching));
+}
+
+std::unique_ptr<SceneModel> detached_scene(const SceneModel& model, const ObjectNames& objects) {
+  planning::need_objects(model.scene(), objects);
+  return made(detached(state_of(model), posture_of(model), objects));
+}
+
+std::unique_ptr<SceneModel> mounted_scene(const SceneModel& model, const std::string& robot,
+                                          const std::string& mount, const std::string& link,
+                                          const py::object& X) {
+  return made(with_mount(state_of(model), posture_of(model), robot, {mount, link},
+                         pose_or_identity(X, "X")));
+}
+
+std::unique_ptr<SceneModel> unmounted_scene(const SceneModel& model, const std::string& robot) {
+  return made(without_mount(state_of(model), posture_of(model), robot));
+}
+
 void save(const SceneModel& model, const py::object& file) {
   geometric::write_scene(model.scene(), text_of(file));
 }
@@ -261,6 +381,49 @@ void bind_editing(py::module_& module) {
            "names: names of groups, robots and joints; without any, everything of the first robot\n"
            "moves.\n"
            "Robots that stand beside the first one and are named become one robot with it.")
+      .def("object_pose", &object_pose_of, py::arg("name"), py::arg("q") = py::none(),
+           "Returns the pose X_WO of an object in the world, [4, 4], m.\n\n"
+           "q: [variables], rad or m, which an attached object goes with; the start if None.")
+      .def("aligned", &aligned_scene, py::arg("objects"), py::kw_only(), py::arg("axis") = "x",
+           py::arg("to") = "centre",
+           "Returns this scene with objects aligned with the last one.\n\n"
+           "objects: a list of names. axis: x, y or z of the world. to: the side of the bounding\n"
+           "boxes: min, centre or max.")
+      .def("distributed", &distributed_scene, py::arg("objects"), py::kw_only(),
+           py::arg("axis") = "x",
+           "Returns this scene with equal gaps between objects.\n\n"
+           "objects: a list of three or more names. axis: x, y or z of the world.")
+      .def("with_rows", &with_rows, py::arg("objects"), py::kw_only(), py::arg("count"),
+           py::arg("spacing"),
+           "Returns this scene with copies of objects in rows.\n\n"
+           "count: numbers along x, y and z of the world, the originals included. spacing:\n"
+           "distances of neighbours, m.")
+      .def(
+          "with_circle", &with_circle, py::arg("objects"), py::kw_only(), py::arg("copies"),
+          py::arg("axis") = "z", py::arg("centre") = std::array<double, 3>{0.0, 0.0, 0.0},
+          py::arg("angle") = 2.0 * std::numbers::pi, py::arg("turning") = true,
+          "Returns this scene with copies of objects around an axis of the world.\n\n"
+          "copies: their number, the originals included. centre: a point of the axis, m. angle:\n"
+          "from the first to the last, rad; a full turn spreads them evenly. turning: whether the\n"
+          "copies turn along.")
+      .def("dropped", &dropped_scene, py::arg("objects"),
+           "Returns this scene with objects dropped onto the surface below them, or the floor.")
+      .def(
+          "attached", &attached_scene, py::arg("objects"), py::arg("link"), py::kw_only(),
+          py::arg("touching") = std::vector<std::string>{},
+          "Returns this scene with objects attached to a link of the robot, where they are at the\n"
+          "start.\n\n"
+          "touching: links that may touch them. Objects that rest on something are raised by\n"
+          "0.5 mm at most.")
+      .def("detached", &detached_scene, py::arg("objects"),
+           "Returns this scene with objects detached: they stay where they are at the start.")
+      .def("mounted", &mounted_scene, py::arg("robot"), py::kw_only(), py::arg("mount"),
+           py::arg("link"), py::arg("X") = py::none(),
+           "Returns this scene with a robot mounted on another one.\n\n"
+           "mount, link: the robot of the scene, or a part of it, and its link that carries the\n"
+           "robot. X: the robot's base in that link, [4, 4], m.")
+      .def("unmounted", &unmounted_scene, py::arg("robot"),
+           "Returns this scene with a mounted robot taken off: it stays where it is.")
       .def("save", &save, py::arg("file"), "Writes a scene file (YAML).\n\nfile: replaced whole.")
       .def("export", &export_scene, py::arg("format"), py::arg("folder"),
            "Writes the scene for other programs.\n\n"

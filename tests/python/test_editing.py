@@ -26,6 +26,45 @@ class Editing(unittest.TestCase):
         there = scene.with_object_at("can", X)
         self.assertTrue(there.collides(scene.start))
 
+    def test_arranges_objects(self):
+        scene = can_on_table()
+        bricks = [
+            {"name": name, "box": {"size": [0.1, 0.1, 0.1]}, "pose": {"xyz": [3, y, 1]}}
+            for name, y in (("a", 0), ("b", 0.3), ("c", 1))
+        ]
+        scene = scene.with_objects(bricks)
+
+        def place(s, name):
+            return s.object_pose(name)[:3, 3]
+
+        even = scene.distributed(["a", "b", "c"], axis="y")
+        np.testing.assert_allclose(place(even, "b"), [3, 0.5, 1], atol=1e-9)
+        level = scene.dropped(["a"])
+        np.testing.assert_allclose(place(level, "a")[2], 0.0505, atol=1e-9)
+        np.testing.assert_allclose(place(level.aligned(["b", "a"], axis="z"), "b")[2], 0.0505)
+        rows = scene.with_rows(["a"], count=(2, 1, 2), spacing=(0.2, 0, 0.3))
+        self.assertEqual(rows.objects[-3:], ["a 2", "a 3", "a 4"])
+        np.testing.assert_allclose(place(rows, "a 4"), [3.2, 0, 1.3], atol=1e-9)
+        ring = scene.with_circle(["a"], copies=4, centre=(2, 0, 0))
+        np.testing.assert_allclose(place(ring, "a 3"), [1, 0, 1], atol=1e-9)
+        with self.assertRaisesRegex(handway.InputError, "x, y or z"):
+            scene.aligned(["a", "b"], axis="w")
+        with self.assertRaisesRegex(handway.InputError, "object"):
+            scene.dropped(["d"])
+
+    def test_attaches_where_the_object_is(self):
+        scene = can_on_table()
+        held = scene.attached(["can"], "palm")
+        np.testing.assert_allclose(
+            held.object_pose("can")[:2, 3], scene.object_pose("can")[:2, 3], atol=1e-9
+        )
+        with self.assertRaisesRegex(handway.InputError, "attached"):
+            held.dropped(["can"])
+        free = held.detached(["can"])
+        np.testing.assert_allclose(free.object_pose("can"), held.object_pose("can"), atol=1e-9)
+        with self.assertRaisesRegex(handway.InputError, "plam"):
+            scene.attached(["can"], "plam")
+
     def test_refuses_in_words(self):
         scene = can_on_table()
         with self.assertRaisesRegex(handway.InputError, "can"):
@@ -42,6 +81,15 @@ class Editing(unittest.TestCase):
         self.assertEqual(len(whole.hand), 13)
         with self.assertRaisesRegex(handway.InputError, "flange"):
             scene.with_robot("sah_right", "hand", mount="arm", link="flange")
+
+    def test_takes_a_hand_off_and_on(self):
+        whole = handway.new_scene("tx90", "arm").with_robot(
+            "sah_right", "hand", mount="arm", link="flange_link"
+        )
+        apart = whole.unmounted("hand")
+        self.assertEqual(len(apart.variables), 6)
+        again = apart.mounted("hand", mount="arm", link="flange_link")
+        self.assertEqual(len(again.variables), 19)
 
     def test_moves_by_groups_and_robots(self):
         scene = handway.new_scene("ur5e_class", "left")

@@ -532,8 +532,7 @@ void SceneEditor::set_solid(const std::vector<std::string>& objects, bool solid)
 void SceneEditor::attach(const std::string& robot, const std::string& link,
                          const std::vector<std::string>& touching) {
   const geometric::Configuration& q = document_.configuration();
-  const auto X_WL = can_change() ? link_pose(*state().scene, q, robot, link) : std::nullopt;
-  if (X_WL) {
+  if (can_change() && link_pose(*state().scene, q, robot, link)) {
     // An object that touches its support could not be moved at all.
     const double rise = rise_to_clear(state(), changeable());
     const QString to = QString::fromStdString(robot + '/' + link);
@@ -541,11 +540,8 @@ void SceneEditor::attach(const std::string& robot, const std::string& link,
         rise > 0.0 ? tr("Attach %1 to %2, raised by %3 mm")
                          .arg(QStringLiteral("%1"), to, QString::number(1e3 * rise, 'f', 1))
                    : tr("Attach %1 to %2").arg(QStringLiteral("%1"), to);
-    change_selected(text, "", [&](SceneObject& changed) {
-      const Pose X_WO = object_pose(*state().scene, q, changed);
-      changed.X_PO = X_WL->inverse() * Eigen::Translation3d(0.0, 0.0, rise) * X_WO;
-      changed.attachment = geometric::Attachment{robot, link, touching};
-    });
+    const planning::SceneState next = attached(state(), q, changeable(), {robot, link}, touching);
+    change_selected(text, "", [&](SceneObject& changed) { changed = *next.find(changed.name); });
   }
 }
 
@@ -554,10 +550,9 @@ void SceneEditor::detach() {
     return state().find(name)->attachment.has_value();
   });
   if (any) {
-    change_selected(tr("Detach %1"), "", [&](SceneObject& changed) {
-      changed.X_PO = object_pose(*state().scene, document_.configuration(), changed);
-      changed.attachment.reset();
-    });
+    const planning::SceneState next = detached(state(), document_.configuration(), changeable());
+    change_selected(tr("Detach %1"), "",
+                    [&](SceneObject& changed) { changed = *next.find(changed.name); });
   }
 }
 

@@ -1,5 +1,6 @@
 #include "handway/planning/edits/arranging.h"
 
+#include "handway/geometric/io/input_error.h"
 #include "handway/planning/edits/scene_edits.h"
 
 #include <Eigen/Geometry>
@@ -10,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace handway::planning {
@@ -274,6 +276,28 @@ double rise_to_clear(const SceneState& state, const ObjectNames& names) {
     }
   }
   return rise > kNoMove ? rise : 0.0;
+}
+
+SceneState attached(const SceneState& state, const Configuration& q, const ObjectNames& names,
+                    const LinkOfRobot& on, const std::vector<std::string>& touching) {
+  const std::optional<Pose> X_WL = link_pose(*state.scene, q, on.robot, on.link);
+  if (!X_WL) {
+    throw geometric::InputError({"scene " + state.scene->name, "",
+                                 "the link \"" + on.link + "\" of \"" + on.robot + "\"",
+                                 "a link of a robot of the scene", ""});
+  }
+  const Eigen::Translation3d rise(0.0, 0.0, rise_to_clear(state, names));
+  return with_changed_objects(state, names, [&](SceneObject& object) {
+    object.X_PO = X_WL->inverse() * rise * object_pose(*state.scene, q, object);
+    object.attachment = geometric::Attachment{on.robot, on.link, touching};
+  });
+}
+
+SceneState detached(const SceneState& state, const Configuration& q, const ObjectNames& names) {
+  return with_changed_objects(state, names, [&](SceneObject& object) {
+    object.X_PO = object_pose(*state.scene, q, object);
+    object.attachment.reset();
+  });
 }
 
 }  // namespace handway::planning

@@ -1,5 +1,6 @@
 #include "handway/planning/edits/scene_edits.h"
 
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/setup/moving_group.h"
 #include "handway/geometric/setup/placing.h"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -103,6 +105,18 @@ std::string unused_group(const Scene& scene, const std::string& group) {
       return scene.display.of(object.name).group == word;
     });
   });
+}
+
+void need_objects(const Scene& scene, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (geometric::find_object(scene, name) != nullptr) {
+      continue;
+    }
+    std::vector<std::string> there;
+    std::ranges::transform(scene.objects, std::back_inserter(there), &SceneObject::name);
+    throw geometric::InputError({"scene " + scene.name, "", "the object \"" + name + "\"",
+                                 "an object of the scene", geometric::advise_name(name, there)});
+  }
 }
 
 SceneState with_object(const SceneState& state, SceneObject object) {

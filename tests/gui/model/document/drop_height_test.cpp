@@ -1,3 +1,4 @@
+#include "handway/geometric/setup/placing.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/geometric/setup/placing.h"
+#include "handway/planning/edits/robot_edits.h"
 #include "handway/planning/edits/scene_state.h"
 #include "handway/planning/export.h"
 
@@ -113,5 +114,21 @@ struct Copies {
 /// rest there, and objects in a link's frame are held: neither counts.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double rise_to_clear(const SceneState& state,
                                                            const ObjectNames& names);
+
+/// Attaches objects to a link, at the poses in the world that they have at `q`. Objects that rest
+/// on something are raised by rise_to_clear(): they could not be moved at all otherwise.
+/// @param on a robot of the scene and one of its links, by the name in the robot's model.
+/// @param touching links that may touch the objects.
+/// @throws InputError if there is no such robot or link.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState attached(const SceneState& state,
+                                                          const geometric::Configuration& q,
+                                                          const ObjectNames& names,
+                                                          const LinkOfRobot& on,
+                                                          const std::vector<std::string>& touching);
+
+/// Detaches objects: they stay in the world at the poses that they have at `q`.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState detached(const SceneState& state,
+                                                          const geometric::Configuration& q,
+                                                          const ObjectNames& names);
 
 }  // namespace handway::planning
