@@ -1,49 +1,17 @@
-#include "handway/geometric/robot/robot_description.h"
-
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/robot_description.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace handway::geometric {
-namespace {
-
-AllowedCollisions::Pair ordered(const std::string& a, const std::string& b) {
-  return std::minmax(a, b);
-}
-
-}  // namespace
-
-const char* to_string(AllowedReason reason) {
-  static constexpr std::array<const char*, 5> kWords = {"Adjacent", "Always", "Never", "Default",
-                                                        "User"};
-  return kWords[static_cast<std::size_t>(reason)];
-}
-
-void AllowedCollisions::allow(const std::string& link_a, const std::string& link_b,
-                              AllowedReason reason) {
-  entries_[ordered(link_a, link_b)] = reason;
-}
-
-void AllowedCollisions::forbid(const std::string& link_a, const std::string& link_b) {
-  entries_.erase(ordered(link_a, link_b));
-}
-
-std::optional<AllowedReason> AllowedCollisions::reason(const std::string& link_a,
-                                                       const std::string& link_b) const {
-  const auto entry = entries_.find(ordered(link_a, link_b));
-  return entry == entries_.end() ? std::nullopt : std::optional(entry->second);
-}
-
 namespace {
 
 /// Place in the file where a coupling is written.
@@ -167,25 +135,6 @@ void check(RobotDescription& robot, const JointCoupling& coupling, const Place& 
 
 }  // namespace
 
-void narrow_limits(RobotDescription& robot, Joint& joint, std::optional<double> lower,
-                   std::optional<double> upper, const std::string& source) {
-  JointLimits narrowed = joint.limits;
-  narrowed.lower = std::max(narrowed.lower, lower.value_or(narrowed.lower));
-  narrowed.upper = std::min(narrowed.upper, upper.value_or(narrowed.upper));
-  const bool has_both_ends = std::isfinite(narrowed.lower) == std::isfinite(narrowed.upper);
-  if (has_both_ends &&
-      (narrowed.lower < narrowed.upper ||
-       (narrowed.lower == joint.limits.lower && narrowed.upper == joint.limits.upper))) {
-    joint.limits = narrowed;
-    return;
-  }
-  robot.warnings.push_back(
-      fmt::format("joint {}: limits {} to {} of {} are not kept: {}", joint.name,
-                  lower ? fmt::format("{:g}", *lower) : "(none)",
-                  upper ? fmt::format("{:g}", *upper) : "(none)", source,
-                  has_both_ends ? "they leave it no range" : "it has no end on the other side"));
-}
-
 void couple_joint(RobotDescription& robot, const JointCoupling& coupling, const std::string& source,
                   const std::string& element) {
   const Place place{source, element};
@@ -219,63 +168,6 @@ void couple_joint(RobotDescription& robot, const JointCoupling& coupling, const 
   robot.joints.insert(rest, std::make_move_iterator(chain.begin()),
                       std::make_move_iterator(chain.end()));
   robot.couplings.push_back(coupling);
-}
-
-namespace {
-
-const Eigen::Vector3d kMirror(1.0, -1.0, 1.0);
-
-/// The frame's mirror image, with its y axis reversed so that it is right-handed again.
-Pose mirrored(const Pose& X) {
-  Pose result = Pose::Identity();
-  result.linear() = kMirror.asDiagonal() * X.linear() * kMirror.asDiagonal();
-  result.translation() = kMirror.cwiseProduct(X.translation());
-  return result;
-}
-
-// Boxes and round shapes are their own mirror images in their frames.
-void mirror(LinkGeometry& geometry) {
-  geometry.X_LG = mirrored(geometry.X_LG);
-  if (auto* mesh = std::get_if<Mesh>(&geometry.shape)) {
-    mesh->scale = kMirror.cwiseProduct(mesh->scale);
-    mesh->triangles = std::make_shared<const TriangleMesh>(
-        transformed(*mesh->triangles, Pose::Identity(), kMirror));
-  }
-}
-
-std::string mirrored_name(const std::string& name) {
-  constexpr std::array<std::pair<const char*, const char*>, 6> kSides{{{"right", "left"},
-                                                                       {"left", "right"},
-                                                                       {"Right", "Left"},
-                                                                       {"Left", "Right"},
-                                                                       {"RIGHT", "LEFT"},
-                                                                       {"LEFT", "RIGHT"}}};
-  for (const auto& [side, other] : kSides) {
-    if (const std::size_t at = name.find(side); at != std::string::npos) {
-      return std::string(name).replace(at, std::string(side).size(), other);
-    }
-  }
-  return name + "_mirrored";
-}
-
-}  // namespace
-
-RobotDescription mirrored(RobotDescription robot) {
-  robot.name = mirrored_name(robot.name);
-  for (Link& link : robot.links) {
-    for (std::vector<LinkGeometry>* shapes : {&link.visual, &link.collision}) {
-      for (LinkGeometry& geometry : *shapes) {
-        mirror(geometry);
-      }
-    }
-  }
-  for (Joint& joint : robot.joints) {
-    joint.X_PJ = mirrored(joint.X_PJ);
-    // The mirror image of a rotation has the reverse direction.
-    const double sense = joint.type == JointType::kRevolute ? -1.0 : 1.0;
-    joint.axis = sense * kMirror.cwiseProduct(joint.axis);
-  }
-  return robot;
 }
 
 }  // namespace handway::geometric
