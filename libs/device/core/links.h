@@ -6,16 +6,31 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
 
 namespace handway::device {
 
+/// Returns the number of a port. @param text the address that has it, for messages.
+/// @throws geometric::InputError if it is no number from 1 to 65535.
+[[nodiscard]] std::uint16_t parse_port(const std::string& text, std::string_view port);
+
+/// Opens a serial port. @throws DeviceError if that is not possible.
 [[nodiscard]] std::unique_ptr<ByteLink> open_serial_link(const std::string& path, int baud);
 
-/// @param name as the user wrote the address.
+/// Connects to a device. @param name as the user wrote the address.
+/// @throws DeviceError if it does not answer.
 [[nodiscard]] std::unique_ptr<ByteLink> open_tcp_link(const std::string& name,
                                                       const TcpAddress& address,
                                                       const std::stop_token& stop);
+
+/// Waits until a device connects to `port` of this computer. @param name as the user wrote it.
+/// @throws DeviceError if the port is taken, or none connects within a minute.
+[[nodiscard]] std::unique_ptr<ByteLink> accept_tcp_link(const std::string& name, std::uint16_t port,
+                                                        const std::stop_token& stop);
 
 /// Limit of the bytes that one turn of a device's loop reads from one connection: a device that
 /// sends without pause must not delay a stop or the other devices.

@@ -1,13 +1,10 @@
-#include "handway/planning/paths/path_file.h"
-
 #include "handway/geometric/formats/joint_table.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
-#include "handway/planning/core/objective.h"
+#include "handway/planning/paths/path_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -299,15 +296,6 @@ Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path&
   return path;
 }
 
-}  // namespace
-
-std::string csv_time(double time) {
-  constexpr double kPerSecond = 1e9;
-  return fmt::format("{}", std::round(time * kPerSecond) / kPerSecond);
-}
-
-namespace {
-
 // Replaces large rotations of continuous joints by the short ones. @returns JointsAtRest::jumps.
 std::vector<std::string> unwrap(const RobotModel& model, Path& path) {
   const std::vector<Configuration> as_read = std::move(path.waypoints);
@@ -325,35 +313,6 @@ std::vector<std::string> unwrap(const RobotModel& model, Path& path) {
   }
   return jumps;
 }
-
-}  // namespace
-
-std::string to_csv(const Path& path, const RobotModel& model) {
-  std::string text = "time";
-  for (int i = 1; i < model.link_count(); ++i) {
-    if (model.mimic_mapping(i).variable >= 0) {
-      text += "," + model.joint(i).name;
-    }
-  }
-  double time = 0.0;
-  for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
-    if (w > 0) {
-      time += least_duration(model, path.waypoints[w - 1], path.waypoints[w]);
-    }
-    text += '\n';
-    text += csv_time(time);
-    for (const geometric::JointValue& joint : geometric::joint_values(model, path.waypoints[w])) {
-      text += fmt::format(",{}", joint.value);
-    }
-  }
-  return text + "\n";
-}
-
-void write_path_csv(const Path& path, const RobotModel& model, const std::filesystem::path& file) {
-  geometric::replace_file(file, to_csv(path, model));
-}
-
-namespace {
 
 /// "a, b, c and 4 more".
 std::string some_of(const std::vector<std::string>& names) {
