@@ -31,7 +31,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolde
       "collision/checkers", "setup", "formats"}},
     {"sampling", {"sequences", "samplers", "regions", "postures"}},
     {"planning",
-     {"core", "spaces", "paths", "roadmap", "timing", "planners", "queries", "extensions",
+     {"edits", "core", "spaces", "paths", "roadmap", "timing", "planners", "queries", "extensions",
       "replanning", "grasps", "campaigns"}},
     {"device", {"core", "glove", "retargeting", "tracker", "arm", "hand", "ros", "haptic"}},
     {"execution", {"motion", "guidance"}},
