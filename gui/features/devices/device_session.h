@@ -17,13 +17,16 @@ class QKeyEvent;
 class QPushButton;
 class QWidget;
 
+namespace handway::planning {
+struct SceneState;
+}
+
 namespace handway::gui {
 
 class DevicesPanel;
 class Document;
 class PathPlayer;
 class Workbench;
-struct planning::SceneState;
 
 /// Controls of the program's windows that stop the robot: keys that no dialog, popup or text field
 /// keeps for itself, and a STOP button in the main window and along the top of every dialog, also

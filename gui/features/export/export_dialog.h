@@ -24,12 +24,15 @@ class QPlainTextEdit;
 class QPushButton;
 class QTabWidget;
 
+namespace handway::planning {
+struct SceneState;
+}
+
 namespace handway::gui {
 
 class Document;
 class TimePlot;
 class Workbench;
-struct planning::SceneState;
 
 /// Makes and writes the files of a motion off the GUI thread. Only the answer to the latest
 /// request counts.
