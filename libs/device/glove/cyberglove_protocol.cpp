@@ -18,7 +18,7 @@ constexpr int kTries = 3;
 constexpr double kBaseRate = 115200.0;
 // Long enough for a unit to finish its present record.
 constexpr milliseconds kQuiet{100};
-constexpr milliseconds kSlice{50};
+constexpr milliseconds kAnswerSlice{50};
 // Bytes that may precede an answer: records of a stream that is ending.
 constexpr std::size_t kLongestAnswer = 4096;
 
@@ -84,7 +84,7 @@ std::optional<CyberGloveReply> CyberGloveCommands::ask(std::span<const std::uint
     link_.write(command);
     while (Clock::now() - begin < timeout_ / kTries && !stop.stop_requested()) {
       std::optional<CyberGloveReply> reply;
-      static_cast<void>(read_turn(link_, kSlice, [&](std::span<const std::uint8_t> bytes) {
+      static_cast<void>(read_turn(link_, kAnswerSlice, [&](std::span<const std::uint8_t> bytes) {
         if (reply) {
           return;
         }

@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr double kSlice = 0.02;  // s, after which a request to stop is seen.
+constexpr double kStopSlice = 0.02;  // s, after which a request to stop is seen.
 
 int sensors_of(const RecordingHeader& header) {
   const auto has = [&](int sensor) { return column_of(header, sensor) >= 0; };
@@ -78,7 +78,7 @@ GloveReading ReplayGlove::do_next(milliseconds timeout, const std::stop_token& s
     if (left <= 0.0 || stop.stop_requested()) {
       return {};
     }
-    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left, kSlice)));
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left, kStopSlice)));
   }
   ++next_;
   for (const int sensor : cyberglove_wired(sensors_)) {

@@ -145,7 +145,7 @@ std::unique_ptr<PolhemusProtocol> make_polhemus_protocol(const PolhemusSettings&
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kSlice{20};
+constexpr milliseconds kReadSlice{20};
 // A Fastrak needs some time after each command.
 constexpr milliseconds kCommandPause{20};
 // Silence that means the end of the stream.
@@ -221,7 +221,7 @@ void PolhemusTracker::wait_for_answer(const std::stop_token& stop) {
     session.send(session.protocol->probe_command());
     const auto end = Clock::now() + settings_.timeout;
     while (Clock::now() < end && !stop.stop_requested()) {
-      take_records(kSlice);
+      take_records(kReadSlice);
       if (session.replies > 0) {
         return;
       }
@@ -274,7 +274,7 @@ TrackerReading PolhemusTracker::do_next(milliseconds timeout, const std::stop_to
   while (session.samples.empty() && !stop.stop_requested()) {
     const auto now = Clock::now();
     const auto left = std::chrono::ceil<milliseconds>(end - now);
-    take_records(std::clamp(left, milliseconds(0), kSlice));
+    take_records(std::clamp(left, milliseconds(0), kReadSlice));
     if (!session.samples.empty()) {
       break;
     }
