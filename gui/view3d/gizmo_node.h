@@ -3,7 +3,7 @@
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/math/units.h"
 #include "view3d/coin_conversions.h"
-#include "view3d/overlay.h"
+#include "view3d/drawing.h"
 
 #include <Eigen/Core>
 

@@ -30,6 +30,9 @@
 namespace handway::gui {
 namespace {
 
+using geometric::Configuration;
+using geometric::Pose;
+
 constexpr double kSpacing = 0.1;  // m
 constexpr int kStrongEvery = 5;
 

@@ -6,6 +6,8 @@
 #include "model/settings/options.h"
 #include "model/settings/orbit_camera.h"
 #include "view3d/coin_conversions.h"
+#include "view3d/drawing.h"
+#include "view3d/frontier.h"
 #include "view3d/gizmo_node.h"
 #include "view3d/overlay.h"
 #include "view3d/robot_node.h"

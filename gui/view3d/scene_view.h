@@ -4,6 +4,8 @@
 #include "model/settings/navigation.h"
 #include "model/settings/options.h"
 #include "model/settings/orbit_camera.h"
+#include "view3d/drawing.h"
+#include "view3d/frontier.h"
 #include "view3d/overlay.h"
 #include "view3d/view_gizmo.h"
 

@@ -6,6 +6,7 @@
 #include "handway/planning/queries/palm_ik.h"
 #include "model/document/prepared_problem.h"
 #include "model/document/reach_words.h"
+#include "view3d/goal_drawings.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "widgets/style/theme.h"

@@ -10,6 +10,7 @@
 #include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
 #include "model/playback/path_player.h"
+#include "view3d/goal_drawings.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 

@@ -12,6 +12,7 @@
 #include "handway/planning/edits/arranging.h"
 #include "handway/planning/edits/resizing.h"
 #include "model/document/document.h"
+#include "view3d/constraint_drawings.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"

@@ -8,6 +8,8 @@
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
+#include "view3d/grasp_drawings.h"
+#include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
 #include "widgets/forms/arrangement.h"

@@ -4,6 +4,7 @@
 #include "model/document/document.h"
 #include "model/planning/path_history.h"
 #include "model/planning/plan_settings.h"
+#include "view3d/microscope_drawing.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"

@@ -3,6 +3,7 @@
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
 #include "model/playback/path_player.h"
+#include "view3d/distance_drawings.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"

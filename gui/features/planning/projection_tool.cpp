@@ -2,7 +2,7 @@
 
 #include "model/document/document.h"
 #include "model/planning/planning_session.h"
-#include "view3d/overlay.h"
+#include "view3d/roadmap_drawings.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/plots/projection_plot.h"
 #include "widgets/style/theme.h"

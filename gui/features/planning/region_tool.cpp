@@ -4,6 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"
 #include "view3d/overlay.h"
+#include "view3d/region_drawings.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/style/theme.h"

@@ -6,6 +6,7 @@
 #include "model/meshes/shaded_meshes.h"
 #include "model/playback/path_player.h"
 #include "view3d/overlay.h"
+#include "view3d/path_drawings.h"
 #include "view3d/scene_view.h"
 
 #include <QAction>

@@ -3,6 +3,7 @@
 #include "features/workbench.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/math/units.h"
+#include "view3d/distance_drawings.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
