@@ -8,7 +8,8 @@
 #include "view3d/scene_view.h"
 #include "widgets/forms/file_dialogs.h"
 #include "widgets/panels/log_panel.h"
-#include "widgets/style/theme.h"
+#include "widgets/style/actions.h"
+#include "widgets/style/icons.h"
 
 #include <QFileDialog>
 #include <QFileIconProvider>

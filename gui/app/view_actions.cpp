@@ -8,7 +8,6 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/desktop_theme.h"
-#include "widgets/style/theme.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>

@@ -5,7 +5,8 @@
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
-#include "widgets/style/theme.h"
+#include "widgets/style/actions.h"
+#include "widgets/style/icons.h"
 
 #include <QHelpEvent>
 #include <QMainWindow>

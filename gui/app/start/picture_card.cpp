@@ -1,6 +1,7 @@
 #include "app/start/picture_card.h"
 
 #include "handway/geometric/io/resources.h"
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QPainter>

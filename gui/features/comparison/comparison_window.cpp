@@ -7,6 +7,7 @@
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/playback_bar.h"
+#include "widgets/style/actions.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

@@ -9,6 +9,7 @@
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/screen_colors.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>

@@ -7,7 +7,8 @@
 #include "handway/planning/edits/scene_edits.h"
 #include "model/document/selection.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/style/theme.h"
+#include "widgets/style/actions.h"
+#include "widgets/style/icons.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

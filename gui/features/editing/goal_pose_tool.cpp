@@ -9,7 +9,7 @@
 #include "view3d/goal_drawings.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
-#include "widgets/style/theme.h"
+#include "widgets/style/actions.h"
 
 #include <QAction>
 

@@ -9,7 +9,7 @@
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/shape_form.h"
 #include "widgets/forms/typed_input.h"
-#include "widgets/style/theme.h"
+#include "widgets/style/icons.h"
 
 #include <QCheckBox>
 #include <QColorDialog>

@@ -1,6 +1,8 @@
 #include "features/editing/scene_tree.h"
 
 #include "model/settings/options.h"
+#include "widgets/style/color_math.h"
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QDragMoveEvent>

@@ -10,6 +10,9 @@
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/screen_colors.h"
+#include "widgets/style/actions.h"
+#include "widgets/style/color_math.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>

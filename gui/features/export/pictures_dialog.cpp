@@ -5,6 +5,7 @@
 #include "widgets/forms/file_dialogs.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/plots/figure_file.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

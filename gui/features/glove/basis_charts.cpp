@@ -1,6 +1,7 @@
 #include "features/glove/basis_charts.h"
 
 #include "features/glove/capture_coach.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QHelpEvent>

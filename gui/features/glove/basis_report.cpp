@@ -2,6 +2,7 @@
 
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QLabel>

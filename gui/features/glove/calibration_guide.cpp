@@ -6,6 +6,7 @@
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QDate>

@@ -5,6 +5,8 @@
 #include "handway/device/glove/human_hand.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/color_math.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QLabel>

@@ -6,6 +6,8 @@
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/typed_input.h"
+#include "widgets/style/color_math.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

@@ -12,6 +12,7 @@
 #include "model/document/edit.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QFileDialog>

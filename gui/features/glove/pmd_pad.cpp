@@ -3,6 +3,7 @@
 #include "features/glove/capture_coach.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/normalised_joints.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QMouseEvent>

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QDateTime>

@@ -2,6 +2,7 @@
 
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/math/units.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QHelpEvent>

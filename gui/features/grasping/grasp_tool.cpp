@@ -13,6 +13,7 @@
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/actions.h"
 #include "widgets/style/theme.h"
 
 #include <QHeaderView>

@@ -8,6 +8,7 @@
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

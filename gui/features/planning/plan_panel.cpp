@@ -7,6 +7,7 @@
 #include "widgets/forms/typed_input.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

@@ -12,7 +12,7 @@
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"
-#include "widgets/style/theme.h"
+#include "widgets/style/actions.h"
 
 #include <QMainWindow>
 #include <QStatusBar>

@@ -5,6 +5,7 @@
 #include "view3d/roadmap_drawings.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/plots/projection_plot.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QColor>

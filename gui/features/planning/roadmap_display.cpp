@@ -10,6 +10,7 @@
 #include "view3d/roadmap_drawings.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QAction>

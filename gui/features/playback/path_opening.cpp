@@ -3,7 +3,7 @@
 #include "features/workbench.h"
 #include "handway/planning/paths/path_file.h"
 #include "widgets/panels/log_panel.h"
-#include "widgets/style/theme.h"
+#include "widgets/style/actions.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

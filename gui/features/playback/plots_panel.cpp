@@ -14,6 +14,7 @@
 #include "widgets/panels/playback_bar.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/screen_colors.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

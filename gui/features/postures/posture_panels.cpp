@@ -10,6 +10,8 @@
 #include "model/settings/options.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/dock_layout.h"
+#include "widgets/style/actions.h"
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QAction>

@@ -8,6 +8,8 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/dock_layout.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

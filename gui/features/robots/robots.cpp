@@ -8,7 +8,7 @@
 #include "view3d/scene_view.h"
 #include "view3d/viewpoints.h"
 #include "widgets/panels/log_panel.h"
-#include "widgets/style/theme.h"
+#include "widgets/style/actions.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

@@ -6,6 +6,8 @@
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/dock_layout.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

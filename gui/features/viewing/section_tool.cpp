@@ -5,7 +5,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/typed_input.h"
-#include "widgets/style/theme.h"
+#include "widgets/style/actions.h"
 
 #include <QCheckBox>
 #include <QComboBox>

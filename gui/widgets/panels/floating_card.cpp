@@ -1,6 +1,7 @@
 #include "widgets/panels/floating_card.h"
 
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QEvent>

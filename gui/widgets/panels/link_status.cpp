@@ -1,6 +1,7 @@
 #include "widgets/panels/link_status.h"
 
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QFrame>

@@ -1,5 +1,6 @@
 #include "widgets/panels/log_panel.h"
 
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QEvent>

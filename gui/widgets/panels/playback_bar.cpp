@@ -2,6 +2,7 @@
 
 #include "model/playback/path_player.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

@@ -3,6 +3,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plan_result.h"
 #include "model/planning/path_history.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QFont>

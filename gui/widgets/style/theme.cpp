@@ -1,26 +1,21 @@
 #include "widgets/style/theme.h"
 
 #include "widgets/style/desktop_theme.h"
+#include "widgets/style/rich_text.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QEvent>
 #include <QFile>
 #include <QFont>
-#include <QKeySequence>
 #include <QLabel>
 #include <QPainter>
 #include <QPalette>
-#include <QPixmap>
-#include <QPixmapCache>
 #include <QRegularExpression>
 #include <QStyle>
 #include <QStyleFactory>
-#include <QSvgRenderer>
 #include <QVariant>
 #include <QWidget>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,50 +23,6 @@
 static void take_resources() { Q_INIT_RESOURCE(workbench); }
 
 namespace handway::gui {
-namespace {
-
-constexpr double kEnough = 3.0;  // of drawings
-constexpr int kSteps = 20;
-
-double linear(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
-double luminance(const QColor& color) {
-  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
-         0.0722 * linear(color.blueF());
-}
-
-}  // namespace
-
-QColor mixed(const QColor& from, const QColor& to, double share) {
-  const auto mix = [share](double a, double b) { return a + share * (b - a); };
-  return QColor::fromRgbF(mix(from.redF(), to.redF()), mix(from.greenF(), to.greenF()),
-                          mix(from.blueF(), to.blueF()), from.alphaF());
-}
-
-double contrast(const QColor& a, const QColor& b) {
-  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
-  return (high + 0.05) / (low + 0.05);
-}
-
-QColor seen_on(const QColor& background, const QColor& color) {
-  const QColor far = contrast(background, Qt::white) > contrast(background, Qt::black)
-                         ? QColor(Qt::white)
-                         : QColor(Qt::black);
-  QColor seen = color;
-  for (int step = 1; step <= kSteps && contrast(seen, background) < kEnough; ++step) {
-    seen = mixed(color, far, static_cast<double>(step) / kSteps);
-  }
-  return seen;
-}
-
-void set_role(QWidget& widget, const QString& role) {
-  widget.setProperty("role", role);
-  widget.style()->unpolish(&widget);
-  widget.style()->polish(&widget);
-}
-
 namespace {
 
 constexpr int kTextSize = 13;  // px
@@ -145,6 +96,42 @@ QString style_sheet(const ThemeColors& colors, Theme theme) {
   return with_scaled_text(sheet);
 }
 
+// Recolours texts that were written in the colours of the theme before.
+void recolor_texts(const ThemeColors& before, const ThemeColors& now) {
+  for (QWidget* widget : QApplication::allWidgets()) {
+    if (auto* label = qobject_cast<QLabel*>(widget)) {
+      QString text = label->text();
+      for (const auto color : {&ThemeColors::text, &ThemeColors::muted, &ThemeColors::accent,
+                               &ThemeColors::good, &ThemeColors::bad}) {
+        text.replace(html(before.*color), html(now.*color));
+      }
+      if (text != label->text()) {
+        label->setText(text);
+      }
+    }
+  }
+}
+
+class ThemeFollower : public QObject {
+ public:
+  ThemeFollower(QWidget& widget, std::function<void()> take)
+      : QObject(&widget), take_(std::move(take)) {
+    widget.installEventFilter(this);
+    take_();
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::PaletteChange) {
+      take_();
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  std::function<void()> take_;
+};
+
 }  // namespace
 
 ThemeColors colors_of(Theme theme) {
@@ -179,26 +166,6 @@ ThemeColors colors_of(Theme theme) {
           {}};
 }
 
-namespace {
-
-// Recolours texts that were written in the colours of the theme before.
-void recolor_texts(const ThemeColors& before, const ThemeColors& now) {
-  for (QWidget* widget : QApplication::allWidgets()) {
-    if (auto* label = qobject_cast<QLabel*>(widget)) {
-      QString text = label->text();
-      for (const auto color : {&ThemeColors::text, &ThemeColors::muted, &ThemeColors::accent,
-                               &ThemeColors::good, &ThemeColors::bad}) {
-        text.replace(html(before.*color), html(now.*color));
-      }
-      if (text != label->text()) {
-        label->setText(text);
-      }
-    }
-  }
-}
-
-}  // namespace
-
 void apply_theme(QApplication& application, Theme theme) {
   apply_theme(application, theme, applied_scale);
 }
@@ -230,135 +197,14 @@ void set_text_size(QPainter& painter, int pixels) {
   painter.setFont(font);
 }
 
-namespace {
-
-class ThemeFollower : public QObject {
- public:
-  ThemeFollower(QWidget& widget, std::function<void()> take)
-      : QObject(&widget), take_(std::move(take)) {
-    widget.installEventFilter(this);
-    take_();
-  }
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::PaletteChange) {
-      take_();
-    }
-    return QObject::eventFilter(watched, event);
-  }
-
- private:
-  std::function<void()> take_;
-};
-
-}  // namespace
-
 void follow_theme(QWidget& widget, std::function<void()> take) {
   new ThemeFollower(widget, std::move(take));
 }
 
-QString html(const QColor& color) { return color.name(QColor::HexRgb); }
-
-QString colored(const QString& text, const QColor& color) {
-  return QStringLiteral("<span style=\"color:%1\">%2</span>")
-      .arg(html(color), text.toHtmlEscaped());
-}
-
-QString dotted(const QString& text, const QColor& color) {
-  return QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
-      .arg(html(color), text.toHtmlEscaped());
-}
-
-namespace {
-
-QByteArray read_drawing(const QString& name) {
-  QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-// Drawings are black; black becomes `color`.
-QPixmap render(const QString& name, const QColor& color, int size) {
-  QByteArray colored = read_drawing(name);
-  colored.replace("#000000", color.name(QColor::HexRgb).toLatin1());
-  QSvgRenderer renderer(colored);
-  QPixmap pixmap(size, size);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setOpacity(color.alphaF());
-  renderer.render(&painter);
-  return pixmap;
-}
-
-void add_sizes(QIcon& icon, const QString& name, const QColor& color, QIcon::Mode mode,
-               QIcon::State state) {
-  for (const int size : {16, 20, 24, 32, 48}) {
-    const QString key = QStringLiteral("handway/%1/%2/%3")
-                            .arg(name, color.name(QColor::HexArgb), QString::number(size));
-    QPixmap pixmap;
-    if (!QPixmapCache::find(key, &pixmap)) {
-      pixmap = render(name, color, size);
-      QPixmapCache::insert(key, pixmap);
-    }
-    icon.addPixmap(pixmap, mode, state);
-  }
-}
-
-}  // namespace
-
-QIcon icon(const QString& name) {
-  const ThemeColors colors = colors_of(current_theme());
-  QColor rest = colors.text;
-  rest.setAlphaF(0.82);
-  QColor faint = colors.muted;
-  faint.setAlphaF(0.45);
-  QIcon result;
-  add_sizes(result, name, rest, QIcon::Normal, QIcon::Off);
-  add_sizes(result, name, colors.accent, QIcon::Normal, QIcon::On);
-  add_sizes(result, name, faint, QIcon::Disabled, QIcon::Off);
-  add_sizes(result, name, faint, QIcon::Disabled, QIcon::On);
-  add_sizes(result, name, colors.on_accent, QIcon::Selected, QIcon::Off);
-  return result;
-}
-
-QIcon icon(const QString& name, const QColor& color) {
-  QIcon result;
-  add_sizes(result, name, color, QIcon::Normal, QIcon::Off);
-  QColor faint = color;
-  faint.setAlphaF(0.4);
-  add_sizes(result, name, faint, QIcon::Disabled, QIcon::Off);
-  add_sizes(result, name, colors_of(current_theme()).on_accent, QIcon::Selected, QIcon::Off);
-  return result;
-}
-
-namespace {
-
-constexpr auto kTip = "handway_tip";  // property of commands: what they do
-
-}  // namespace
-
-QAction* make_action(QObject& parent, const QString& name, const QString& text,
-                     const QKeySequence& keys, const QString& tip) {
-  auto* action = new QAction(text, &parent);
-  action->setObjectName(name);
-  action->setShortcut(keys);
-  if (!tip.isEmpty()) {
-    action->setProperty(kTip, tip);
-    allow(*action, {});
-  }
-  return action;
-}
-
-void allow(QAction& action, const QString& why_not) {
-  const QString tip = action.property(kTip).toString();
-  const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-  QStringList lines(keys.isEmpty() || tip.isEmpty() ? tip
-                                                    : QStringLiteral("%1 (%2)").arg(tip, keys));
-  lines << why_not;
-  lines.removeAll({});
-  action.setToolTip(lines.join(QLatin1Char('\n')));
-  action.setStatusTip(why_not.isEmpty() ? tip : why_not.simplified());
-  action.setEnabled(why_not.isEmpty());
+void set_role(QWidget& widget, const QString& role) {
+  widget.setProperty("role", role);
+  widget.style()->unpolish(&widget);
+  widget.style()->polish(&widget);
 }
 
 }  // namespace handway::gui

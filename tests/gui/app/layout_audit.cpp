@@ -2,6 +2,7 @@
 
 #include "painted_text.h"
 #include "widgets/panels/floating_card.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QAbstractButton>

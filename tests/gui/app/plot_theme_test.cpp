@@ -3,6 +3,7 @@
 #include "patience.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/screen_colors.h"
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 #include "window_test.h"
 

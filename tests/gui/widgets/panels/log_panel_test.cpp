@@ -1,5 +1,6 @@
 #include "widgets/panels/log_panel.h"
 
+#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 #include "window_test.h"
 

@@ -1,3 +1,5 @@
+#include "widgets/style/color_math.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>
