@@ -1,5 +1,7 @@
 #include "view3d/robot_node.h"
 
+#include "model/meshes/crease_normals.h"
+#include "model/meshes/drawn_mesh.h"
 #include "model/meshes/shaded_meshes.h"
 #include "view3d/coin_conversions.h"
 

@@ -1,5 +1,9 @@
+#include "model/meshes/coarse_mesh.h"
+
 #include "handway/geometric/mesh/shape.h"
-#include "model/meshes/shaded_meshes.h"
+#include "model/meshes/crease_normals.h"
+#include "model/meshes/drawn_mesh.h"
+#include "model/meshes/solid_surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
+#include "model/meshes/crease_normals.h"
+
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/mesh/shape.h"
-#include "model/meshes/shaded_meshes.h"
 
 #include <gtest/gtest.h>
 
