@@ -1,6 +1,6 @@
 #include "features/glove/basis_charts.h"
 
-#include "features/glove/capture_coach.h"
+#include "features/glove/joint_label.h"
 #include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 

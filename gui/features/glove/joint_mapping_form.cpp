@@ -1,6 +1,6 @@
 #include "features/glove/joint_mapping_form.h"
 
-#include "features/glove/capture_coach.h"
+#include "features/glove/joint_label.h"
 #include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/math/units.h"

@@ -1,7 +1,7 @@
 #include "features/glove/mapping_editor.h"
 
-#include "features/glove/capture_coach.h"
 #include "features/glove/device_field.h"
+#include "features/glove/joint_label.h"
 #include "features/glove/joint_mapping_form.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/retargeting/mapping_proposal.h"

@@ -1,8 +1,8 @@
 #include "features/glove/pmd_explorer.h"
 
 #include "features/glove/basis_charts.h"
-#include "features/glove/capture_coach.h"
 #include "features/glove/device_field.h"
+#include "features/glove/joint_label.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"
 

@@ -1,6 +1,6 @@
 #include "features/glove/pmd_pad.h"
 
-#include "features/glove/capture_coach.h"
+#include "features/glove/joint_label.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "widgets/style/color_math.h"

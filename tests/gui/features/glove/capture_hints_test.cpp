@@ -1,4 +1,7 @@
-#include "features/glove/capture_coach.h"
+#include "features/glove/capture_hints.h"
+
+#include "features/glove/finger_combinations.h"
+#include "features/glove/joint_coverage.h"
 #include "handway/device/glove/human_hand.h"
 
 #include <gmock/gmock.h>
