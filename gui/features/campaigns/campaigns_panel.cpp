@@ -7,6 +7,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
+#include "widgets/panels/run_view.h"
 #include "widgets/plots/screen_colors.h"
 #include "widgets/plots/statistics_plots.h"
 #include "widgets/style/color_math.h"

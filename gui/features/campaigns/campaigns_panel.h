@@ -4,6 +4,7 @@
 #include "handway/planning/extensions/plugin.h"
 #include "model/jobs/background.h"
 #include "widgets/panels/run_table.h"
+#include "widgets/panels/run_view.h"
 
 #include <QObject>
 #include <QString>

@@ -8,7 +8,7 @@
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"
-#include "widgets/panels/run_table.h"
+#include "widgets/panels/motion_text.h"
 
 #include <QApplication>
 #include <QDateTime>

@@ -6,7 +6,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/dock_layout.h"
-#include "widgets/panels/run_table.h"
+#include "widgets/panels/motion_text.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/screen_colors.h"
 #include "widgets/style/rich_text.h"

@@ -7,7 +7,7 @@
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/log_panel.h"
-#include "widgets/panels/run_table.h"
+#include "widgets/panels/motion_text.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/screen_colors.h"
 #include "widgets/style/actions.h"

@@ -6,7 +6,7 @@
 #include "widgets/forms/parameter_form.h"
 #include "widgets/forms/typed_input.h"
 #include "widgets/panels/dock_layout.h"
-#include "widgets/panels/run_table.h"
+#include "widgets/panels/result_text.h"
 #include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 

@@ -5,7 +5,9 @@
 #include "model/planning/planning_session.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/dock_layout.h"
+#include "widgets/panels/result_text.h"
 #include "widgets/panels/run_table.h"
+#include "widgets/panels/run_view.h"
 
 #include <QItemSelectionModel>
 #include <QLabel>

@@ -1,48 +1,13 @@
 #pragma once
 
-#include "handway/execution/motion/motion_run.h"
-#include "handway/planning/core/plan_result.h"
-#include "handway/planning/timing/time_path.h"
-#include "model/planning/plan_runner.h"
-
 #include <QAbstractTableModel>
 #include <QString>
-#include <QTableView>
 
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <vector>
 
-class QSortFilterProxyModel;
-
 namespace handway::gui {
-
-/// A result in words with its key figures, as rich text.
-/// @param note to be said first, plain text; may be empty.
-[[nodiscard]] QString result_text(const planning::PlanResult& result, const QString& note = {});
-
-/// The same without a note as plain text, for a tool tip; each figure has a line.
-[[nodiscard]] QString result_tip(const planning::PlanResult& result);
-
-/// Returns the text about a path that was replanned for an edited scene. @param source of the path,
-/// one word.
-[[nodiscard]] QString replanned_text(const planning::PlanResult& result, const QString& source);
-
-/// A path that gets better, with its figures, as rich text.
-[[nodiscard]] QString optimizing_text(const OptimizeProgress& progress);
-
-/// A failure in words, as rich text.
-[[nodiscard]] QString failure_text(const QString& message);
-
-/// Returns a description of a motion, or of what prevents it (rich text).
-[[nodiscard]] QString motion_text(const planning::TimedPath& motion);
-
-/// Returns the cause that stopped a motion before its end.
-[[nodiscard]] QString cause_of(const execution::MotionOutcome& outcome);
-
-/// Returns how a motion ended (rich text).
-[[nodiscard]] QString outcome_text(const execution::MotionOutcome& outcome);
 
 /// Row of a table for a run; unknown values are empty.
 struct RunRow {
@@ -102,16 +67,6 @@ class RunTable : public QAbstractTableModel {
 
  private:
   std::vector<RunRow> rows_;
-};
-
-/// A view of runs, that are sorted by what is clicked on, of which one may be chosen.
-class RunView : public QTableView {
-  Q_OBJECT
-
- public:
-  /// @param runs that are sorted, of a RunTable. @param columns that are shown. Outlives the view.
-  RunView(QSortFilterProxyModel& runs, std::initializer_list<RunTable::Column> columns,
-          QWidget* parent = nullptr);
 };
 
 }  // namespace handway::gui

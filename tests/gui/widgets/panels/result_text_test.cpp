@@ -1,5 +1,6 @@
+#include "widgets/panels/result_text.h"
+
 #include "model/planning/path_history.h"
-#include "widgets/panels/run_table.h"
 
 #include <gmock/gmock.h>
 
