@@ -4,7 +4,7 @@
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/quantity_field.h"
+#include "widgets/forms/slider_row.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/motion_text.h"
 #include "widgets/plots/cursor_plot.h"

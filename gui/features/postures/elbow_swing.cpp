@@ -4,7 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "model/document/reach_words.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/quantity_field.h"
+#include "widgets/forms/slider_row.h"
 
 #include <QLabel>
 

@@ -4,7 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/quantity_field.h"
+#include "widgets/forms/slider_row.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 

@@ -6,7 +6,7 @@
 #include "handway/planning/extensions/plugin.h"
 #include "model/meshes/shaded_meshes.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/quantity_field.h"
+#include "widgets/forms/pose_form.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/rich_text.h"

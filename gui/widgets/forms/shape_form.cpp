@@ -2,6 +2,7 @@
 
 #include "handway/planning/edits/resizing.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/pose_form.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/typed_input.h"
 

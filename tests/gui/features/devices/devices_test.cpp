@@ -6,7 +6,7 @@
 #include "handway/planning/edits/scene_edits.h"
 #include "model/planning/path_validity.h"
 #include "patience.h"
-#include "widgets/forms/quantity_field.h"
+#include "widgets/forms/slider_row.h"
 #include "window_test.h"
 
 #include <QAction>

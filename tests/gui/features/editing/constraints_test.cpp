@@ -4,7 +4,6 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"
-#include "widgets/forms/quantity_field.h"
 
 #include <QCheckBox>
 #include <QDockWidget>

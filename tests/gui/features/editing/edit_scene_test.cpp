@@ -5,7 +5,6 @@
 #include "handway/planning/edits/scene_edits.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
-#include "widgets/forms/quantity_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -5,7 +5,7 @@
 #include "features/editing/scene_tree.h"
 #include "patience.h"
 #include "pressed_mouse.h"
-#include "widgets/forms/quantity_field.h"
+#include "widgets/forms/pose_form.h"
 
 #include <QAction>
 #include <QCheckBox>

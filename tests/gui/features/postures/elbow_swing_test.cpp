@@ -2,7 +2,7 @@
 #include "features/postures/elbow_swing.h"
 
 #include "handway_test/robots.h"
-#include "widgets/forms/quantity_field.h"
+#include "widgets/forms/slider_row.h"
 
 #include <QLabel>
 #include <QSignalSpy>

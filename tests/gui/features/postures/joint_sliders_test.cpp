@@ -1,5 +1,5 @@
 #include "view3d/scene_view.h"
-#include "widgets/forms/quantity_field.h"
+#include "widgets/forms/slider_row.h"
 #include "window_test.h"
 
 #include <QDoubleSpinBox>

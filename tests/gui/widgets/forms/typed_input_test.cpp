@@ -2,6 +2,7 @@
 
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/shape_form.h"
+#include "widgets/forms/slider_row.h"
 #include "window_test.h"
 
 #include <QAbstractItemView>

@@ -1,4 +1,5 @@
-#include "widgets/forms/quantity_field.h"
+#include "widgets/forms/wheel_guard.h"
+
 #include "window_test.h"
 
 #include <QComboBox>
