@@ -1,5 +1,7 @@
 #include "model/planning/microscope.h"
 
+#include "features/microscope/algorithm_listing.h"
+#include "features/microscope/listing_view.h"
 #include "features/microscope/microscope_panel.h"
 #include "patience.h"
 #include "window_test.h"
