@@ -1,6 +1,9 @@
 #include "features/export/pictures_dialog.h"
 
+#include "features/export/ffmpeg_film.h"
 #include "features/export/film_recorder.h"
+#include "features/export/film_sink.h"
+#include "features/export/frame_folder.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"
 #include "widgets/panels/playback_bar.h"

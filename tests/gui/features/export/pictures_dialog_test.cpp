@@ -1,6 +1,6 @@
 #include "features/export/pictures_dialog.h"
 
-#include "features/export/film_recorder.h"
+#include "features/export/film_parts.h"
 #include "patience.h"
 #include "watched_application.h"
 #include "window_test.h"
