@@ -7,15 +7,12 @@
 #include "model/devices/glove_session.h"
 #include "model/jobs/background.h"
 
-#include <QPointF>
 #include <QWidget>
-
-#include <Eigen/Core>
 
 #include <deque>
 #include <filesystem>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,75 +23,9 @@ class QUndoStack;
 
 namespace handway::gui {
 
-/// A mapping as wires from sensors, left, to joints, right. A wire is laid by dragging from a
-/// sensor to a joint; a click on a joint selects it. Bars behind the names show what goes in
-/// and what comes out.
-class MappingWires : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit MappingWires(QWidget* parent = nullptr);
-
-  void set_mapping(const device::HandMapping& mapping);
-  void select(int joint);
-  [[nodiscard]] int selected() const { return selected_; }
-  /// @param mapper of the sample's posture.
-  void show_sample(const GloveSample& sample, const device::HandMapper& mapper);
-
-  /// Returns the place to press or release the mouse on for this sensor's connection.
-  [[nodiscard]] QPointF sensor_handle(int sensor) const;
-  [[nodiscard]] QPointF joint_handle(int joint) const;
-
-  [[nodiscard]] QSize sizeHint() const override;
-  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
-
- signals:
-  void connected(int joint, int sensor);
-  void selected_changed(int joint);
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
-  /// Shows the tool tip of the sensor under the mouse.
-  bool event(QEvent* event) override;
-
- private:
-  [[nodiscard]] std::optional<int> sensor_at(const QPointF& position) const;
-  [[nodiscard]] std::optional<int> joint_at(const QPointF& position) const;
-  void paint_wire(QPainter& painter, const QPointF& from, const QPointF& to, bool strong) const;
-  void paint_sensors(QPainter& painter) const;
-  void paint_joints(QPainter& painter) const;
-
-  device::HandMapping mapping_;
-  std::vector<double> outputs_;  ///< Joints in their ranges, [0, 1]; -1: not known.
-  std::optional<device::GloveFrame> input_;
-  int selected_ = 0;
-  std::optional<int> dragged_;  ///< Sensor.
-  QPointF pointer_;
-};
-
 class CurveView;
 class JointMappingForm;
-
-/// Comparison of two mappings of the same motion of a glove.
-struct MappingComparison {
-  Eigen::VectorXd shares_a;  ///< Shares of variance, falling.
-  Eigen::VectorXd shares_b;
-  /// Angles between the spaces of the first k directions, rad; entry k-1. Only joints in both are
-  /// considered.
-  Eigen::VectorXd angles;
-};
-
-/// @param frames at least two.
-/// @param left_out names of joints that take no part in the principal components.
-/// @throws geometric::InputError if a mapping does not fit the robot.
-[[nodiscard]] MappingComparison compare_mappings(const std::vector<device::GloveAngles>& frames,
-                                                 const device::HandMapping& a,
-                                                 const device::HandMapping& b,
-                                                 const geometric::RobotModel& model,
-                                                 const std::vector<std::string>& left_out);
+class MappingWires;
 
 /// Edits which sensor drives which joint, while the glove moves the hand with it, and compares
 /// the mapping with another by what both make of the same motion.

@@ -1,6 +1,7 @@
 #include "features/glove/mapping_editor.h"
 
 #include "features/glove/joint_mapping_form.h"
+#include "features/glove/mapping_wires.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording.h"
