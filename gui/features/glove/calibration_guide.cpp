@@ -1,185 +1,34 @@
 #include "features/glove/calibration_guide.h"
 
+#include "features/glove/bones_form.h"
+#include "features/glove/hand_picture.h"
 #include "handway/device/glove/human_hand.h"
-#include "handway/device/glove/recording_quality.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"
-#include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
 
 #include <QDate>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPainter>
-#include <QPolygonF>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStringList>
-#include <QVariant>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <exception>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace handway::gui {
-namespace {
-
-constexpr int kPictureHeight = 116;      // px
-constexpr double kBone = 7.0;            // px, of a finger's width
-constexpr double kPictureMargin = 12.0;  // px
-
-/// Returns the view of a person's palm frame: fingers up, a little from the thumb's side and from
-/// above, so that bent fingers show.
-Eigen::Matrix3d view_of_hand() {
-  const Eigen::AngleAxisd up(M_PI / 2.0, Eigen::Vector3d::UnitZ());
-  const Eigen::AngleAxisd aside(0.5, Eigen::Vector3d::UnitY());
-  const Eigen::AngleAxisd tilted(-0.35, Eigen::Vector3d::UnitX());
-  return (tilted * aside * up).toRotationMatrix();
-}
-
-/// Landmarks that a bone joins; those of the palm last.
-using Bone = std::pair<int, int>;
-constexpr std::array<Bone, 20> kBones{{{0, 1},   {1, 2},   {2, 3},   {3, 4},   {0, 5},
-                                       {5, 6},   {6, 7},   {7, 8},   {0, 9},   {9, 10},
-                                       {10, 11}, {11, 12}, {0, 13},  {13, 14}, {14, 15},
-                                       {15, 16}, {0, 17},  {17, 18}, {18, 19}, {19, 20}}};
-constexpr std::array<int, 5> kPalm{1, 5, 9, 13, 17};
-constexpr double kWrist = 0.32;  // breadth of the wrist on each side, of that of the knuckles
-
-}  // namespace
-
-HandPicture::HandPicture(QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("calibration_picture"));
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-}
-
-QSize HandPicture::sizeHint() const { return {scaled(160), scaled(kPictureHeight)}; }
-
-void HandPicture::show_hand(const device::GloveAngles& angles, bool left) {
-  angles_ = angles;
-  left_ = left;
-  update();
-}
-
-void HandPicture::paintEvent(QPaintEvent*) {
-  const ThemeColors colors = colors_of(current_theme());
-  const device::HandLandmarks seen =
-      view_of_hand() * device::hand_landmarks(angles_, device::typical_bones(1.0));
-  const double scale = (height() - 2.0 * kPictureMargin) / 1.05;
-  const auto place = [&](int landmark) {
-    const double side = (left_ ? -1.0 : 1.0) * (seen(0, landmark) - seen(0, 9) * 0.5);
-    return QPointF(width() / 2.0 + scale * side,
-                   height() - kPictureMargin - scale * seen(1, landmark));
-  };
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  QPolygonF palm;
-  for (const int landmark : kPalm) {
-    palm << place(landmark);
-  }
-  const auto pen = [&](const QColor& color, double width) {
-    return QPen(color, scaled(1) * width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
-  };
-  const QPointF breadth = kWrist * (place(kPalm.back()) - place(kPalm[1]));
-  palm << place(0) + breadth << place(0) - breadth;
-  painter.setPen(pen(faded(colors.accent, 0.35), kBone));
-  painter.setBrush(faded(colors.accent, 0.35));
-  painter.drawPolygon(palm);
-  std::array<Bone, kBones.size()> bones = kBones;
-  std::ranges::sort(bones, {},
-                    [&](const Bone& bone) { return seen(2, bone.first) + seen(2, bone.second); });
-  for (const auto& [from, to] : bones) {
-    if (from == 0) {
-      continue;
-    }
-    painter.setPen(pen(colors.surface, kBone + 3.0));
-    painter.drawLine(place(from), place(to));
-    painter.setPen(pen(colors.accent, kBone));
-    painter.drawLine(place(from), place(to));
-  }
-}
-
-namespace {
-
-constexpr double kLongestHand = 300.0;  // mm
-constexpr double kLongestBone = 150.0;  // mm
-
-QDoubleSpinBox* length_field(double most, const QString& name) {
-  auto* field = new QDoubleSpinBox;
-  field->setRange(1.0, most);
-  field->setDecimals(1);
-  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  field->setMinimumWidth(scaled(46));
-  field->setAccessibleName(name);
-  return field;
-}
-
-}  // namespace
-
-BonesForm::BonesForm(QWidget* parent)
-    : QWidget(parent), length_(length_field(kLongestHand, tr("Length of the hand, mm"))) {
-  setObjectName(QStringLiteral("calibration_bones"));
-  length_->setObjectName(QStringLiteral("hand_length"));
-  length_->setToolTip(
-      tr("Length from the crease of the wrist to the tip of the middle finger; all bones are "
-         "scaled to it"));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
-  grid->addWidget(new QLabel(tr("Hand, mm")), 0, 0);
-  grid->addWidget(length_, 0, 1);
-  const std::array<QString, 4> bones{tr("to base"), tr("1st"), tr("2nd"), tr("3rd")};
-  for (int i = 0; i < static_cast<int>(bones.size()); ++i) {
-    grid->addWidget(new QLabel(bones.at(static_cast<std::size_t>(i))), 1, i + 1);
-  }
-  const std::array<QString, device::kFingers> fingers{tr("Thumb"), tr("Index"), tr("Middle"),
-                                                      tr("Ring"), tr("Little")};
-  for (int f = 0; f < device::kFingers; ++f) {
-    const QString& finger = fingers.at(static_cast<std::size_t>(f));
-    grid->addWidget(new QLabel(finger), f + 2, 0);
-    for (int i = 0; i < static_cast<int>(bones.size()); ++i) {
-      const QString name =
-          tr("%1, %2, mm").arg(finger, i == 0 ? tr("wrist to base") : tr("bone %1").arg(i));
-      QDoubleSpinBox* field = length_field(kLongestBone, name);
-      field->setObjectName(QStringLiteral("bone_%1_%2").arg(f).arg(i));
-      field->setToolTip(name);
-      lengths_.push_back(field);
-      grid->addWidget(field, f + 2, i + 1);
-    }
-  }
-  connect(length_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          [this](double mm) { show_bones(device::typical_bones(mm * geometric::kMillimetre)); });
-  length_->setValue(device::kTypicalHandLength / geometric::kMillimetre);
-}
-
-void BonesForm::show_bones(const device::HandBones& bones) {
-  std::size_t place = 0;
-  for (const auto& finger : bones) {
-    for (const double length : finger) {
-      lengths_[place++]->setValue(length / geometric::kMillimetre);
-    }
-  }
-}
-
-device::HandBones BonesForm::bones() const {
-  device::HandBones bones{};
-  std::size_t place = 0;
-  for (auto& finger : bones) {
-    for (double& length : finger) {
-      length = lengths_[place++]->value() * geometric::kMillimetre;
-    }
-  }
-  return bones;
-}
-
 namespace {
 
 constexpr double kHold = 1.5;       // s that a posture is held

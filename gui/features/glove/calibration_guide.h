@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <vector>
 
-class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -17,42 +16,8 @@ class QPushButton;
 
 namespace handway::gui {
 
-/// A person's hand in a posture, seen from above its thumb's side.
-class HandPicture : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit HandPicture(QWidget* parent = nullptr);
-
-  /// @param left a left hand's picture.
-  void show_hand(const device::GloveAngles& angles, bool left);
-
-  [[nodiscard]] QSize sizeHint() const override;
-  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  device::GloveAngles angles_{};
-  bool left_ = false;
-};
-
-/// Form of the lengths of a person's bones, mm: typed, in proportion to the hand's length, or as
-/// measured.
-class BonesForm : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit BonesForm(QWidget* parent = nullptr);
-
-  void show_bones(const device::HandBones& bones);
-  [[nodiscard]] device::HandBones bones() const;
-
- private:
-  QDoubleSpinBox* length_;
-  std::vector<QDoubleSpinBox*> lengths_;  ///< Finger by finger.
-};
+class BonesForm;
+class HandPicture;
 
 /// Guides a person through the postures of a calibration: shows each as a picture, reads the glove
 /// while it is held, and fits the calibration, which is saved under the person's name with the
