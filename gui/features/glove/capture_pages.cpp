@@ -1,7 +1,7 @@
 #include "features/glove/capture_pages.h"
 
 #include "features/glove/capture_coach.h"
-#include "features/glove/device_field.h"
+#include "features/glove/glove_sources.h"
 #include "features/glove/pmd_explorer.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording.h"

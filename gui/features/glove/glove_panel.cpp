@@ -1,8 +1,10 @@
 #include "features/glove/glove_panel.h"
 
+#include "features/glove/calibration_choice.h"
 #include "features/glove/calibration_guide.h"
 #include "features/glove/capture_coach.h"
 #include "features/glove/device_field.h"
+#include "features/glove/glove_sources.h"
 #include "features/glove/mapping_editor.h"
 #include "features/glove/pmd_explorer.h"
 #include "features/glove/record_bar.h"

@@ -1,6 +1,6 @@
 #include "features/glove/mapping_editor.h"
 
-#include "features/glove/device_field.h"
+#include "features/glove/glove_sources.h"
 #include "features/glove/joint_mapping_form.h"
 #include "features/glove/mapping_comparison.h"
 #include "features/glove/mapping_wires.h"

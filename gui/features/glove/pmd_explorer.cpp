@@ -1,7 +1,7 @@
 #include "features/glove/pmd_explorer.h"
 
 #include "features/glove/basis_charts.h"
-#include "features/glove/device_field.h"
+#include "features/glove/glove_sources.h"
 #include "features/glove/joint_label.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"

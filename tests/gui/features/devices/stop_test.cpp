@@ -3,7 +3,7 @@
 #include "features/devices/moving_robot.h"
 #include "features/devices/x_input.h"
 #include "features/editing/scene_editing.h"
-#include "features/glove/device_field.h"
+#include "features/glove/calibration_choice.h"
 #include "features/glove/glove_panel.h"
 #include "features/glove/pmd_explorer.h"
 #include "features/planning/plan_panel.h"

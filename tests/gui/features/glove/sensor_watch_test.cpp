@@ -1,4 +1,4 @@
-#include "features/glove/device_field.h"
+#include "features/glove/glove_sources.h"
 #include "features/glove/sensor_bars.h"
 
 #include <gtest/gtest.h>
