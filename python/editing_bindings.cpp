@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -215,6 +216,16 @@ std::unique_ptr<SceneModel> made(const SceneState& state) {
   return std::make_unique<SceneModel>(state.scene, state.basis);
 }
 
+// A shift or a point in m, as far as scenes reach.
+Eigen::Vector3d triple_from(const std::array<double, 3>& values, const char* argument) {
+  constexpr double kFarthest = 1e3;
+  const Eigen::Vector3d v(values[0], values[1], values[2]);
+  if (!v.allFinite() || v.cwiseAbs().maxCoeff() > kFarthest) {
+    throw InputError({argument, "", "a number that is not within ±1000", "three lengths, m", ""});
+  }
+  return v;
+}
+
 int axis_from(const std::string& name) {
   const std::size_t axis = std::string("xyz").find(name);
   if (name.size() != 1 || axis == std::string::npos) {
@@ -263,11 +274,7 @@ std::unique_ptr<SceneModel> with_rows(const SceneModel& model, const ObjectNames
                                       const std::array<int, 3>& count,
                                       const std::array<double, 3>& spacing) {
   planning::need_objects(model.scene(), objects);
-  if (std::ranges::any_of(count, [](int n) { return n < 1 || n > 100; })) {
-    throw InputError({"count", "", "a number that is not from 1 to 100", "three such numbers", ""});
-  }
-  const planning::LinearArray rows{{count[0], count[1], count[2]},
-                                   {spacing[0], spacing[1], spacing[2]}};
+  const planning::LinearArray rows{{count[0], count[1], count[2]}, triple_from(spacing, "spacing")};
   return made(copied(state_of(model), posture_of(model), objects, rows.motions()).state);
 }
 
@@ -276,11 +283,11 @@ std::unique_ptr<SceneModel> with_circle(const SceneModel& model, const ObjectNam
                                         const std::array<double, 3>& centre, double angle,
                                         bool turning) {
   planning::need_objects(model.scene(), objects);
-  if (copies < 2 || copies > 1000) {
-    throw InputError({"copies", "", std::to_string(copies), "a number from 2 to 1000", ""});
+  if (!(std::abs(angle) <= 2.0 * std::numbers::pi)) {
+    throw InputError({"angle", "", std::to_string(angle), "a full turn at most, rad", ""});
   }
-  const planning::CircularArray circle{
-      copies, axis_from(axis), {centre[0], centre[1], centre[2]}, angle, turning};
+  const planning::CircularArray circle{copies, axis_from(axis), triple_from(centre, "centre"),
+                                       angle, turning};
   const Eigen::Vector3d middle = bounds(model.scene(), posture_of(model), objects).centre();
   return made(copied(state_of(model), posture_of(model), objects, circle.motions(middle)).state);
 }

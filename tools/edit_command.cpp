@@ -83,7 +83,7 @@ void add_axis_option(CLI::App& command, const char* name, int& axis, const char*
 
 void add_triple_option(CLI::App& command, const char* name, std::vector<double>& values,
                        const char* description) {
-  command.add_option(name, values, description)->expected(3);
+  command.add_option(name, values, description)->expected(3)->check(number_in(-1e3, 1e3));
 }
 
 Eigen::Vector3d vector_of(const std::vector<double>& values) {

@@ -1,5 +1,6 @@
 #include "features/editing/scene_tree.h"
 
+#include "handway/planning/edits/arranging.h"
 #include "model/settings/options.h"
 #include "widgets/style/color_math.h"
 #include "widgets/style/icons.h"

@@ -1,5 +1,7 @@
 #include "model/document/selection.h"
 
+#include "handway/planning/edits/arranging.h"
+
 #include <algorithm>
 #include <utility>
 

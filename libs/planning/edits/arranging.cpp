@@ -4,6 +4,7 @@
 #include "handway/planning/edits/scene_edits.h"
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,14 @@ constexpr double kNoMove = 1e-12;    // m
 
 bool is_among(const ObjectNames& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
+}
+
+void need_few_copies(double count) {
+  constexpr double kMostCopies = 1000.0;
+  if (count < 1.0 || count > kMostCopies) {
+    throw geometric::InputError({"array", "", fmt::format("{:.0f} objects", count),
+                                 fmt::format("1 to {:.0f}", kMostCopies), ""});
+  }
 }
 
 Pose shift_along(int axis, double distance) {
@@ -153,6 +162,7 @@ Vector3d shift_to_sides(const Scene& scene, const Configuration& q, const Object
 }
 
 std::vector<Pose> LinearArray::motions() const {
+  need_few_copies((count.array() < 1).any() ? 0.0 : count.cast<double>().prod());
   std::vector<Pose> motions;
   for (int z = 0; z < count.z(); ++z) {
     for (int y = 0; y < count.y(); ++y) {
@@ -168,6 +178,7 @@ std::vector<Pose> LinearArray::motions() const {
 
 std::vector<Pose> CircularArray::motions(const Vector3d& p_W) const {
   constexpr double kNearlyFull = 2.0 * std::numbers::pi - 1e-6;
+  need_few_copies(count);
   const int steps = std::abs(angle) >= kNearlyFull ? count : std::max(count - 1, 1);
   std::vector<Pose> motions;
   for (int i = 1; i < count; ++i) {

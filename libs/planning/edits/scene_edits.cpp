@@ -108,6 +108,9 @@ std::string unused_group(const Scene& scene, const std::string& group) {
 }
 
 void need_objects(const Scene& scene, const std::vector<std::string>& names) {
+  if (names.empty()) {
+    throw geometric::InputError({"scene " + scene.name, "", "no objects", "at least one", ""});
+  }
   for (const std::string& name : names) {
     if (geometric::find_object(scene, name) != nullptr) {
       continue;

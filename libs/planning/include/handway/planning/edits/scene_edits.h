@@ -31,7 +31,8 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string unused_name(const geometric::Scene& scene,
                                                               const std::string& name);
 
-/// @throws InputError naming the nearest object if the scene lacks one of these objects.
+/// @throws InputError if there are no names, or, naming the nearest object, if the scene lacks one
+/// of these objects.
 HANDWAY_PLANNING_EXPORT void need_objects(const geometric::Scene& scene,
                                           const std::vector<std::string>& names);
 
