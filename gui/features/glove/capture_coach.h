@@ -1,6 +1,6 @@
 #pragma once
 
-#include "features/glove/capture_pages.h"
+#include "features/glove/captured_postures.h"
 #include "features/glove/finger_combinations.h"
 #include "features/glove/joint_coverage.h"
 #include "handway/device/glove/glove_calibration.h"

@@ -3,145 +3,24 @@
 #include "features/glove/capture_coach.h"
 #include "features/glove/glove_sources.h"
 #include "features/glove/pmd_explorer.h"
-#include "handway/device/glove/human_hand.h"
-#include "handway/device/glove/recording.h"
-#include "handway/device/glove/recording_quality.h"
-#include "handway/device/hand/joint_recording.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/group_proposal.h"
-#include "handway/sampling/postures/pmd_basis.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace handway::gui {
-namespace {
-
-constexpr std::size_t kMostSamples = 4000;
-constexpr double kCompareEvery = 1.0;  // s
-constexpr double kEnoughShare = 0.75;
-constexpr Eigen::Index kMostDirections = 4;
-constexpr double kLeastVariance = 1e-12;
-
-// Returns the number of directions that explain three quarters of the variance.
-Eigen::Index main_directions(const sampling::PrincipalComponents& components) {
-  double share = 0.0;
-  for (Eigen::Index k = 0; k < components.shares.size(); ++k) {
-    share += components.shares[k];
-    if (share >= kEnoughShare || k + 1 == kMostDirections) {
-      return k + 1;
-    }
-  }
-  return 0;
-}
-
-}  // namespace
-
-CapturedPostures::CapturedPostures(std::vector<std::string> joints, std::vector<int> left_out)
-    : joints_(std::move(joints)), left_out_(std::move(left_out)) {
-  if (!joints_.empty()) {
-    components_.emplace(static_cast<int>(joints_.size()));
-  }
-}
-
-void CapturedPostures::add(double time, const Eigen::VectorXd& posture) {
-  if (!components_) {
-    return;
-  }
-  if (count_ == 0) {
-    first_time_ = time;
-  }
-  last_time_ = time;
-  components_->add(posture);
-  if (count_ % stride_ == 0) {
-    keep(posture);
-  }
-  ++count_;
-  if (count_ > 1 && (subspaces_.empty() || time >= subspaces_.back().time + kCompareEvery)) {
-    compare(time);
-  }
-}
-
-void CapturedPostures::keep(const Eigen::VectorXd& posture) {
-  if (samples_.size() == kMostSamples) {
-    for (std::size_t i = 0; 2 * i < samples_.size(); ++i) {
-      samples_[i] = samples_[2 * i];
-    }
-    samples_.resize(kMostSamples / 2);
-    stride_ *= 2;
-  }
-  samples_.push_back(posture);
-}
-
-void CapturedPostures::compare(double time) {
-  const sampling::PrincipalComponents now = components();
-  subspaces_.push_back({time, now.directions});
-  while (subspaces_.size() > 1 && subspaces_[1].time <= time - kWindow) {
-    subspaces_.pop_front();
-  }
-  const Eigen::Index count = main_directions(now);
-  const Subspace& before = subspaces_.front();
-  if (before.time <= time - kWindow && count > 0 && before.directions.cols() >= count) {
-    turn_ = sampling::principal_angles(before.directions.leftCols(count),
-                                       now.directions.leftCols(count))
-                .maxCoeff();
-  }
-}
-
-Eigen::MatrixXd CapturedPostures::table() const {
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(samples_.size()),
-                       static_cast<Eigen::Index>(joints_.size()));
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    rows.row(static_cast<Eigen::Index>(i)) = samples_[i].transpose();
-  }
-  return rows;
-}
-
-sampling::PrincipalComponents CapturedPostures::components(const std::vector<int>& left_out) const {
-  return components_ ? components_->components(left_out)
-                     : sampling::principal_components(Eigen::MatrixXd());
-}
-
-Eigen::MatrixXd CapturedPostures::correlations() const {
-  const sampling::PrincipalComponents all = components_ ? components_->components() : components();
-  const Eigen::MatrixXd covariance =
-      all.directions * all.variances.asDiagonal() * all.directions.transpose();
-  const Eigen::VectorXd variances = covariance.diagonal();
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(covariance.rows(), covariance.cols());
-  for (Eigen::Index i = 0; i < result.rows(); ++i) {
-    for (Eigen::Index j = 0; j < result.cols(); ++j) {
-      if (variances[i] > kLeastVariance && variances[j] > kLeastVariance) {
-        result(i, j) =
-            std::clamp(covariance(i, j) / std::sqrt(variances[i] * variances[j]), -1.0, 1.0);
-      }
-    }
-  }
-  return result;
-}
-
-bool CapturedPostures::has_settled() const {
-  return turn_ && *turn_ < kSettledAngle && duration() >= kLeastTime;
-}
-
 namespace {
 
 constexpr int kShowMs = 100;
 constexpr int kDotsEvery = 5;     // times slower than the bars
 constexpr int kReportEvery = 50;  // the same
-constexpr std::size_t kMostMeasured = 4000;
 constexpr std::size_t kMostMeasuredLive = 100;
-
-Eigen::VectorXd normalised(const device::PostureSource& source, const Eigen::VectorXd& posture) {
-  const Eigen::VectorXd range = source.upper() - source.lower();
-  return (range.array() > 0.0)
-      .select((posture - source.lower()).cwiseQuotient(range), 0.5)
-      .cwiseMax(0.0)
-      .cwiseMin(1.0);
-}
 
 std::vector<int> free_joints(const sampling::PmdBasis* basis,
                              const std::vector<std::string>& joints) {
@@ -158,67 +37,17 @@ std::vector<int> free_joints(const sampling::PmdBasis* basis,
   return result.size() < joints.size() ? result : std::vector<int>{};
 }
 
-// Returns the postures of some joints, in their order. Joints that the hand lacks are in the
-// middle.
-Eigen::MatrixXd postures_of(const device::PostureSource& joints,
-                            const device::MappedPostures& mapped) {
-  Eigen::MatrixXd postures(mapped.postures.rows(), joints.lower().size());
-  for (Eigen::Index j = 0; j < postures.cols(); ++j) {
-    const auto found =
-        std::ranges::find(mapped.joints, joints.joints()[static_cast<std::size_t>(j)]);
-    if (found == mapped.joints.end()) {
-      postures.col(j).setConstant(0.5 * (joints.lower()[j] + joints.upper()[j]));
-    } else {
-      postures.col(j) = mapped.postures.col(found - mapped.joints.begin());
-    }
-  }
-  return postures;
+QString error_row(const QString& method, const std::optional<device::FingertipErrors>& errors) {
+  const auto cell = [](double metres) {
+    return QStringLiteral("<td align=right>&nbsp; %1</td>")
+        .arg(metres / geometric::kMillimetre, 0, 'f', 1);
+  };
+  return QStringLiteral("<tr><td>%1</td>%2</tr>")
+      .arg(method, errors ? cell(errors->mean) + cell(errors->median) + cell(errors->most)
+                          : QObject::tr("<td colspan=3>none</td>"));
 }
 
 }  // namespace
-
-PostureRecordings read_postures(const std::vector<std::filesystem::path>& files,
-                                const device::GloveCalibration& calibration,
-                                const device::PostureSource& source,
-                                const std::vector<int>& left_out, const geometric::RobotModel& hand,
-                                const std::stop_token& stop) {
-  PostureRecordings result{CapturedPostures(source.joints(), left_out), {}};
-  std::vector<device::GloveAngles> measured;
-  double begin = 0.0;
-  for (const std::filesystem::path& file : files) {
-    const bool has_joints = device::is_joint_recording(file, hand);
-    const device::Recording angles =
-        has_joints ? device::read_joint_recording(file, hand)
-                   : device::to_angles(device::read_recording(file), calibration);
-    if (has_joints) {
-      result.warnings.push_back(file.string() + ": taken for the robot hand's own joints");
-    }
-    result.warnings.insert(result.warnings.end(), angles.warnings.begin(), angles.warnings.end());
-    const Eigen::MatrixXd postures =
-        has_joints ? postures_of(source, device::OwnJoints(hand).map_recording(angles))
-                   : source.map_recording(angles, stop).postures;
-    Eigen::MatrixXd samples(postures.rows(), postures.cols());
-    for (Eigen::Index row = 0; row < samples.rows(); ++row) {
-      samples.row(row) = normalised(source, postures.row(row).transpose()).transpose();
-      result.postures.add(begin + angles.times[row] - angles.times[0],
-                          samples.row(row).transpose());
-      if (!has_joints) {
-        measured.push_back(device::angles_of_row(angles, row));
-      }
-    }
-    begin = result.postures.duration();
-    const double rate = device::assess(angles).rate;
-    // Postures without times don't depend on each other.
-    const double no_rate = 1.0 / sampling::BasisStudySettings().block;
-    result.each.push_back(
-        {file.filename().string(), std::move(samples), rate > 0.0 ? rate : no_rate});
-  }
-  const std::size_t stride = measured.size() / kMostMeasured + 1;
-  for (std::size_t row = 0; row < measured.size(); row += stride) {
-    result.measured.push_back(measured[row]);
-  }
-  return result;
-}
 
 CapturePages::CapturePages(GloveSession& session, QObject* parent)
     : QObject(parent), session_(session), coach_(new CaptureCoach), explorer_(new PmdExplorer) {
@@ -416,20 +245,6 @@ QString CapturePages::reading_notes() const {
   }
   return text;
 }
-
-namespace {
-
-QString error_row(const QString& method, const std::optional<device::FingertipErrors>& errors) {
-  const auto cell = [](double metres) {
-    return QStringLiteral("<td align=right>&nbsp; %1</td>")
-        .arg(metres / geometric::kMillimetre, 0, 'f', 1);
-  };
-  return QStringLiteral("<tr><td>%1</td>%2</tr>")
-      .arg(method, errors ? cell(errors->mean) + cell(errors->median) + cell(errors->most)
-                          : QObject::tr("<td colspan=3>none</td>"));
-}
-
-}  // namespace
 
 // Both methods on what was measured, by the same measure.
 void CapturePages::compare_methods(std::vector<device::GloveAngles> measured) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "features/glove/capture_pages.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/posture_table.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "features/glove/basis_report.h"
-#include "features/glove/capture_pages.h"
+#include "features/glove/captured_postures.h"
 #include "features/glove/hand_bases.h"
 #include "features/glove/pmd_pad.h"
 #include "handway/geometric/robot/robot_description.h"

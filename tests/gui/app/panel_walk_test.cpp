@@ -2,7 +2,6 @@
 /// nothing is cut, outside of the window or hard to read. With $HANDWAY_PICTURES it saves a picture
 /// of each stop, which scripts/contact-sheet puts together.
 #include "features/devices/device_session.h"
-#include "features/glove/capture_pages.h"
 #include "features/glove/glove_panel.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"

@@ -2,6 +2,7 @@
 
 #include "features/glove/capture_coach.h"
 #include "features/glove/pmd_explorer.h"
+#include "features/glove/posture_recordings.h"
 #include "glove_dock.h"
 #include "handway/device/glove/hand_exploration.h"
 #include "handway/device/glove/recording.h"

@@ -1,4 +1,4 @@
-#include "features/glove/capture_pages.h"
+#include "features/glove/captured_postures.h"
 
 #include <gtest/gtest.h>
 
