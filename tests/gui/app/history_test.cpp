@@ -1,6 +1,7 @@
 /// One history for everything that a person does, and leaving a scene.
 #include "features/editing/editing_test.h"
 #include "features/glove/glove_panel.h"
+#include "features/glove/mapping_editor.h"
 #include "features/glove/mapping_wires.h"
 
 #include <QComboBox>

@@ -1,6 +1,7 @@
 /// Tests that every edit with the mouse, in any dock, is one entry of one history.
 #include "features/editing/scene_tree.h"
 #include "features/glove/glove_panel.h"
+#include "features/glove/mapping_editor.h"
 #include "features/glove/mapping_wires.h"
 #include "hands_on.h"
 #include "handway/device/glove/glove_layout.h"

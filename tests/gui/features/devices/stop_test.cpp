@@ -309,7 +309,7 @@ std::vector<DialogCase> StopInDialogs::cases() const {
        [this] { part<QPushButton>("basis_save").click(); }},
       {"features/glove/device_field.cpp", "recording to replay",
        [this] { choose(part<QComboBox>("glove_device"), "Replay a recording…"); }},
-      {"features/glove/device_field.cpp", "calibration",
+      {"features/glove/calibration_choice.cpp", "calibration",
        [this] { choose(only<gui::CalibrationChoice>(), "From a file…"); }},
       {"features/glove/mapping_editor.cpp", "mapping", trigger("Open…")},
       {"features/glove/mapping_editor.cpp", "save a mapping", trigger("Save as…")},
