@@ -28,7 +28,7 @@ void add_check_command(CLI::App& app, int& exit_code);
 /// Adds `handway compare`.
 void add_compare_command(CLI::App& app, int& exit_code);
 
-/// Adds `handway edit SCENE` and its commands, one for each kind of edit.
+/// Adds `handway edit` and its commands, one for each kind of edit.
 void add_edit_command(CLI::App& app, int& exit_code);
 
 /// `handway export PATH.csv`: times a path and writes it for a controller.

@@ -58,7 +58,8 @@ int run_edit(const EditOptions& options, const Edit& edit) {
 CLI::App& add_edit(CLI::App& command, const std::shared_ptr<EditOptions>& options, const char* name,
                    const char* description, const Edit& edit) {
   CLI::App* added = command.add_subcommand(name, description);
-  added->fallthrough();
+  added->add_option("scene", options->scene, "Scene or problem file")->required();
+  added->add_option("--out", options->out, "Scene file (YAML), replaced whole")->required();
   added->callback([options, edit] { *options->exit_code = run_edit(*options, edit); });
   return *added;
 }
@@ -310,8 +311,6 @@ void add_edit_command(CLI::App& app, int& exit_code) {
   options->exit_code = &exit_code;
   CLI::App* command = app.add_subcommand("edit", "Edit a scene file");
   command->require_subcommand(1);
-  command->add_option("scene", options->scene, "Scene or problem file")->required();
-  command->add_option("--out", options->out, "Scene file (YAML), replaced whole")->required();
   for (const auto& add : {add_align, add_distribute, add_move, add_array, add_drop, add_attach,
                           add_detach, add_mount, add_unmount, add_remove}) {
     add(*command, options);

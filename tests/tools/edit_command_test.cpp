@@ -21,7 +21,9 @@ class EditCommand : public testing::Test {
 
   /// The scene after an edit of `scene`.
   geometric::Scene edited(const std::string& scene, const std::string& edit) const {
-    const Outcome run = line_.run("edit " + scene + " " + edit + " --out edited.yaml");
+    const std::size_t kind = edit.find(' ');
+    const Outcome run = line_.run("edit " + edit.substr(0, kind) + " " + scene + edit.substr(kind) +
+                                  " --out edited.yaml");
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("Saved edited.yaml"));
     return geometric::read_scene(line_.folder() / "edited.yaml");
@@ -67,7 +69,7 @@ TEST_F(EditCommand, AttachesAndDetachesWhereTheObjectIs) {
   EXPECT_EQ(can.attachment->link, "palm");
   const Eigen::Vector3d there = object_pose(held, *held.start, can).translation();
   EXPECT_NEAR((there - place(before, "can")).norm(), 0.0, 2.0 * geometric::kRestingGap);
-  const Outcome free = line_.run("edit edited.yaml detach can --out free.yaml");
+  const Outcome free = line_.run("edit detach edited.yaml can --out free.yaml");
   EXPECT_EQ(free.exit_code, 0) << free.err;
   EXPECT_NEAR((place(geometric::read_scene(line_.folder() / "free.yaml"), "can") - there).norm(),
               0.0, 1e-9);
@@ -80,19 +82,19 @@ TEST_F(EditCommand, TakesAHandOffAndMountsItAgain) {
                                 "    mount: {robot: arm, link: flange_link}\n"));
   EXPECT_EQ(edited("arm.yaml", "unmount hand").robots.size(), 2U);
   const Outcome again =
-      line_.run("edit edited.yaml mount hand --link arm/flange_link --xyz 0 0 0.02 --out on.yaml");
+      line_.run("edit mount edited.yaml hand --link arm/flange_link --xyz 0 0 0.02 --out on.yaml");
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(geometric::read_scene(line_.folder() / "on.yaml").robots.size(), 1U);
 }
 
 TEST_F(EditCommand, RefusesInWords) {
-  const Outcome unknown = line_.run("edit " + boxes() + " drop d --out x.yaml");
+  const Outcome unknown = line_.run("edit drop " + boxes() + " d --out x.yaml");
   EXPECT_EQ(unknown.exit_code, 3);
   EXPECT_THAT(unknown.err, HasSubstr("There are: a, b, c"));
-  EXPECT_EQ(line_.run("edit " + boxes() + " drop a").exit_code, 2) << "no --out";
-  EXPECT_EQ(line_.run("edit " + boxes() + " --out x.yaml").exit_code, 2) << "no edit";
-  EXPECT_EQ(line_.run("edit missing.yaml drop a --out x.yaml").exit_code, 3);
-  EXPECT_EQ(line_.run("edit " + shipped() + " attach can --link plam --out x.yaml").exit_code, 3);
+  EXPECT_EQ(line_.run("edit drop " + boxes() + " a").exit_code, 2) << "no --out";
+  EXPECT_EQ(line_.run("edit").exit_code, 2) << "no edit";
+  EXPECT_EQ(line_.run("edit drop missing.yaml a --out x.yaml").exit_code, 3);
+  EXPECT_EQ(line_.run("edit attach " + shipped() + " can --link plam --out x.yaml").exit_code, 3);
   EXPECT_FALSE(std::filesystem::exists(line_.folder() / "x.yaml"));
 }
 
