@@ -34,7 +34,7 @@ class EditCommand : public testing::Test {
 
   /// Three boxes of 10 cm, 1 m above the floor.
   std::string boxes() const {
-    std::string text = "handway: 1\nobjects:\n";
+    std::string text = "handway: 1\nrobots:\n  - {name: arm, model: tx90}\nobjects:\n";
     for (const char* box : {"a|0", "b|0.3", "c|1"}) {
       const std::string word = box;
       text += "  - name: " + word.substr(0, 1) + "\n    box: {size: [0.1, 0.1, 0.1]}\n";

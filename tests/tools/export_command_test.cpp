@@ -113,7 +113,7 @@ TEST_F(Export, RefusesAPathThatDoesNotBeginAtTheStart) {
   line_.write("away.csv", "shoulder,elbow,thumb,left,right\n-0.9,0,0,0,0\n-0.4,0,0,0,0\n");
   const Outcome done = line_.run("export away.csv --scene post.yaml --to csv --out out");
   EXPECT_EQ(done.exit_code, 1);
-  EXPECT_THAT(done.out, AllOf(HasSubstr("shoulder"), HasSubstr("begins")));
+  EXPECT_THAT(done.out, AllOf(HasSubstr("shoulder"), HasSubstr("away from the start")));
   EXPECT_FALSE(fs::exists(line_.folder() / "out"));
 }
 
