@@ -34,11 +34,13 @@ bool is_among(const ObjectNames& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-void need_few_copies(double count) {
-  constexpr double kMostCopies = 1000.0;
-  if (count < 1.0 || count > kMostCopies) {
-    throw geometric::InputError({"array", "", fmt::format("{:.0f} objects", count),
-                                 fmt::format("1 to {:.0f}", kMostCopies), ""});
+constexpr double kMostPlaces = 1e6;   // of an array
+constexpr double kMostCopies = 1000;  // that are added to a scene at once
+
+void need_at_most(double most, double count) {
+  if (!(count >= 1.0 && count <= most)) {
+    throw geometric::InputError(
+        {"array", "", fmt::format("{:.0f} objects", count), fmt::format("1 to {:.0f}", most), ""});
   }
 }
 
@@ -162,7 +164,7 @@ Vector3d shift_to_sides(const Scene& scene, const Configuration& q, const Object
 }
 
 std::vector<Pose> LinearArray::motions() const {
-  need_few_copies((count.array() < 1).any() ? 0.0 : count.cast<double>().prod());
+  need_at_most(kMostPlaces, (count.array() < 1).any() ? 0.0 : count.cast<double>().prod());
   std::vector<Pose> motions;
   for (int z = 0; z < count.z(); ++z) {
     for (int y = 0; y < count.y(); ++y) {
@@ -178,7 +180,7 @@ std::vector<Pose> LinearArray::motions() const {
 
 std::vector<Pose> CircularArray::motions(const Vector3d& p_W) const {
   constexpr double kNearlyFull = 2.0 * std::numbers::pi - 1e-6;
-  need_few_copies(count);
+  need_at_most(kMostPlaces, count);
   const int steps = std::abs(angle) >= kNearlyFull ? count : std::max(count - 1, 1);
   std::vector<Pose> motions;
   for (int i = 1; i < count; ++i) {
@@ -192,6 +194,7 @@ std::vector<Pose> CircularArray::motions(const Vector3d& p_W) const {
 
 Copies copied(const SceneState& state, const Configuration& q, const ObjectNames& names,
               const std::vector<Pose>& motions) {
+  need_at_most(kMostCopies, static_cast<double>(names.size() * (motions.size() + 1)));
   Scene scene = *state.scene;
   ObjectNames made;
   const std::vector<ObjectNames> parts = rigid_parts(*state.scene, names);

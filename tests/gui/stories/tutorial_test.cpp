@@ -4,7 +4,7 @@
 #include "features/grasping/grasp_tool.h"
 #include "hands_on.h"
 #include "handway/geometric/formats/scene_file.h"
-#include "handway/planning/edits/arranging.h"
+#include "handway/geometric/setup/placing.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
@@ -71,11 +71,11 @@ void Tutorial::step_2_a_stand_and_a_can() const {
   type_into("position_z", "1100");
   type_into("object_name", "can");
   press(Qt::Key_End);
-  const double top = 0.72 + planning::kRestingGap + 0.2;
+  const double top = 0.72 + geometric::kRestingGap + 0.2;
   const Eigen::Vector3d stand = object("stand").X_PO.translation();
   const Eigen::Vector3d can = object("can").X_PO.translation();
   EXPECT_TRUE(stand.isApprox(Eigen::Vector3d(0.75, 0.12, top - 0.1), 1e-6)) << stand;
-  EXPECT_TRUE(can.isApprox(Eigen::Vector3d(0.75, 0.12, top + planning::kRestingGap + 0.061), 1e-6))
+  EXPECT_TRUE(can.isApprox(Eigen::Vector3d(0.75, 0.12, top + geometric::kRestingGap + 0.061), 1e-6))
       << can;
   picture("new_3_stand_and_can");
 }

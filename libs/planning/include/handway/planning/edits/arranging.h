@@ -64,7 +64,7 @@ struct HANDWAY_PLANNING_EXPORT LinearArray {
   Eigen::Vector3d spacing{0.1, 0.1, 0.1};  ///< m
 
   /// Returns the motions to the copies, without the original.
-  /// @throws InputError for more than 1,000 objects, or less than one.
+  /// @throws InputError for more than 1e6 places, or less than one.
   [[nodiscard]] std::vector<geometric::Pose> motions() const;
 };
 
@@ -77,7 +77,7 @@ struct HANDWAY_PLANNING_EXPORT CircularArray {
   bool turning = true;  ///< The copies turn along.
 
   /// @param p_W what is copied, where it does not turn along.
-  /// @throws InputError for more than 1,000 objects, or less than one.
+  /// @throws InputError for more than 1e6 places, or less than one.
   [[nodiscard]] std::vector<geometric::Pose> motions(const Eigen::Vector3d& p_W) const;
 };
 
@@ -88,6 +88,7 @@ struct Copies {
 };
 
 /// One copy of all objects for each motion. A copied group becomes a group of its own.
+/// @throws InputError for more than 1,000 objects, the originals included.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Copies copied(const SceneState& state,
                                                     const geometric::Configuration& q,
                                                     const ObjectNames& names,
