@@ -49,7 +49,7 @@ class EditCommand : public testing::Test {
 TEST_F(EditCommand, AlignsDistributesAndDrops) {
   EXPECT_NEAR(place(edited(boxes(), "align a b --axis y --to max"), "a").y(), 0.3, 1e-9);
   EXPECT_NEAR(place(edited(boxes(), "distribute a b c --axis y"), "b").y(), 0.5, 1e-9);
-  EXPECT_NEAR(place(edited(boxes(), "drop a"), "a").z(), 0.05 + geometric::kRestingGap, 1e-9);
+  EXPECT_NEAR(place(edited(boxes(), "drop a"), "a").z(), 0.05, 1e-9);
   EXPECT_NEAR(place(edited(boxes(), "move a b --by 0.1 0 -0.2"), "b").z(), 0.8, 1e-9);
 }
 
