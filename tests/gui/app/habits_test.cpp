@@ -261,7 +261,7 @@ TEST_F(Habits, APathThatIsNoLongerValidStops) {
   window().editor().add("block", geometric::Box{{0.2, 0.2, 0.2}}, {}, {0.04, 0.42, -0.1});
   EXPECT_TRUE(QTest::qWaitFor([&] { return !window().player().is_playing(); }, kPatienceMs));
   EXPECT_TRUE(QTest::qWaitFor([&] { return !window().message().isEmpty(); }, kPatienceMs));
-  EXPECT_TRUE(window().message().contains(QStringLiteral("not valid")))
+  EXPECT_TRUE(window().message().contains(QStringLiteral("no longer valid")))
       << qPrintable(window().message());
 }
 
