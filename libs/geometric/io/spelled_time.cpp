@@ -1,7 +1,6 @@
-#include "handway/geometric/io/table_times.h"
-
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/table_text.h"
+#include "handway/geometric/io/table_times.h"
 
 #include <array>
 #include <cctype>
