@@ -258,62 +258,71 @@ py::array_t<double> object_pose_of(const SceneModel& model, const std::string& n
   return py::array_t<double>({4, 4}, X_WO.data());
 }
 
+// The scene after an edit of some of its objects, which are there.
+template <typename Edit>
+std::unique_ptr<SceneModel> edited(const SceneModel& model, const ObjectNames& objects,
+                                   const Edit& edit) {
+  planning::need_objects(model.scene(), objects);
+  return made(edit(state_of(model), posture_of(model)));
+}
+
 std::unique_ptr<SceneModel> aligned_scene(const SceneModel& model, const ObjectNames& objects,
                                           const std::string& axis, const std::string& to) {
-  planning::need_objects(model.scene(), objects);
-  return made(aligned(state_of(model), posture_of(model), objects, axis_from(axis), side_from(to)));
+  return edited(model, objects, [&](const SceneState& state, const geometric::Configuration& q) {
+    return aligned(state, q, objects, axis_from(axis), side_from(to));
+  });
 }
 
 std::unique_ptr<SceneModel> distributed_scene(const SceneModel& model, const ObjectNames& objects,
                                               const std::string& axis) {
-  planning::need_objects(model.scene(), objects);
-  return made(distributed(state_of(model), posture_of(model), objects, axis_from(axis)));
+  return edited(model, objects, [&](const SceneState& state, const geometric::Configuration& q) {
+    return distributed(state, q, objects, axis_from(axis));
+  });
 }
 
 std::unique_ptr<SceneModel> with_rows(const SceneModel& model, const ObjectNames& objects,
                                       const std::array<int, 3>& count,
                                       const std::array<double, 3>& spacing) {
-  planning::need_objects(model.scene(), objects);
-  const planning::LinearArray rows{{count[0], count[1], count[2]}, triple_from(spacing, "spacing")};
-  return made(copied(state_of(model), posture_of(model), objects, rows.motions()).state);
+  return edited(model, objects, [&](const SceneState& state, const geometric::Configuration& q) {
+    const planning::LinearArray rows{{count[0], count[1], count[2]},
+                                     triple_from(spacing, "spacing")};
+    return copied(state, q, objects, rows.motions()).state;
+  });
 }
 
 std::unique_ptr<SceneModel> with_circle(const SceneModel& model, const ObjectNames& objects,
                                         int copies, const std::string& axis,
                                         const std::array<double, 3>& centre, double angle,
                                         bool turning) {
-  planning::need_objects(model.scene(), objects);
-  if (!(std::abs(angle) <= 2.0 * std::numbers::pi)) {
-    throw InputError({"angle", "", std::to_string(angle), "a full turn at most, rad", ""});
-  }
-  const planning::CircularArray circle{copies, axis_from(axis), triple_from(centre, "centre"),
-                                       angle, turning};
-  const Eigen::Vector3d middle = bounds(model.scene(), posture_of(model), objects).centre();
-  return made(copied(state_of(model), posture_of(model), objects, circle.motions(middle)).state);
+  return edited(model, objects, [&](const SceneState& state, const geometric::Configuration& q) {
+    if (!(std::abs(angle) <= 2.0 * std::numbers::pi)) {
+      throw InputError({"angle", "", std::to_string(angle), "a full turn at most, rad", ""});
+    }
+    const planning::CircularArray circle{copies, axis_from(axis), triple_from(centre, "centre"),
+                                         angle, turning};
+    const Eigen::Vector3d middle = bounds(*state.scene, q, objects).centre();
+    return copied(state, q, objects, circle.motions(middle)).state;
+  });
 }
 
 std::unique_ptr<SceneModel> dropped_scene(const SceneModel& model, const ObjectNames& objects) {
-  planning::need_objects(model.scene(), objects);
-  for (const std::string& name : objects) {
-    if (geometric::find_object(model.scene(), name)->attachment) {
-      throw InputError({"objects", "", "\"" + name + "\", which is attached to a link",
-                        "an object that stands in the world", "Detach it first"});
-    }
-  }
-  return made(dropped(state_of(model), posture_of(model), objects));
+  return edited(model, objects, [&](const SceneState& state, const geometric::Configuration& q) {
+    return dropped(state, q, objects);
+  });
 }
 
 std::unique_ptr<SceneModel> attached_scene(const SceneModel& model, const ObjectNames& objects,
                                            const std::string& link,
                                            const std::vector<std::string>& touching) {
-  planning::need_objects(model.scene(), objects);
-  return made(attached(state_of(model), posture_of(model), objects,
-                       {model.scene().robots.front().name, link}, touching));
+  return edited(model, objects, [&](const SceneState& state, const geometric::Configuration& q) {
+    return attached(state, q, objects, {state.scene->robots.front().name, link}, touching);
+  });
 }
 
 std::unique_ptr<SceneModel> detached_scene(const SceneModel& model, const ObjectNames& objects) {
-  planning::need_objects(model.scene(), objects);
-  return made(detached(state_of(model), posture_of(model), objects));
+  return edited(model, objects, [&](const SceneState& state, const geometric::Configuration& q) {
+    return detached(state, q, objects);
+  });
 }
 
 std::unique_ptr<SceneModel> mounted_scene(const SceneModel& model, const std::string& robot,

@@ -76,7 +76,8 @@ void add_objects_option(CLI::App& command, const std::shared_ptr<ObjectNames>& n
   command.add_option("objects", *names, "Objects of the scene")->required();
 }
 
-void add_axis_option(CLI::App& command, const char* name, int& axis, const char* description) {
+template <typename Axis>
+void add_axis_option(CLI::App& command, const char* name, Axis& axis, const char* description) {
   static const std::map<std::string, int> kAxes{{"x", 0}, {"y", 1}, {"z", 2}};
   command.add_option(name, axis, description)
       ->transform(CLI::CheckedTransformer(kAxes, CLI::ignore_case));
@@ -196,11 +197,8 @@ void add_array(CLI::App& command, const std::shared_ptr<EditOptions>& options) {
       ->check(CLI::Range(1, 100));
   add_triple_option(array, "--spacing", settings->spacing,
                     "Rows: distance of neighbours along x, y and z, m (default 0.1 0.1 0.1)");
-  array
-      .add_option("--around", settings->around,
-                  "Circle instead of rows: around this axis, x, y or z, of the world")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}},
-                                          CLI::ignore_case));
+  add_axis_option(array, "--around", settings->around,
+                  "Circle instead of rows: around this axis, x, y or z, of the world");
   array.add_option("--copies", settings->circle.count, "Circle: number, the original included")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
@@ -217,18 +215,11 @@ void add_array(CLI::App& command, const std::shared_ptr<EditOptions>& options) {
 
 void add_drop(CLI::App& command, const std::shared_ptr<EditOptions>& options) {
   auto names = std::make_shared<ObjectNames>();
-  CLI::App& drop = add_edit(
-      command, options, "drop", "Drop objects onto the surface below them, or the floor",
-      of_objects(names, [names](const SceneState& state, const Configuration& q) {
-        for (const std::string& name : *names) {
-          if (state.find(name)->attachment) {
-            throw geometric::InputError({"scene " + state.scene->name, "",
-                                         "\"" + name + "\", which is attached to a link",
-                                         "an object that stands in the world", "Detach it first"});
-          }
-        }
-        return dropped(state, q, *names);
-      }));
+  CLI::App& drop =
+      add_edit(command, options, "drop", "Drop objects onto the surface below them, or the floor",
+               of_objects(names, [names](const SceneState& state, const Configuration& q) {
+                 return dropped(state, q, *names);
+               }));
   add_objects_option(drop, names);
 }
 

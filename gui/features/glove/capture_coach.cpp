@@ -1,7 +1,6 @@
 #include "features/glove/capture_coach.h"
 
 #include "features/glove/capture_hints.h"
-#include "features/glove/capture_layout.h"
 #include "features/glove/combination_squares.h"
 #include "features/glove/coverage_bars.h"
 #include "handway/device/glove/glove_layout.h"

@@ -1,6 +1,6 @@
 #include "features/glove/combination_squares.h"
 
-#include "features/glove/capture_layout.h"
+#include "features/glove/coverage_bars.h"
 #include "features/glove/joint_label.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/human_hand.h"

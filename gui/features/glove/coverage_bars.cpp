@@ -1,6 +1,5 @@
 #include "features/glove/coverage_bars.h"
 
-#include "features/glove/capture_layout.h"
 #include "features/glove/joint_label.h"
 #include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"

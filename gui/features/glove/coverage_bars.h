@@ -8,6 +8,8 @@
 
 namespace handway::gui {
 
+inline constexpr int kSideMargin = 12;  ///< Margin left and right of the parts of the coach, px.
+
 /// A bar for each joint: its range with the visited parts filled, its present value, and the share
 /// that was visited.
 class CoverageBars : public QWidget {

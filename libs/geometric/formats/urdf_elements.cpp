@@ -14,7 +14,6 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kLargestNumber = 1e6;  // m or rad: what is beyond is a slip
 constexpr const char* kBlanks = " \t\r\n";
 
 const XmlVocabulary& vocabulary() {

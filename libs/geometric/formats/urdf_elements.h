@@ -14,6 +14,9 @@ namespace handway::geometric {
 /// line of the XML element.
 class UrdfElements {
  public:
+  /// Largest number that is read, m or rad: what is beyond is a slip, or means "no limit".
+  static constexpr double kLargestNumber = 1e6;
+
   /// @param document must outlive this object.
   explicit UrdfElements(const XmlDocument& document) : document_(document) {}
 

@@ -18,7 +18,6 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kLargestLimit = 1e6;     // m or rad: what is beyond means no limit
 constexpr std::size_t kMostLinks = 2000;  // a longer chain could exhaust the stack
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
@@ -50,7 +49,7 @@ bool is_beyond(const pugi::xml_node& limit, const char* attribute, double side =
   const std::string text = limit.attribute(attribute).value();
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0' && side * value > kLargestLimit;
+  return !text.empty() && *end == '\0' && side * value > UrdfElements::kLargestNumber;
 }
 
 // Follows `mimic` to an independent joint; q = m1 * (m2 * q2 + o2) + o1.

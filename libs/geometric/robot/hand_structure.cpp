@@ -103,21 +103,19 @@ class FingerTree {
   /// The last link of each finger that the hand moves, ascending.
   [[nodiscard]] const LinkIndices& ends() const { return ends_; }
 
-  // The highest link that carries no other finger than the one with that end.
-  [[nodiscard]] int root(int end) const {
-    while (model_.parent(end) > 0 && ends_on(model_.parent(end)) < 2) {
-      end = model_.parent(end);
+  // The highest link beyond `palm` that carries no other finger than the one with that end.
+  [[nodiscard]] int root(int end, int palm) const {
+    int first = end;
+    while (model_.parent(first) > 0 && model_.parent(first) != palm &&
+           ends_on(model_.parent(first)) < 2) {
+      first = model_.parent(first);
     }
-    return end;
+    return first;
   }
 
   [[nodiscard]] HandFinger finger(int palm, int end) const {
     HandFinger finger;
-    int first = end;
-    while (model_.parent(first) != palm && ends_on(model_.parent(first)) < 2) {
-      first = model_.parent(first);
-    }
-    finger.links = subtree(first);
+    finger.links = subtree(root(end, palm));
     for (const int link : finger.links) {
       const int joint = model_.mimic_mapping(link).variable;
       if (contains(hand_, joint) && !contains(finger.joints, joint)) {
@@ -178,9 +176,9 @@ class FingerTree {
   }
 
   [[nodiscard]] bool is_bar(int end) const {
-    const int bar = root(end);
+    const int bar = root(end, 0);
     return std::ranges::any_of(ends_, [&](int other) {
-      const int finger = root(other);
+      const int finger = root(other, 0);
       return other != end && model_.parent(finger) == model_.parent(bar) &&
              is_bar_beside(bar, finger);
     });

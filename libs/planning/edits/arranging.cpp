@@ -259,6 +259,14 @@ Scene objects_alone(const SceneState& state, const Configuration& q, const Objec
 }
 
 SceneState dropped(SceneState state, const Configuration& q, const ObjectNames& names) {
+  for (const std::string& name : names) {
+    const SceneObject* object = state.find(name);
+    if (object != nullptr && object->attachment) {
+      throw geometric::InputError({"scene " + state.scene->name, "",
+                                   "\"" + name + "\", which is attached to a link",
+                                   "an object that stands in the world", "Detach it first"});
+    }
+  }
   std::vector<ObjectNames> parts = rigid_parts(*state.scene, names);
   std::ranges::stable_sort(
       parts, {}, [&](const ObjectNames& part) { return bounds(*state.scene, q, part).lower.z(); });

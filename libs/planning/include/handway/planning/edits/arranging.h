@@ -31,16 +31,16 @@ using ObjectNames = std::vector<std::string>;
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<ObjectNames> rigid_parts(
     const geometric::Scene& scene, const ObjectNames& objects);
 
-/// All of them moved by the same motion of the world. @param motion X with p' = X p.
+/// Moves objects by one motion of the world. @param motion X with p' = X p.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState moved(const SceneState& state,
                                                        const geometric::Configuration& q,
                                                        const ObjectNames& names,
                                                        const geometric::Pose& motion);
 
-/// Part of the boxes that is aligned.
+/// Side of the bounding boxes that is aligned.
 enum class AlignTo { kLeast, kCentre, kMost };
 
-/// All brought to the last one (or the group it is in), along one axis.
+/// Aligns objects with the last one, or its group, along one axis.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState aligned(const SceneState& state,
                                                          const geometric::Configuration& q,
                                                          const ObjectNames& names, int axis,
@@ -58,44 +58,45 @@ enum class AlignTo { kLeast, kCentre, kMost };
     const geometric::Scene& scene, const geometric::Configuration& q, const ObjectNames& names,
     double reach);
 
-/// Copies in rows: so many along each axis of the world, so far apart.
+/// An array of copies in rows along the axes of the world.
 struct HANDWAY_PLANNING_EXPORT LinearArray {
-  Eigen::Vector3i count{1, 1, 1};          ///< Each at least 1, the original included.
-  Eigen::Vector3d spacing{0.1, 0.1, 0.1};  ///< m
+  Eigen::Vector3i count{1, 1, 1};          ///< Numbers of objects, the original included; ≥ 1.
+  Eigen::Vector3d spacing{0.1, 0.1, 0.1};  ///< Distances of neighbours, m.
 
   /// Returns the motions to the copies, without the original.
   /// @throws InputError for more than 1e6 places, or less than one.
   [[nodiscard]] std::vector<geometric::Pose> motions() const;
 };
 
-/// Copies around an axis of the world.
+/// An array of copies around an axis of the world.
 struct HANDWAY_PLANNING_EXPORT CircularArray {
-  int count = 6;                                     ///< The original included.
-  int axis = 2;                                      ///< x, y, z
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< m
-  double angle = 0.0;   ///< From the first to the last, rad; a full turn: evenly around.
-  bool turning = true;  ///< The copies turn along.
+  int count = 6;                                     ///< Number of objects, the original included.
+  int axis = 2;                                      ///< 0, 1, 2: x, y, z.
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< A point of the axis, m.
+  double angle = 0.0;   ///< From the first to the last one, rad; a full turn spreads them evenly.
+  bool turning = true;  ///< Whether the copies turn along.
 
-  /// @param p_W what is copied, where it does not turn along.
+  /// Returns the motions to the copies, without the original.
+  /// @param p_W position of the original, for copies that do not turn along.
   /// @throws InputError for more than 1e6 places, or less than one.
   [[nodiscard]] std::vector<geometric::Pose> motions(const Eigen::Vector3d& p_W) const;
 };
 
-/// A state with copies, and what they are called.
+/// A scene with copies, and their names.
 struct Copies {
   SceneState state;
   ObjectNames names;
 };
 
-/// One copy of all objects for each motion. A copied group becomes a group of its own.
+/// Adds one copy of all objects for each motion. A copied group becomes a group of its own.
 /// @throws InputError for more than 1,000 objects, the originals included.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Copies copied(const SceneState& state,
                                                     const geometric::Configuration& q,
                                                     const ObjectNames& names,
                                                     const std::vector<geometric::Pose>& motions);
 
-/// The objects of `added`, which stand in the world, moved by one motion of the world; under names
-/// and in groups that are unused.
+/// Adds the objects of another scene, moved by one motion of the world, under names and in groups
+/// that are unused. @param added scene whose objects stand in the world.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Copies with_objects_of(const SceneState& state,
                                                              const geometric::Scene& added,
                                                              const geometric::Pose& motion);
@@ -105,9 +106,10 @@ struct Copies {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::Scene objects_alone(
     const SceneState& state, const geometric::Configuration& q, const ObjectNames& names);
 
-/// The objects sunk or lifted until they stand kRestingGap above other objects, or on the
-/// floor (z = 0). Objects of a group that is named whole move together.
+/// Lowers or lifts objects until they stand kRestingGap above other objects, or on the floor
+/// (z = 0). Objects of a group that is named whole move together.
 /// @param names of objects that stand in the world.
+/// @throws InputError if one of them is attached to a link.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState dropped(SceneState state,
                                                          const geometric::Configuration& q,
                                                          const ObjectNames& names);

@@ -10,11 +10,11 @@
 
 namespace handway::planning {
 
-/// A face of a shape that can be pulled outwards: of a box or mesh each of its six sides, of
-/// a cylinder or cone its ends and its mantle, of a sphere anywhere on the axes.
+/// A point of a shape's surface that can be pulled outwards: the middle of each of the six sides
+/// of a box or mesh, of the ends and the mantle of a cylinder or cone, of a sphere on its axes.
 struct ResizeKnob {
   int axis = 0;  ///< Axis of the shape's own frame.
-  int sign = 1;  ///< On which side.
+  int sign = 1;  ///< Side of the axis: 1 or -1.
   Eigen::Vector3d p_O = Eigen::Vector3d::Zero();
 
   friend bool operator==(const ResizeKnob& a, const ResizeKnob& b) {
@@ -22,10 +22,11 @@ struct ResizeKnob {
   }
 };
 
+/// Returns the points at which a shape can be resized.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<ResizeKnob> resize_knobs(
     const geometric::Shape& shape);
 
-/// A shape of another size, and where it is then.
+/// A shape of another size, and its new pose.
 struct Resized {
   geometric::Shape shape;
   geometric::Pose X_WO;
@@ -39,7 +40,7 @@ struct Resized {
                                                       const ResizeKnob& knob, double distance,
                                                       bool snap);
 
-/// The mesh with each coordinate `factor` times as large.
+/// Returns the mesh with each coordinate `factor` times as large.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::Mesh scaled(const geometric::Mesh& mesh,
                                                              double factor);
 

@@ -20,8 +20,8 @@ namespace handway::planning {
 
 /// A link of a robot or of a part of one.
 struct LinkOfRobot {
-  std::string robot;  ///< Robot or part.
-  std::string link;   ///< By its own name for it.
+  std::string robot;  ///< Name of the robot or part.
+  std::string link;   ///< The link's name in that robot or part.
 
   friend bool operator==(const LinkOfRobot&, const LinkOfRobot&) = default;
 };
@@ -33,26 +33,29 @@ struct LinkOfRobot {
 /// carry itself.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<LinkOfRobot> mounting_places(
     const geometric::Scene& scene, const std::string& robot);
-/// The end of the first robot, if that is an arm without a hand: where hands and tools go.
+/// Returns the last link of the first robot if that is an arm without a hand: hands and tools are
+/// mounted on it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<LinkOfRobot> end_of_arm(
     const geometric::Scene& scene);
-/// The link of a composed robot by its part and the part's own name for it.
+/// Returns a link of a composed robot by its part and its name in that part.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT LinkOfRobot own_link(const geometric::Scene& scene,
                                                            const std::string& robot,
                                                            const std::string& link);
-/// The base (root link) of a robot or part in the world; nothing if there is none of that name.
+/// Returns the pose of the base (root link) of a robot or part in the world; nothing if there is
+/// none of that name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<geometric::Pose> base_pose(
     const geometric::Scene& scene, const geometric::Configuration& q, const std::string& robot);
-/// The frame that a robot's pose is given in: the world, or the link that carries it.
+/// Returns the pose of the frame that a robot's pose is given in: the world, or the link that
+/// carries it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::Pose carrier_pose(
     const geometric::Scene& scene, const geometric::Configuration& q, const std::string& robot);
 
-/// The first hand basis of the library of which the robot has all joints, and its name.
+/// Returns the first hand basis of the library whose joints the robot has, and its name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<std::pair<std::string, sampling::PmdBasis>>
 fitting_basis(const geometric::RobotModel& model);
 
-/// Adds a robot, standing at its X_WB or mounted, with the hand basis that fits the first robot
-/// then. @param robot with an unused name, see unused_name().
+/// Adds a robot that stands at its X_WB or is mounted, and takes a hand basis that fits the first
+/// robot. @param robot with an unused name, see unused_name().
 /// @param X_LB of its base in the link `on`.
 /// @throws InputError if the parts make no robot, or names clash with those of objects.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_robot(const SceneState& state,
@@ -60,7 +63,7 @@ fitting_basis(const geometric::RobotModel& model);
                                                             geometric::RobotInstance robot,
                                                             const std::optional<LinkOfRobot>& on,
                                                             const geometric::Pose& X_LB);
-/// Returns whether the group names something that the first robot lacks: a robot beside it.
+/// Returns whether the group names a robot beside the first one, or a joint of it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT bool joins_robots(const geometric::Scene& scene,
                                                         const std::vector<std::string>& group);
 /// Sets the group that moves; see geometric::set_moving_group().
@@ -79,7 +82,7 @@ fitting_basis(const geometric::RobotModel& model);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_mount(const SceneState& state,
                                                                const geometric::Configuration& q,
                                                                const std::string& part);
-/// The base of a mounted part elsewhere in the world.
+/// Moves the base of a mounted part to a pose in the world.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_mount_at(const SceneState& state,
                                                                const geometric::Configuration& q,
                                                                const std::string& part,
@@ -92,7 +95,8 @@ with_model(const SceneState& state, const geometric::Configuration& q, const std
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_robot(const SceneState& state,
                                                                const geometric::Configuration& q,
                                                                const std::string& robot);
-/// Plans for another robot than before: start, goal and all else that was said of the first goes.
+/// Makes another robot the first, which is planned for. Start, goal and all settings of the former
+/// first robot are removed.
 /// @param robot stands in the world.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_first_robot(const SceneState& state,
                                                                   const geometric::Configuration& q,

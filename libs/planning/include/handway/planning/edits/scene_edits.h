@@ -22,11 +22,11 @@ using ObjectChange = std::function<void(geometric::SceneObject&)>;
 /// Changes the way in which the window shows and treats an object.
 using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 
-/// The robot that is called so, or has a link that is; empty: there is none.
+/// Returns the robot that has this name, or a link of this name; empty if there is none.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string owner_of_name(const geometric::Scene& scene,
                                                                 const std::string& name);
 
-/// `name`, or `name` with the first number that makes it unlike all other names:
+/// Returns `name`, or `name` with the first number that makes it different from all other names:
 /// "can", "can 2", "can 3", ….
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string unused_name(const geometric::Scene& scene,
                                                               const std::string& name);
@@ -36,19 +36,20 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 HANDWAY_PLANNING_EXPORT void need_objects(const geometric::Scene& scene,
                                           const std::vector<std::string>& names);
 
-/// @param object gets an unused name.
+/// Adds an object, under an unused name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_object(const SceneState& state,
                                                              geometric::SceneObject object);
-/// Constraints about them go, too.
+/// Removes objects and the constraints about them.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState
 without_objects(const SceneState& state, const std::vector<std::string>& names);
-/// @param change of anything but the name. Constraints about what is detached go.
+/// Changes an object; with_changed_objects() several. Constraints about an object that is detached
+/// are removed. @param change of anything but the name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_changed_object(const SceneState& state,
                                                                      std::string_view name,
                                                                      const ObjectChange& change);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_changed_objects(
     const SceneState& state, const std::vector<std::string>& names, const ObjectChange& change);
-/// @param change of how the window treats each of these objects.
+/// Changes the way in which the window shows and treats objects.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_changed_display(
     const SceneState& state, const std::vector<std::string>& names, const DisplayChange& change);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_renamed_object(const SceneState& state,
@@ -60,18 +61,18 @@ without_objects(const SceneState& state, const std::vector<std::string>& names);
 with_constraint(const SceneState& state, geometric::PathConstraint constraint);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_constraint(const SceneState& state,
                                                                     std::string_view name);
-/// `name`, or the first like it that no constraint has.
+/// Returns `name`, or the first similar name that no constraint has.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string unused_constraint_name(
     const geometric::Scene& scene, const std::string& name);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_base(const SceneState& state,
                                                            std::string_view robot,
                                                            const geometric::Pose& X_WB);
-/// The goal keeps to the start in what does not move.
+/// Sets the start. Joints that do not move have the start's values in the goal, too.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_start(const SceneState& state,
                                                             const geometric::Configuration& q);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_goal(const SceneState& state,
                                                            const geometric::Configuration& q);
-/// The goal pose of that number changed, or, one after the last, a new one.
+/// Replaces the goal pose of that number; beyond the last one, adds it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_goal_pose(const SceneState& state,
                                                                 std::size_t index,
                                                                 const geometric::PoseGoal& goal);
@@ -87,12 +88,12 @@ with_posture(const SceneState& state, const geometric::NamedPosture& posture);
                                                                  const geometric::SavedView& view);
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_saved_view(const SceneState& state,
                                                                     std::string_view name);
-/// The hand is planned for with a basis, which the scene names by its file.
+/// Sets the hand's basis, which the scene names by its file.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState
 with_basis(const SceneState& state, const std::filesystem::path& file,
            std::shared_ptr<const sampling::PmdBasis> basis);
 
-/// `group`, or the first like it that no object is in: "group", "group 2", ….
+/// Returns `group`, or the first similar name that no group has: "group", "group 2", ….
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string unused_group(const geometric::Scene& scene,
                                                                const std::string& group);
 
@@ -101,11 +102,13 @@ with_basis(const SceneState& state, const std::filesystem::path& file,
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<geometric::Pose> body_pose(
     const geometric::Scene& scene, const geometric::Configuration& q, std::string_view body);
 
-/// The body's axis that is nearest to the vertical at `q` stays within 10° of it.
+/// Returns a constraint that keeps the body's axis that is nearest to the vertical at `q` within
+/// 10° of the vertical.
 /// @pre the body is one of constrainable_bodies().
 [[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::PathConstraint new_upright(
     const geometric::Scene& scene, const geometric::Configuration& q, const std::string& body);
-/// The body's origin stays in a box with room around where it is at `q`, at start and at goal.
+/// Returns a constraint that keeps the body's origin in a box around its positions at `q`, at the
+/// start and at the goal, with 0.1 m of room.
 /// @pre the body is one of constrainable_bodies().
 [[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::PathConstraint new_region(
     const geometric::Scene& scene, const geometric::Configuration& q, const std::string& body);

@@ -18,7 +18,7 @@ struct SceneState {
   [[nodiscard]] geometric::ObjectDisplay display_of(std::string_view object) const {
     return scene ? scene->display.of(object) : geometric::ObjectDisplay{};
   }
-  /// nullptr if there is no such object.
+  /// Returns the object of that name; null if there is none.
   [[nodiscard]] const geometric::SceneObject* find(std::string_view object) const {
     return scene ? geometric::find_object(*scene, object) : nullptr;
   }
