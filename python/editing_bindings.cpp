@@ -38,9 +38,9 @@ using SceneChange = std::shared_ptr<Scene>;
 std::string text_of(const py::object& value) { return py::str(value); }
 
 std::unique_ptr<SceneModel> made(SceneChange scene,
-                                 std::shared_ptr<const sampling::PmdBasis> basis = nullptr) {
+                                 const std::shared_ptr<const sampling::PmdBasis>& basis = nullptr) {
   const py::gil_scoped_release release;
-  return std::make_unique<SceneModel>(std::move(scene), std::move(basis));
+  return std::make_unique<SceneModel>(std::move(scene), basis);
 }
 
 std::unique_ptr<SceneModel> changed(const SceneModel& model, SceneChange scene) {

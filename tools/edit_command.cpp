@@ -104,7 +104,7 @@ planning::LinkOfRobot link_from(const geometric::Scene& scene, const std::string
     return {text.substr(0, slash), text.substr(slash + 1)};
   }
   if (scene.robots.empty()) {
-    throw geometric::InputError({"scene " + scene.name, "robots", "none", "a robot", ""});
+    throw geometric::InputError({planning::source_of(scene), "robots", "none", "a robot", ""});
   }
   return {scene.robots.front().name, text};
 }

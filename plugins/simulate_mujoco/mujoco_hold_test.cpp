@@ -1,6 +1,7 @@
 #include "mujoco_hold_test.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/extensions/plugin.h"
 
 #include <Eigen/Geometry>
@@ -260,7 +261,7 @@ const geometric::SceneObject& object_of(const planning::PlanningProblem& problem
                                         std::string_view object) {
   const geometric::SceneObject* found = geometric::find_object(*problem.scene, object);
   if (found == nullptr) {
-    throw geometric::InputError({"scene " + problem.scene->name, "",
+    throw geometric::InputError({planning::source_of(*problem.scene), "",
                                  "\"" + std::string(object) + "\"", "an object of the scene", ""});
   }
   return *found;

@@ -257,10 +257,9 @@ void PicturesDialog::take_kind() {
 }
 
 void PicturesDialog::show_count() {
-  count_->setText(
-      kind() == Kind::kStrip
-          ? tr("Like the present view, on white; PNG or SVG, depending on the file's name")
-          : tr("%1 pictures like the present view, on white").arg(shot().pictures));
+  count_->setText(kind() == Kind::kStrip
+                      ? tr("Like the present view, on white; PNG or SVG by the file's name")
+                      : tr("%1 pictures like the present view, on white").arg(shot().pictures));
 }
 
 void PicturesDialog::browse() {

@@ -89,7 +89,8 @@ std::string nearest_name(std::string_view word, std::span<const std::string> nam
     if (word.size() > kLongest || name.size() > kLongest) {
       continue;
     }
-    if (const std::size_t distance = edit_distance(word, name); distance < least) {
+    const std::size_t distance = edit_distance(word, name);
+    if (distance < least && distance < std::max(word.size(), name.size())) {
       least = distance;
       nearest = name;
     }

@@ -262,7 +262,7 @@ SceneState dropped(SceneState state, const Configuration& q, const ObjectNames& 
   for (const std::string& name : names) {
     const SceneObject* object = state.find(name);
     if (object != nullptr && object->attachment) {
-      throw geometric::InputError({"scene " + state.scene->name, "",
+      throw geometric::InputError({source_of(*state.scene), "",
                                    "\"" + name + "\", which is attached to a link",
                                    "an object that stands in the world", "Detach it first"});
     }
@@ -304,7 +304,7 @@ SceneState attached(const SceneState& state, const Configuration& q, const Objec
                     const LinkOfRobot& on, const std::vector<std::string>& touching) {
   const std::optional<Pose> X_WL = link_pose(*state.scene, q, on.robot, on.link);
   if (!X_WL) {
-    throw geometric::InputError({"scene " + state.scene->name, "",
+    throw geometric::InputError({source_of(*state.scene), "",
                                  "the link \"" + on.link + "\" of \"" + on.robot + "\"",
                                  "a link of a robot of the scene", ""});
   }

@@ -107,9 +107,16 @@ std::string unused_group(const Scene& scene, const std::string& group) {
   });
 }
 
+std::string source_of(const Scene& scene) {
+  if (!scene.file.empty()) {
+    return scene.file.string();
+  }
+  return scene.name.empty() ? "scene" : "scene " + scene.name;
+}
+
 void need_objects(const Scene& scene, const std::vector<std::string>& names) {
   if (names.empty()) {
-    throw geometric::InputError({"scene " + scene.name, "", "no objects", "at least one", ""});
+    throw geometric::InputError({source_of(scene), "objects", "none", "at least one", ""});
   }
   for (const std::string& name : names) {
     if (geometric::find_object(scene, name) != nullptr) {
@@ -117,7 +124,7 @@ void need_objects(const Scene& scene, const std::vector<std::string>& names) {
     }
     std::vector<std::string> there;
     std::ranges::transform(scene.objects, std::back_inserter(there), &SceneObject::name);
-    throw geometric::InputError({"scene " + scene.name, "", "the object \"" + name + "\"",
+    throw geometric::InputError({source_of(scene), "", "the object \"" + name + "\"",
                                  "an object of the scene", geometric::advise_name(name, there)});
   }
 }

@@ -31,6 +31,9 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string unused_name(const geometric::Scene& scene,
                                                               const std::string& name);
 
+/// Returns what messages about a scene begin with: its file, or its name if it has no file.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string source_of(const geometric::Scene& scene);
+
 /// @throws InputError if there are no names, or, naming the nearest object, if the scene lacks one
 /// of these objects.
 HANDWAY_PLANNING_EXPORT void need_objects(const geometric::Scene& scene,
@@ -42,16 +45,18 @@ HANDWAY_PLANNING_EXPORT void need_objects(const geometric::Scene& scene,
 /// Removes objects and the constraints about them.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState
 without_objects(const SceneState& state, const std::vector<std::string>& names);
-/// Changes an object; with_changed_objects() several. Constraints about an object that is detached
-/// are removed. @param change of anything but the name.
+/// Changes an object. Constraints about an object that is detached are removed.
+/// @param change Changes anything but the name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_changed_object(const SceneState& state,
                                                                      std::string_view name,
                                                                      const ObjectChange& change);
+/// Changes several objects in the same way, as with_changed_object() does.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_changed_objects(
     const SceneState& state, const std::vector<std::string>& names, const ObjectChange& change);
 /// Changes the way in which the window shows and treats objects.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_changed_display(
     const SceneState& state, const std::vector<std::string>& names, const DisplayChange& change);
+/// Renames an object, also in its display and in the pairs and constraints that name it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_renamed_object(const SceneState& state,
                                                                      const std::string& name,
                                                                      const std::string& new_name);
@@ -59,33 +64,39 @@ without_objects(const SceneState& state, const std::vector<std::string>& names);
 /// constrainable_bodies().
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState
 with_constraint(const SceneState& state, geometric::PathConstraint constraint);
+/// Removes the constraint of that name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_constraint(const SceneState& state,
                                                                     std::string_view name);
 /// Returns `name`, or the first similar name that no constraint has.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string unused_constraint_name(
     const geometric::Scene& scene, const std::string& name);
+/// Moves the base of a robot to the pose `X_WB` in the world.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_base(const SceneState& state,
                                                            std::string_view robot,
                                                            const geometric::Pose& X_WB);
 /// Sets the start. Joints that do not move have the start's values in the goal, too.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_start(const SceneState& state,
                                                             const geometric::Configuration& q);
+/// Sets the goal and removes the goal poses. Joints that do not move keep the start's values.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_goal(const SceneState& state,
                                                            const geometric::Configuration& q);
 /// Replaces the goal pose of that number; beyond the last one, adds it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_goal_pose(const SceneState& state,
                                                                 std::size_t index,
                                                                 const geometric::PoseGoal& goal);
+/// Removes the goal pose of that number.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_goal_pose(const SceneState& state,
                                                                    std::size_t index);
 /// Adds a posture, or replaces the one of that name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState
 with_posture(const SceneState& state, const geometric::NamedPosture& posture);
+/// Removes the posture of that name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_posture(const SceneState& state,
                                                                  std::string_view name);
 /// Adds `view`, or replaces the view of that name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_saved_view(const SceneState& state,
                                                                  const geometric::SavedView& view);
+/// Removes the view of that name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_saved_view(const SceneState& state,
                                                                     std::string_view name);
 /// Sets the hand's basis, which the scene names by its file.
