@@ -1,0 +1,133 @@
+#pragma once
+
+#include "handway/planning/core/plan_result.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/edits/scene_state.h"
+#include "handway/planning/export.h"
+#include "handway/planning/grasps/pregrasp_search.h"
+#include "handway/planning/planners/planner.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// @file
+/// Tasks: programs of steps such as "pick the can", "place it on the shelf", which are planned as
+/// one motion. Each step becomes stages, and each stage has a path in a scene of its own: with the
+/// object that the hand carries there, and the contacts that are allowed there.
+
+namespace handway::planning {
+
+/// A step that grasps an object and lifts it.
+struct PickStep {
+  std::string object;     ///< Stands in the world.
+  double approach = 0.1;  ///< m: length of the straight motion that ends at the grasp.
+  double lift = 0.1;      ///< m: height of the straight motion upwards; less where that is blocked.
+};
+
+/// A step that puts down the carried object, opens the hand and takes it away.
+struct PlaceStep {
+  std::string support;  ///< The object on whose upward faces it is placed; empty: see `pose`.
+  /// Pose of the object in the world, without a support.
+  geometric::Pose pose = geometric::Pose::Identity();
+  double lower = 0.1;    ///< m: height of the straight motion downwards; less where it is blocked.
+  double retreat = 0.1;  ///< m: length of the straight motion that leaves the object.
+};
+
+/// A step that moves to a posture.
+struct MoveStep {
+  Configuration q;   ///< Shape [variable_count]. While an object is carried the hand stays.
+  std::string name;  ///< For messages.
+};
+
+using TaskStep = std::variant<PickStep, PlaceStep, MoveStep>;
+
+/// Steps in their order.
+using Task = std::vector<TaskStep>;
+
+/// Options of plan_task().
+struct TaskOptions {
+  std::uint64_t seed = 1;
+  int threads = 1;             ///< The result does not depend on it.
+  double motion_time_s = 5.0;  ///< Time limit of one motion of the planner, s.
+  int places = 24;             ///< Places on a support to try for each grasp.
+  /// The search for grasps: its seed and threads are those above.
+  PregraspOptions grasps = {};
+};
+
+/// Kind of a stage.
+enum class StageKind {
+  kMove,      ///< To a posture, by the planner.
+  kApproach,  ///< To the begin of the reach, by the planner.
+  kReach,     ///< Straight to the pre-grasp; at its end the fingers close until near contact.
+  kClose,     ///< Until the fingers touch the object.
+  kLift,      ///< Straight upwards, with the object.
+  kCarry,     ///< With the object, by the planner.
+  kLower,     ///< Straight downwards, with the object.
+  kOpen,      ///< Until the fingers have left the object.
+  kRetreat,   ///< Straight away from the object.
+};
+
+/// Word for display: "approach", ….
+[[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(StageKind kind);
+
+/// A planned stage.
+struct TaskStage {
+  StageKind kind = StageKind::kMove;
+  std::size_t step = 0;  ///< Index into the task.
+  /// The scene of the stage. Its start and goal are the ends of the path; objects that the hand
+  /// carries are attached; contacts that the stage allows are in its allowed collisions.
+  SceneState state;
+  Path path;
+  std::string carried;     ///< The object that the hand carries; empty: none.
+  double deviation = 0.0;  ///< m: bound of the palm's distance from the line, of a straight stage.
+  /// Of StageKind::kClose: the joint targets with which the hand holds the object
+  /// (Pregrasp::squeezed). Else of size 0.
+  Configuration squeezed = {};
+};
+
+/// Counts of the candidates that were tried for one kind of stage in one step.
+struct StageTrials {
+  std::size_t step = 0;
+  StageKind kind = StageKind::kMove;
+  int tried = 0;
+  int failed = 0;
+  std::string reason = {};  ///< Why the first one failed, a sentence without its end.
+  Configuration q = {};     ///< A configuration that shows it; of size 0: none.
+};
+
+/// Result of planning a task.
+struct TaskPlan {
+  bool solved = false;
+  std::string reason;               ///< One sentence for display.
+  std::vector<TaskStage> stages;    ///< In their order; empty if the task is not solved.
+  std::vector<StageTrials> trials;  ///< In the order in which stages were first tried.
+  double time_s = 0.0;              ///< Wall clock.
+};
+
+/// Plans all steps of a task. Grasps and places are candidates, in the order of their rank. The
+/// straight and closing stages of one candidate for each step are found first, the last step's
+/// candidates varying fastest; then the planner finds the motions between. Where a motion fails,
+/// the search goes on with the next candidate of the step that it belongs to. Every stage is
+/// certified along its whole length in its scene. Same arguments, same result, for any number of
+/// threads, as long as no motion reaches its time limit.
+/// @param state its scene's start is where the task begins; its goal is not used.
+/// @param planner of the motions that are not straight.
+/// @param stop ends the search soon, with what is known.
+/// @throws InputError for steps that can't follow each other, objects and supports that the scene
+/// lacks, and a robot without a hand.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TaskPlan plan_task(const SceneState& state, const Task& task,
+                                                         Planner& planner,
+                                                         const TaskOptions& options = {},
+                                                         const std::stop_token& stop = {});
+
+/// Words for a step: "pick can", "place on shelf", "move to home".
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_string(const TaskStep& step);
+
+}  // namespace handway::planning

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "grasping_hand.h"
+#include "handway/planning/grasps/pregrasp_search.h"
+#include "handway/planning/tasks/task.h"
+#include "task_world.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// An object in the hand.
+struct HeldObject {
+  std::string name;
+  std::shared_ptr<const GraspingHand> hand;
+  Pregrasp grasp;        ///< The grasp that holds it.
+  geometric::Pose X_OP;  ///< Pose of the palm in the object's frame, while the hand holds it …
+  geometric::Pose X_OP_open;       ///< … and in the pre-grasp.
+  std::vector<std::string> group;  ///< Scene::group before the object was picked.
+};
+
+/// Where a task has come to between two steps.
+struct TaskState {
+  TaskWorld world;
+  Configuration q;
+  std::optional<HeldObject> held = {};
+};
+
+/// A stage of a candidate. Those of the planner have no path until they are planned.
+struct StageDraft {
+  TaskStage stage;
+  TaskWorld world;
+  Configuration from;
+  Configuration to;
+  bool is_planned = false;  ///< The planner has tried it.
+};
+
+/// One way to do a step.
+struct StepCandidate {
+  std::vector<std::shared_ptr<StageDraft>> stages;
+  TaskState end;
+};
+
+/// What the candidates of all steps share. It outlives them.
+struct TaskContext {
+  const TaskOptions& options;
+  const std::stop_token& stop;
+  TrialLog& log;
+};
+
+/// The ways to do one step from one state, the best first.
+class StepCandidates {
+ public:
+  virtual ~StepCandidates() = default;
+  /// Returns the next one whose straight and closing stages are free; nothing if there are no more.
+  [[nodiscard]] virtual std::optional<StepCandidate> next() = 0;
+};
+
+/// @throws InputError if the step can't follow the state.
+[[nodiscard]] std::unique_ptr<StepCandidates> pick_candidates(const PickStep& pick,
+                                                              std::size_t step,
+                                                              const TaskState& begin,
+                                                              const TaskContext& context);
+[[nodiscard]] std::unique_ptr<StepCandidates> place_candidates(const PlaceStep& place,
+                                                               std::size_t step,
+                                                               const TaskState& begin,
+                                                               const TaskContext& context);
+[[nodiscard]] std::unique_ptr<StepCandidates> move_candidates(const MoveStep& move,
+                                                              std::size_t step,
+                                                              const TaskState& begin,
+                                                              const TaskContext& context);
+
+/// A stage that the planner has to plan.
+[[nodiscard]] std::shared_ptr<StageDraft> free_stage(StageKind kind, std::size_t step,
+                                                     const TaskWorld& world,
+                                                     const Configuration& from,
+                                                     const Configuration& to,
+                                                     const std::string& carried);
+/// A stage with a path. @param deviation as TaskStage::deviation.
+[[nodiscard]] std::shared_ptr<StageDraft> fixed_stage(StageKind kind, std::size_t step,
+                                                      const TaskWorld& world, Path path,
+                                                      const std::string& carried,
+                                                      double deviation = 0.0);
+
+/// The line of a palm and the height that it was found free for.
+/// Tries the whole height, then half and a quarter of it. The palm moves upwards from `q`.
+/// @param downwards true: the path is turned round, and ends at `q`.
+[[nodiscard]] PalmLine vertical_line(const GraspingHand& hand, const TaskWorld& world,
+                                     const Configuration& q, double height, bool downwards,
+                                     const std::stop_token& stop);
+
+}  // namespace handway::planning

@@ -1,0 +1,205 @@
+#include "handway/geometric/collision/volumes/preparation.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/edits/scene_edits.h"
+#include "handway/planning/tasks/task.h"
+#include "step_candidates.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+/// Finds a candidate for each step, and the motions between them, depth first.
+class TaskSearch {
+ public:
+  TaskSearch(const Task& task, Planner& planner, const TaskContext& context)
+      : task_(task), planner_(planner), context_(context) {}
+
+  /// Returns whether the steps from `step` on are possible.
+  bool solve(std::size_t step, const TaskState& begin) {
+    if (step == task_.size()) {
+      return plan_free_stages();
+    }
+    const std::unique_ptr<StepCandidates> candidates = candidates_of(step, begin);
+    while (std::optional<StepCandidate> candidate = candidates->next()) {
+      const std::size_t before = stages_.size();
+      stages_.insert(stages_.end(), candidate->stages.begin(), candidate->stages.end());
+      if (solve(step + 1, candidate->end)) {
+        return true;
+      }
+      stages_.resize(before);
+      if (failed_step_ < step) {
+        return false;  // another candidate of this step changes nothing
+      }
+      failed_step_ = task_.size();
+    }
+    return false;
+  }
+
+  [[nodiscard]] const std::vector<std::shared_ptr<StageDraft>>& stages() const { return stages_; }
+
+ private:
+  [[nodiscard]] std::unique_ptr<StepCandidates> candidates_of(std::size_t step,
+                                                              const TaskState& begin) const {
+    const auto make = [&](const auto& one) -> std::unique_ptr<StepCandidates> {
+      using Step = std::decay_t<decltype(one)>;
+      if constexpr (std::is_same_v<Step, PickStep>) {
+        return pick_candidates(one, step, begin, context_);
+      } else if constexpr (std::is_same_v<Step, PlaceStep>) {
+        return place_candidates(one, step, begin, context_);
+      } else {
+        return move_candidates(one, step, begin, context_);
+      }
+    };
+    return std::visit(make, task_[step]);
+  }
+
+  // Plans those stages that are not planned yet, in their order. Sets the step of one that fails.
+  bool plan_free_stages() {
+    for (const std::shared_ptr<StageDraft>& draft : stages_) {
+      if (!draft->is_planned) {
+        plan(*draft);
+      }
+      if (draft->stage.path.empty()) {
+        failed_step_ = draft->stage.step;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void plan(StageDraft& draft) {
+    draft.is_planned = true;
+    PlanRequest request;
+    request.seed = context_.options.seed;
+    request.threads = context_.options.threads;
+    request.time_limit_s = context_.options.motion_time_s;
+    const PlanningProblem problem = draft.world.motion(draft.from, draft.to);
+    const PlanResult result = planner_.plan(problem, request, context_.stop);
+    geometric::end_if_stopped(context_.stop);
+    if (!result.solved()) {
+      context_.log.fail(draft.stage.step, draft.stage.kind, result.reason, draft.to);
+      return;
+    }
+    context_.log.succeed(draft.stage.step, draft.stage.kind);
+    draft.stage.path = result.path;
+    draft.stage.state = with_ends(draft.world.state, draft.from, draft.to);
+  }
+
+  const Task& task_;
+  Planner& planner_;
+  const TaskContext& context_;
+  std::vector<std::shared_ptr<StageDraft>> stages_;
+  std::size_t failed_step_ = task_.size();  ///< The step of the motion that failed last.
+};
+
+// The stage in which all candidates of a step failed, or else that in which most failed. A reach
+// and a retreat need not be straight.
+const StageTrials* worst_of(const std::vector<StageTrials>& trials) {
+  const StageTrials* worst = nullptr;
+  for (const StageTrials& one : trials) {
+    if (one.kind == StageKind::kReach || one.kind == StageKind::kRetreat || one.failed == 0) {
+      continue;
+    }
+    if (one.failed == one.tried) {
+      return &one;
+    }
+    worst = worst == nullptr || one.failed > worst->failed ? &one : worst;
+  }
+  return worst;
+}
+
+std::string failure(const Task& task, const std::vector<StageTrials>& trials) {
+  const StageTrials* worst = worst_of(trials);
+  if (worst == nullptr) {
+    return "The task has no solution.";
+  }
+  return fmt::format("Step {}, {}: in the stage \"{}\" {} of {} candidates failed. The first: {}{}",
+                     worst->step + 1, to_string(task[worst->step]), to_string(worst->kind),
+                     worst->failed, worst->tried, worst->reason,
+                     worst->reason.ends_with('.') ? "" : ".");
+}
+
+void check_steps(const geometric::Scene& scene, const Task& task) {
+  if (scene.robots.empty()) {
+    throw geometric::InputError({source_of(scene), "robots", "none", "a robot", ""});
+  }
+  if (task.empty()) {
+    throw geometric::InputError({"task", "", "no steps", "at least one", ""});
+  }
+  for (const TaskStep& step : task) {
+    if (const auto* pick = std::get_if<PickStep>(&step)) {
+      need_objects(scene, {pick->object});
+    } else if (const auto* place = std::get_if<PlaceStep>(&step);
+               place && !place->support.empty()) {
+      need_objects(scene, {place->support});
+    }
+  }
+}
+
+}  // namespace
+
+const char* to_string(StageKind kind) {
+  switch (kind) {
+    case StageKind::kMove:
+      return "move";
+    case StageKind::kApproach:
+      return "approach";
+    case StageKind::kReach:
+      return "reach";
+    case StageKind::kClose:
+      return "close";
+    case StageKind::kLift:
+      return "lift";
+    case StageKind::kCarry:
+      return "carry";
+    case StageKind::kLower:
+      return "lower";
+    case StageKind::kOpen:
+      return "open";
+    case StageKind::kRetreat:
+      return "retreat";
+  }
+  return "";
+}
+
+std::string to_string(const TaskStep& step) {
+  if (const auto* pick = std::get_if<PickStep>(&step)) {
+    return "pick " + pick->object;
+  }
+  if (const auto* place = std::get_if<PlaceStep>(&step)) {
+    return place->support.empty() ? "place" : "place on " + place->support;
+  }
+  return "move to " + std::get<MoveStep>(step).name;
+}
+
+TaskPlan plan_task(const SceneState& state, const Task& task, Planner& planner,
+                   const TaskOptions& options, const std::stop_token& stop) {
+  const auto begin = std::chrono::steady_clock::now();
+  check_steps(*state.scene, task);
+  TrialLog log;
+  const TaskContext context{options, stop, log};
+  TaskSearch search(task, planner, context);
+  TaskPlan plan;
+  try {
+    const Configuration q = state.scene->start.value_or(state.scene->robots.front().configuration);
+    plan.solved = search.solve(0, {TaskWorld::of(state, q, stop), q});
+    plan.reason = plan.solved ? "" : failure(task, log.trials());
+  } catch (const geometric::PreparationStopped&) {
+    plan.reason = "The search was interrupted.";
+  }
+  if (plan.solved) {
+    for (const std::shared_ptr<StageDraft>& draft : search.stages()) {
+      plan.stages.push_back(draft->stage);
+    }
+  }
+  plan.trials = log.trials();
+  plan.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return plan;
+}
+
+}  // namespace handway::planning
