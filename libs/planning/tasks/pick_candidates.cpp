@@ -1,8 +1,9 @@
-#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/planning/edits/arranging.h"
 #include "step_candidates.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace handway::planning {
@@ -15,10 +16,7 @@ class PickCandidates : public StepCandidates {
  public:
   PickCandidates(PickStep pick, std::size_t step, TaskState begin, const TaskContext& context)
       : pick_(std::move(pick)), step_(step), begin_(std::move(begin)), context_(context) {
-    PregraspOptions search = context.options.grasps;
-    search.seed = context.options.seed;
-    search.threads = context.options.threads;
-    grasps_ = find_pregrasps(*begin_.world.problem, pick_.object, search, context.stop);
+    search(std::min(kFirstGrasps, context.options.grasps.most));
     if (grasps_.found.empty()) {
       context.log.fail(step, StageKind::kClose, "No grasp: " + grasps_.why_none, begin_.q);
       return;
@@ -32,15 +30,43 @@ class PickCandidates : public StepCandidates {
   }
 
   std::optional<StepCandidate> next() override {
-    while (index_ < grasps_.found.size()) {
-      if (auto candidate = try_grasp(grasps_.found[index_++])) {
-        return candidate;
+    while (true) {
+      while (index_ < grasps_.found.size()) {
+        if (auto candidate = try_grasp(grasps_.found[index_++])) {
+          return candidate;
+        }
       }
+      if (grasps_.found.empty() || searched_ >= context_.options.grasps.most) {
+        return std::nullopt;
+      }
+      search_on();
     }
-    return std::nullopt;
   }
 
  private:
+  // The first search is short: in most scenes one of these grasps will do.
+  static constexpr int kFirstGrasps = 4;
+
+  void search(int most) {
+    PregraspOptions options = context_.options.grasps;
+    options.seed = context_.options.seed;
+    options.threads = context_.options.threads;
+    options.most = most;
+    grasps_ = find_pregrasps(*begin_.world.problem, pick_.object, options, context_.stop);
+    geometric::end_if_stopped(context_.stop);
+    searched_ = most;
+  }
+
+  // Searches for all grasps that are wanted, and leaves out those that were tried.
+  void search_on() {
+    const std::vector<Pregrasp> tried = std::move(grasps_.found);
+    search(context_.options.grasps.most);
+    std::erase_if(grasps_.found, [&](const Pregrasp& grasp) {
+      return std::ranges::count(tried, grasp.closed, &Pregrasp::closed) > 0;
+    });
+    index_ = 0;
+  }
+
   std::optional<StepCandidate> try_grasp(const Pregrasp& grasp) {
     StepCandidate candidate;
     Path close{{grasp.q, grasp.closed}};
@@ -114,6 +140,7 @@ class PickCandidates : public StepCandidates {
   Eigen::Vector3d middle_W_;  ///< Middle of the object.
   TaskWorld contact_world_;   ///< The hand may touch the object.
   std::size_t index_ = 0;
+  int searched_ = 0;  ///< Number of grasps that the last search was for.
 };
 
 }  // namespace
@@ -121,11 +148,6 @@ class PickCandidates : public StepCandidates {
 std::unique_ptr<StepCandidates> pick_candidates(const PickStep& pick, std::size_t step,
                                                 const TaskState& begin,
                                                 const TaskContext& context) {
-  if (begin.held) {
-    throw geometric::InputError({"task", to_string(TaskStep(pick)),
-                                 "a hand that carries " + begin.held->name, "an empty hand",
-                                 "Place what it carries first"});
-  }
   return std::make_unique<PickCandidates>(pick, step, begin, context);
 }
 

@@ -1,7 +1,5 @@
-#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/planning/edits/arranging.h"
-#include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/tasks/resting_places.h"
 #include "step_candidates.h"
 
@@ -134,14 +132,6 @@ class PlaceCandidates : public StepCandidates {
 std::unique_ptr<StepCandidates> place_candidates(const PlaceStep& place, std::size_t step,
                                                  const TaskState& begin,
                                                  const TaskContext& context) {
-  if (!begin.held) {
-    throw geometric::InputError({"task", to_string(TaskStep(place)), "an empty hand",
-                                 "an object that a step before has picked",
-                                 "Pick an object first"});
-  }
-  if (!place.support.empty()) {
-    need_objects(*begin.world.state.scene, {place.support});
-  }
   return std::make_unique<PlaceCandidates>(place, step, begin, context);
 }
 

@@ -61,11 +61,12 @@ class StepCandidates {
   [[nodiscard]] virtual std::optional<StepCandidate> next() = 0;
 };
 
-/// @throws InputError if the step can't follow the state.
+/// @pre the hand is empty. @throws InputError as find_pregrasps().
 [[nodiscard]] std::unique_ptr<StepCandidates> pick_candidates(const PickStep& pick,
                                                               std::size_t step,
                                                               const TaskState& begin,
                                                               const TaskContext& context);
+/// @pre the hand carries an object.
 [[nodiscard]] std::unique_ptr<StepCandidates> place_candidates(const PlaceStep& place,
                                                                std::size_t step,
                                                                const TaskState& begin,
@@ -87,8 +88,8 @@ class StepCandidates {
                                                       const std::string& carried,
                                                       double deviation = 0.0);
 
-/// The line of a palm and the height that it was found free for.
-/// Tries the whole height, then half and a quarter of it. The palm moves upwards from `q`.
+/// Returns a free straight motion of the palm upwards from `q`: by the whole height or, where that
+/// is blocked, by half or a quarter of it.
 /// @param downwards true: the path is turned round, and ends at `q`.
 [[nodiscard]] PalmLine vertical_line(const GraspingHand& hand, const TaskWorld& world,
                                      const Configuration& q, double height, bool downwards,

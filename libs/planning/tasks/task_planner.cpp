@@ -124,6 +124,7 @@ std::string failure(const Task& task, const std::vector<StageTrials>& trials) {
                      worst->reason.ends_with('.') ? "" : ".");
 }
 
+// Refuses steps that can not follow each other, and names that the scene lacks.
 void check_steps(const geometric::Scene& scene, const Task& task) {
   if (scene.robots.empty()) {
     throw geometric::InputError({source_of(scene), "robots", "none", "a robot", ""});
@@ -131,12 +132,25 @@ void check_steps(const geometric::Scene& scene, const Task& task) {
   if (task.empty()) {
     throw geometric::InputError({"task", "", "no steps", "at least one", ""});
   }
+  std::string carried;
   for (const TaskStep& step : task) {
     if (const auto* pick = std::get_if<PickStep>(&step)) {
       need_objects(scene, {pick->object});
-    } else if (const auto* place = std::get_if<PlaceStep>(&step);
-               place && !place->support.empty()) {
-      need_objects(scene, {place->support});
+      if (!carried.empty()) {
+        throw geometric::InputError({"task", to_string(step), "a hand that carries " + carried,
+                                     "an empty hand", "Place what it carries first"});
+      }
+      carried = pick->object;
+    } else if (const auto* place = std::get_if<PlaceStep>(&step)) {
+      if (!place->support.empty()) {
+        need_objects(scene, {place->support});
+      }
+      if (carried.empty()) {
+        throw geometric::InputError({"task", to_string(step), "an empty hand",
+                                     "an object that a step before has picked",
+                                     "Pick an object first"});
+      }
+      carried.clear();
     }
   }
 }

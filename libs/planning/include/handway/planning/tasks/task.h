@@ -57,8 +57,9 @@ struct TaskOptions {
   int threads = 1;             ///< The result does not depend on it.
   double motion_time_s = 5.0;  ///< Time limit of one motion of the planner, s.
   int places = 24;             ///< Places on a support to try for each grasp.
-  /// The search for grasps: its seed and threads are those above.
-  PregraspOptions grasps = {};
+  /// The search for grasps: its seed and threads are those above. The first four grasps are tried
+  /// before it looks for more.
+  PregraspOptions grasps = {.most = 16};
 };
 
 /// Kind of a stage.

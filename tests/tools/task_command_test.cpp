@@ -1,0 +1,82 @@
+/// `handway task`: what it writes, and its exit codes.
+#include "command_line.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace handway::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class TaskCommand : public testing::Test {
+ protected:
+  static std::string scene() { return (source_dir() / "scenes" / "can_on_table.yaml").string(); }
+
+  /// The run with a task file of this text.
+  Outcome run_file(const std::string& text) const {
+    std::ofstream(line_.folder() / "task.yaml") << text;
+    return line_.run("task " + scene() + " --task task.yaml --out plan");
+  }
+
+  CommandLine line_;
+};
+
+TEST_F(TaskCommand, WritesStagesThatPassTheCheck) {
+  const Outcome run = line_.run("task " + scene() + " --pick can --place-on table --out plan");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, StartsWith("step "));
+  const auto report = nlohmann::json::parse(line_.read("plan/report.json"));
+  EXPECT_EQ(report["solved"], true);
+  EXPECT_EQ(report["steps"], (nlohmann::json{"pick can", "place on table"}));
+  ASSERT_EQ(report["stages"].size(), 8U);
+  for (const auto& stage : report["stages"]) {
+    const std::string folder = "plan/";
+    const Outcome check = line_.run("check " + folder + stage["scene"].get<std::string>() + " " +
+                                    folder + stage["path"].get<std::string>());
+    EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
+    EXPECT_EQ(stage["cleared"], true);
+    EXPECT_LE(stage["deviation_mm"], 1.0);
+  }
+  EXPECT_THAT(line_.read("plan/task.csv"), StartsWith("stage,time,joint_1,"));
+}
+
+TEST_F(TaskCommand, TellsTheStageThatFails) {
+  const Outcome run =
+      line_.run("task " + scene() + " --pick can --place-at 5,0,1,0,0,0 --grasps 1 --out plan");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("Step 2, place: in the stage \"lower\""));
+  EXPECT_THAT(run.out, HasSubstr("1 failed: The arm does not reach the place"));
+  EXPECT_THAT(line_.read("plan/report.json"), HasSubstr("\"solved\": false"));
+  EXPECT_FALSE(std::filesystem::exists(line_.folder() / "plan" / "task.csv"));
+}
+
+TEST_F(TaskCommand, RefusesTaskFilesByLineAndElement) {
+  const auto refusal = [&](const std::string& steps) {
+    const Outcome run = run_file("handway_task: 1\nsteps:\n" + steps);
+    EXPECT_EQ(run.exit_code, 3) << run.out;
+    return run.err;
+  };
+  EXPECT_THAT(refusal("  - pick: cam\n"), HasSubstr("task.yaml:3: steps[0].pick: found \"cam\""));
+  EXPECT_THAT(refusal("  - grab: can\n"), HasSubstr("grab"));
+  EXPECT_THAT(refusal("  - {pick: can, place: table}\n"), HasSubstr("a map of 2 keys"));
+  EXPECT_THAT(refusal("  - pick: {object: can, lift: -1}\n"), HasSubstr("a length from 0 to 10 m"));
+  EXPECT_THAT(refusal("  - place: {on: table, pose: {xyz: [0, 0, 0]}}\n"),
+              HasSubstr("both on and pose"));
+  EXPECT_THAT(refusal("  - move: hoem\n"), HasSubstr("There are: start"));
+  EXPECT_THAT(refusal("  - place: table\n"), HasSubstr("an empty hand"));
+  EXPECT_THAT(refusal("  []\n"), HasSubstr("an empty list"));
+  EXPECT_EQ(run_file("handway_task: 7\nsteps: [{pick: can}]\n").exit_code, 3);
+  EXPECT_EQ(run_file("").exit_code, 3);
+  EXPECT_EQ(line_.run("task " + scene() + " --place-on table").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace handway::test
