@@ -33,6 +33,9 @@ void bind_devices(pybind11::module_& module);
 /// Planner, Parameter, planner(), planners(), plugins(), refused_plugins().
 void bind_planner(pybind11::module_& module);
 
+/// TaskPlan, TaskStage, Planner.plan_task(). @pre bind_planner(), bind_scene()
+void bind_tasks(pybind11::module_& module);
+
 /// Runs `work` in a thread of its own without the interpreter's lock, so that other Python threads
 /// continue, and checks for signals meanwhile: Ctrl-C stops the work and raises KeyboardInterrupt.
 /// Exceptions of `work` are passed on.

@@ -125,6 +125,7 @@ PYBIND11_MODULE(_core, module) {
   handway::python::bind_planner(module);
   handway::python::bind_scene(module);
   handway::python::bind_editing(module);
+  handway::python::bind_tasks(module);
   handway::python::bind_motion(module);
   handway::python::bind_devices(module);
   handway::python::refuse_uninitialised_instances(module);

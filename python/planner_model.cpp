@@ -68,25 +68,39 @@ void PlannerModel::set(const std::string& key, const py::object& value) {
 
 PlanOutcome PlannerModel::plan(const planning::PlanningProblem& problem,
                                const planning::PlanRequest& request) {
-  need_idle();
-  runs_ = true;
   PlanOutcome outcome;
   outcome.planner = planner_->name();
   outcome.seed = request.seed;
   outcome.variables = problem.model().variable_count();
+  run([&](const std::stop_token& stop) {
+    outcome.result = planner_->plan(problem, request, stop);
+  });
+  if (outcome.result.goal) {
+    outcome.goal_pose = problem.goals[*outcome.result.goal].pose;
+  }
+  return outcome;
+}
+
+planning::TaskPlan PlannerModel::plan_task(const SceneModel& scene, const planning::Task& task,
+                                           const planning::TaskOptions& options) {
+  planning::TaskPlan plan;
+  run([&](const std::stop_token& stop) {
+    plan = planning::plan_task({scene.problem().scene, scene.problem().basis}, task, *planner_,
+                               options, stop);
+  });
+  return plan;
+}
+
+void PlannerModel::run(const std::function<void(const std::stop_token& stop)>& work) {
+  need_idle();
+  runs_ = true;
   try {
-    run_interruptible([&](const std::stop_token& stop) {
-      outcome.result = planner_->plan(problem, request, stop);
-    });
-    if (outcome.result.goal) {
-      outcome.goal_pose = problem.goals[*outcome.result.goal].pose;
-    }
+    run_interruptible(work);
   } catch (...) {
     runs_ = false;
     throw;
   }
   runs_ = false;
-  return outcome;
 }
 
 std::unique_ptr<PlannerModel> make_planner(const std::string& name) {

@@ -3,6 +3,7 @@
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/planners/planner.h"
+#include "handway/planning/tasks/task.h"
 #include "scene_model.h"
 
 #include <pybind11/pybind11.h>
@@ -10,8 +11,10 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -56,8 +59,16 @@ class PlannerModel {
   [[nodiscard]] PlanOutcome plan(const planning::PlanningProblem& problem,
                                  const planning::PlanRequest& request);
 
+  /// Plans a task without the interpreter's lock; Ctrl-C stops it.
+  /// @throws std::runtime_error while the planner runs already; InputError as
+  /// planning::plan_task().
+  [[nodiscard]] planning::TaskPlan plan_task(const SceneModel& scene, const planning::Task& task,
+                                             const planning::TaskOptions& options);
+
  private:
   void need_idle() const;
+  /// Runs `work` while no other one may run.
+  void run(const std::function<void(const std::stop_token& stop)>& work);
 
   std::unique_ptr<planning::Planner> planner_;
   std::atomic<bool> runs_ = false;

@@ -257,7 +257,7 @@ int plan(TaskCommand& command) {
   if (!plan.solved) {
     print_error("handway: {}\n", plan.reason);
     print_trials(task, plan);
-    return kNoPath;
+    return plan.start_is_valid ? kNoPath : kInvalidQuery;
   }
   print_stages(task, stages);
   print_out("Planned in {:.2f} s\n", plan.time_s);

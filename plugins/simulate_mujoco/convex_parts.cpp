@@ -126,11 +126,11 @@ Part part_of(std::vector<Triangle> surface, std::vector<Cap> caps, bool closed) 
 
 /// The points p with normal · p = offset (m).
 struct Plane {
-  Vector3d normal;  ///< Of length 1.
+  Vector3d normal;  ///< A unit vector.
   double offset = 0.0;
 };
 
-/// What of a part is on one side of a plane.
+/// The piece of a part on one side of a plane.
 class Side {
  public:
   /// @param sign +1: the side that the plane's normal points to.

@@ -26,8 +26,8 @@ class MujocoHoldTest : public planning::HoldTest {
  private:
   std::shared_ptr<const geometric::RobotModel> robot_;
   int palm_;
-  geometric::Pose X_WB_;  ///< Of the robot's base in the world.
-  geometric::Pose X_WO_;  ///< Of the object in the world.
+  geometric::Pose X_WB_;  ///< Pose of the robot's base in the world.
+  geometric::Pose X_WO_;  ///< Pose of the object in the world.
   HandModel hand_;
 };
 

@@ -140,6 +140,34 @@ class PoseGoal:
     @property
     def rotation_tolerance(self) -> _Floats: ...
 
+class TaskStage:
+    @property
+    def kind(self) -> str: ...
+    @property
+    def step(self) -> int: ...
+    @property
+    def scene(self) -> Scene: ...
+    @property
+    def path(self) -> _Floats: ...
+    @property
+    def carried(self) -> str: ...
+    @property
+    def deviation(self) -> float: ...
+    @property
+    def squeezed(self) -> Union[_Floats, None]: ...
+
+class TaskPlan:
+    @property
+    def solved(self) -> bool: ...
+    @property
+    def reason(self) -> str: ...
+    @property
+    def stages(self) -> list[TaskStage]: ...
+    @property
+    def trials(self) -> list[dict[str, Any]]: ...
+    @property
+    def time_s(self) -> float: ...
+
 class Planner:
     @property
     def name(self) -> str: ...
@@ -169,6 +197,19 @@ class Planner:
         margin: float = 0.0,
         goal_pose: Union[PoseGoal, Sequence[PoseGoal], None] = None,
     ) -> Result: ...
+    def plan_task(
+        self,
+        scene: Scene,
+        steps: Sequence[dict[str, Any]],
+        *,
+        seed: int = 1,
+        threads: int = 1,
+        motion_time: float = 5.0,
+        grasps: int = 16,
+        places: int = 24,
+        friction: float = 0.6,
+        payload: float = 0.1,
+    ) -> TaskPlan: ...
 
 class Scene:
     @property
@@ -255,6 +296,7 @@ class Scene:
         seed: int = 1,
         friction: float = 0.6,
         payload: float = 0.1,
+        test: int = 0,
     ) -> list[dict[str, Any]]: ...
     def with_robot(
         self,

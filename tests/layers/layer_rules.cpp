@@ -32,7 +32,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolde
     {"sampling", {"sequences", "samplers", "regions", "postures"}},
     {"planning",
      {"edits", "core", "spaces", "paths", "roadmap", "timing", "planners", "queries", "extensions",
-      "replanning", "grasps", "campaigns"}},
+      "replanning", "grasps", "tasks", "campaigns"}},
     {"device", {"core", "glove", "retargeting", "tracker", "arm", "hand", "ros", "haptic"}},
     {"execution", {"motion", "guidance"}},
 };

@@ -29,6 +29,11 @@ class Examples(unittest.TestCase):
     def test_run_a_motion_on_emulated_devices(self):
         self.assertIn("at the goal: True", self.run_example("emulated_robot.py"))
 
+    def test_pick_and_place_with_a_fallback(self):
+        output = self.run_example("pick_and_place.py")
+        self.assertIn("can_right: Step 2, place on can_right", output)
+        self.assertEqual(output.count("valid: True"), 9)
+
     def test_find_the_directions_of_postures(self):
         self.run_example("hand_postures.py")
 

@@ -41,8 +41,8 @@ class GraspingHand {
   /// A motion between a pre-grasp and a place beside the object.
   struct WayOut {
     Path path;
-    double deviation = 0.0;  ///< As PalmLine::deviation.
-    std::string fault;       ///< Of the first way that was tried, if none is free.
+    double deviation = 0.0;  ///< See PalmLine::deviation.
+    std::string fault;       ///< Fault of the first way that was tried, if none is free.
     Configuration shown;     ///< A configuration that shows it.
   };
   /// Finds a way from a pre-grasp, or to it: the fingers open, as little as possible, and the palm

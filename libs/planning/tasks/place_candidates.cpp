@@ -122,8 +122,8 @@ class PlaceCandidates : public StepCandidates {
   std::size_t step_;
   TaskState begin_;
   const TaskContext& context_;
-  std::vector<Pose> places_;  ///< Of the object, in the world.
-  Eigen::Vector3d middle_;    ///< Of the object, in its frame.
+  std::vector<Pose> places_;  ///< Poses of the object, in the world.
+  Eigen::Vector3d middle_;    ///< Middle of the object, in its frame.
   std::size_t index_ = 0;
 };
 

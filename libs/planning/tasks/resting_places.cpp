@@ -96,7 +96,7 @@ class UpwardFaces {
   }
 
   std::vector<Triangle> triangles_;
-  std::vector<double> sums_;  ///< Of the areas up to each triangle.
+  std::vector<double> sums_;  ///< Sums of the areas up to each triangle.
 };
 
 // The corners of the underside of an object in some orientation, relative to the middle of the

@@ -24,7 +24,7 @@ struct HeldObject {
   std::vector<std::string> group;  ///< Scene::group before the object was picked.
 };
 
-/// Where a task has come to between two steps.
+/// State of the scene between two steps.
 struct TaskState {
   TaskWorld world;
   Configuration q;
@@ -46,7 +46,7 @@ struct StepCandidate {
   TaskState end;
 };
 
-/// What the candidates of all steps share. It outlives them.
+/// Settings and results that the candidates of all steps share. It outlives them.
 struct TaskContext {
   const TaskOptions& options;
   const std::stop_token& stop;

@@ -8,7 +8,9 @@
 
 #include <chrono>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -201,8 +203,14 @@ TaskPlan plan_task(const SceneState& state, const Task& task, Planner& planner,
   TaskPlan plan;
   try {
     const Configuration q = state.scene->start.value_or(state.scene->robots.front().configuration);
-    plan.solved = search.solve(0, {TaskWorld::of(state, q, stop), q});
-    plan.reason = plan.solved ? "" : failure(task, log.trials());
+    const TaskWorld world = TaskWorld::of(state, q, stop);
+    if (const auto fault = world.conflict(std::vector{q}, stop)) {
+      plan.start_is_valid = false;
+      plan.reason = fmt::format("The start is not valid: {}.", *fault);
+    } else {
+      plan.solved = search.solve(0, {world, q});
+      plan.reason = plan.solved ? "" : failure(task, log.trials());
+    }
   } catch (const geometric::PreparationStopped&) {
     plan.reason = "The search was interrupted.";
   }

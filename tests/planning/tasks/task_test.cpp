@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -92,6 +93,19 @@ TEST(Tasks, TellTheStageThatFails) {
   EXPECT_THAT(plan.reason, HasSubstr("The arm does not reach the place."));
 }
 
+TEST(Tasks, SayThatTheStartCollides) {
+  SceneState state = shipped("can_on_table");
+  geometric::Scene scene = *state.scene;
+  scene.objects.back().X_PO =
+      *link_pose(scene, scene.start.value(), scene.robots.front().name, "palm");
+  state.scene = std::make_shared<const geometric::Scene>(scene);
+  const TaskPlan plan = planning::plan(state, {PickStep{"can"}});
+  EXPECT_FALSE(plan.solved);
+  EXPECT_FALSE(plan.start_is_valid);
+  EXPECT_THAT(plan.reason, StartsWith("The start is not valid: "));
+  EXPECT_THAT(plan.reason, HasSubstr(" and can collide"));
+}
+
 TEST(Tasks, RefuseStepsThatCannotFollowEachOther) {
   const SceneState scene = shipped("can_on_table");
   const auto refusal = [&](const Task& task) {
@@ -100,7 +114,8 @@ TEST(Tasks, RefuseStepsThatCannotFollowEachOther) {
   EXPECT_THAT(refusal({}), HasSubstr("no steps"));
   EXPECT_THAT(refusal({PlaceStep{"table"}}), HasSubstr("an empty hand"));
   EXPECT_THAT(refusal({PickStep{"cam"}}), HasSubstr("Did you mean \"can\"?"));
-  EXPECT_THAT(refusal({PickStep{"can"}, PlaceStep{"tabel"}}), HasSubstr("There are: pedestal, table, can"));
+  EXPECT_THAT(refusal({PickStep{"can"}, PlaceStep{"tabel"}}),
+              HasSubstr("There are: pedestal, table, can"));
   EXPECT_THAT(refusal({PickStep{"can"}, PickStep{"can"}}), HasSubstr("a hand that carries can"));
 }
 

@@ -46,6 +46,7 @@ struct MoveStep {
   std::string name;  ///< For messages.
 };
 
+/// A step of a task.
 using TaskStep = std::variant<PickStep, PlaceStep, MoveStep>;
 
 /// Steps in their order.
@@ -88,8 +89,8 @@ struct TaskStage {
   Path path;
   std::string carried;     ///< The object that the hand carries; empty: none.
   double deviation = 0.0;  ///< m: bound of the palm's distance from the line, of a straight stage.
-  /// Of StageKind::kClose: the joint targets with which the hand holds the object
-  /// (Pregrasp::squeezed). Else of size 0.
+  /// Joint targets with which the hand holds the object (Pregrasp::squeezed), of StageKind::kClose;
+  /// else of size 0.
   Configuration squeezed = {};
 };
 
@@ -106,6 +107,7 @@ struct StageTrials {
 /// Result of planning a task.
 struct TaskPlan {
   bool solved = false;
+  bool start_is_valid = true;       ///< False: the start is in collision or out of limits.
   std::string reason;               ///< One sentence for display.
   std::vector<TaskStage> stages;    ///< In their order; empty if the task is not solved.
   std::vector<StageTrials> trials;  ///< In the order in which stages were first tried.

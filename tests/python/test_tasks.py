@@ -1,0 +1,72 @@
+"""Tasks: pick, place and move, planned as stages with scenes of their own."""
+
+import unittest
+
+import numpy as np
+
+import handway
+import cells
+
+
+class Tasks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scene = cells.can_on_table()
+        steps = [{"pick": "can"}, {"place": "table", "retreat": 0.08}, {"move": "start"}]
+        cls.plan = cls.scene.planner().plan_task(cls.scene, steps, threads=2)
+
+    def test_have_a_valid_path_for_each_stage(self):
+        self.assertTrue(self.plan.solved, self.plan.reason)
+        self.assertEqual(
+            [stage.kind for stage in self.plan.stages],
+            ["approach", "reach", "close", "lift", "carry", "lower", "open", "retreat", "move"],
+        )
+        for stage in self.plan.stages:
+            self.assertTrue(stage.scene.check(stage.path).valid, stage.kind)
+            self.assertLessEqual(stage.deviation, 1e-3)
+        np.testing.assert_allclose(self.plan.stages[0].path[0], self.scene.start)
+        np.testing.assert_allclose(self.plan.stages[-1].path[-1], self.scene.start)
+
+    def test_carry_the_object_between_close_and_open(self):
+        carried = [stage.kind for stage in self.plan.stages if stage.carried == "can"]
+        self.assertEqual(carried, ["lift", "carry", "lower"])
+        self.assertEqual(self.plan.stages[2].squeezed.shape, self.scene.start.shape)
+        self.assertIsNone(self.plan.stages[0].squeezed)
+
+    def test_end_with_the_object_somewhere_else(self):
+        moved = self.plan.stages[-1].scene.object_pose("can") - self.scene.object_pose("can")
+        self.assertGreater(np.linalg.norm(moved[:2, 3]), 0.01)
+        self.assertLess(abs(moved[2, 3]), 1e-3)
+
+    def test_say_what_failed(self):
+        far = np.eye(4)
+        far[0, 3] = 5.0
+        plan = self.scene.planner().plan_task(
+            self.scene, [{"pick": "can"}, {"place": far}], grasps=1
+        )
+        self.assertFalse(plan.solved)
+        self.assertIn("does not reach", plan.reason)
+        self.assertEqual(plan.trials[-1]["kind"], "lower")
+
+    def test_refuse_wrong_steps(self):
+        planner = self.scene.planner()
+        for steps in (
+            [],
+            [{}],
+            [{"grab": "can"}],
+            [{"pick": "cam"}],
+            [{"pick": "can", "lower": 1.0}],
+            [{"pick": "can", "lift": -1.0}],
+            [{"place": "table"}],
+            [{"pick": "can"}, {"pick": "can"}],
+            [{"move": "nowhere"}],
+            [{"move": [1.0, 2.0]}],
+        ):
+            with self.assertRaises(handway.InputError, msg=steps):
+                planner.plan_task(self.scene, steps)
+        with self.assertRaises(handway.InputError):
+            planner.plan_task(self.scene, [{"pick": "can"}], grasps=0)
+
+
+if __name__ == "__main__":
+    unittest.main()
