@@ -14,6 +14,7 @@
 #include "features/preferences/preferences_dialog.h"
 #include "features/robots/robots.h"
 #include "features/runs/runs_panel.h"
+#include "features/tasks/task_tool.h"
 #include "features/tracker/wrist_page.h"
 #include "features/viewing/saved_views.h"
 
@@ -28,6 +29,7 @@ void add_features(Workbench& workbench) {
   add_robots(workbench);
   add_planning(workbench);
   add_grasping(workbench);
+  add_tasks(workbench);
   add_glove(workbench);
   add_tracker(workbench);
   add_runs(workbench);

@@ -21,7 +21,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVariant>
@@ -29,7 +28,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -308,22 +306,7 @@ void GraspCard::place() {
   while (height > within.height() && rows > kFewestRows) {
     height = height_with(--rows);
   }
-  const QSize card(width, std::min(height, within.height()));
-  QRect best;
-  auto least = std::numeric_limits<std::ptrdiff_t>::max();
-  const std::vector<QPoint> to_be_seen = to_be_seen_();
-  for (const Qt::Alignment corner :
-       {Qt::AlignRight | Qt::AlignBottom, Qt::AlignLeft | Qt::AlignBottom,
-        Qt::AlignLeft | Qt::AlignTop, Qt::AlignRight | Qt::AlignTop}) {
-    const QRect there = QStyle::alignedRect(Qt::LeftToRight, corner, card, within);
-    const auto covered =
-        std::ranges::count_if(to_be_seen, [&](const QPoint& p) { return there.contains(p); });
-    if (covered < least) {
-      least = covered;
-      best = there;
-    }
-  }
-  setGeometry(best);
+  stand_where_it_hides_least({width, std::min(height, within.height())}, to_be_seen_());
 }
 
 GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& session,

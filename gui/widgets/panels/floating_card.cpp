@@ -7,10 +7,13 @@
 #include <QEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QToolButton>
 #include <QVariant>
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace handway::gui {
@@ -56,6 +59,25 @@ QToolButton* FloatingCard::make_fold(const QString& name, QWidget& details) {
     place();
   });
   return fold;
+}
+
+void FloatingCard::stand_where_it_hides_least(const QSize& size,
+                                              const std::vector<QPoint>& to_be_seen) {
+  const QRect within = parentWidget()->rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
+  QRect best;
+  auto least = std::numeric_limits<std::ptrdiff_t>::max();
+  for (const Qt::Alignment corner :
+       {Qt::AlignRight | Qt::AlignBottom, Qt::AlignLeft | Qt::AlignBottom,
+        Qt::AlignLeft | Qt::AlignTop, Qt::AlignRight | Qt::AlignTop}) {
+    const QRect there = QStyle::alignedRect(Qt::LeftToRight, corner, size, within);
+    const auto covered =
+        std::ranges::count_if(to_be_seen, [&](const QPoint& p) { return there.contains(p); });
+    if (covered < least) {
+      least = covered;
+      best = there;
+    }
+  }
+  setGeometry(best);
 }
 
 QList<FloatingCard*> FloatingCard::others() const {

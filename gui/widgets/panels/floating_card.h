@@ -2,8 +2,11 @@
 
 #include <QFrame>
 #include <QList>
+#include <QPoint>
+#include <QSize>
 
 #include <functional>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -32,6 +35,9 @@ class FloatingCard : public QFrame {
   [[nodiscard]] QToolButton* make_fold(const QString& name, QWidget& details);
   /// Moves it, as large as it has to be, to the lower right, above others that are there.
   void stand_at_lower_right();
+  /// Moves it, with this size, to the corner of the host where it covers the fewest of some points.
+  /// The lower right is the first choice.
+  void stand_where_it_hides_least(const QSize& size, const std::vector<QPoint>& to_be_seen);
   /// Returns the other cards over the same widget.
   [[nodiscard]] QList<FloatingCard*> others() const;
   void showEvent(QShowEvent* event) override;

@@ -1,0 +1,186 @@
+#include "features/tasks/task_card.h"
+
+#include "widgets/forms/arrangement.h"
+#include "widgets/style/actions.h"
+#include "widgets/style/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kWidth = 340;
+constexpr int kMargin = 12;
+
+QString stage_text(planning::StageKind kind) {
+  switch (kind) {
+    case planning::StageKind::kMove:
+      return QObject::tr("Move");
+    case planning::StageKind::kApproach:
+      return QObject::tr("Approach");
+    case planning::StageKind::kReach:
+      return QObject::tr("Reach");
+    case planning::StageKind::kClose:
+      return QObject::tr("Close the hand");
+    case planning::StageKind::kLift:
+      return QObject::tr("Lift");
+    case planning::StageKind::kCarry:
+      return QObject::tr("Carry");
+    case planning::StageKind::kLower:
+      return QObject::tr("Lower");
+    case planning::StageKind::kOpen:
+      return QObject::tr("Open the hand");
+    case planning::StageKind::kRetreat:
+      return QObject::tr("Retreat");
+  }
+  return {};
+}
+
+}  // namespace
+
+TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen)
+    : FloatingCard(host, "task", "offer"),
+      to_be_seen_(std::move(to_be_seen)),
+      title_(heading()),
+      support_(named("task_support", new QComboBox)),
+      return_(named("task_return", new QCheckBox(tr("Return to the start")))),
+      note_(named("task_note", note())),
+      list_(named("task_stages", new QTreeWidget)),
+      search_(new QWidget),
+      play_(named("task_play", new QPushButton(tr("Play")))),
+      plan_(named("task_plan", new QPushButton(tr("Plan")))) {
+  note_->setWordWrap(true);
+  support_->setAccessibleName(tr("Place on"));
+  support_->setToolTip(tr("Object on whose upward faces the grasped object is placed, anywhere"));
+  return_->setToolTip(tr("Move back to the scene's start at the end"));
+  return_->setChecked(true);
+  list_->setAccessibleName(tr("Stages"));
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->setSelectionMode(QAbstractItemView::SingleSelection);
+  list_->header()->setStretchLastSection(false);
+  auto* progress = new QProgressBar;
+  progress->setRange(0, 0);
+  progress->setTextVisible(false);
+  progress->setFixedHeight(6);
+  auto* stop = named("task_stop", new QPushButton(tr("Stop")));
+  stop->setToolTip(tr("End the search"));
+  connect(stop, &QPushButton::clicked, this, &TaskCard::stop_wanted);
+  lay_out(*search_, in_row({{progress, 1}, stop}, 8));
+  play_->setCheckable(true);
+  play_->setToolTip(tr("Show the motion of robot and object, stage after stage"));
+  connect(play_, &QPushButton::clicked, this, &TaskCard::play_wanted);
+  plan_->setProperty("role", "primary");
+  plan_->setToolTip(tr("Find a grasp, a place and the motions between them"));
+  connect(plan_, &QPushButton::clicked, this, &TaskCard::plan_wanted);
+  QToolButton* close = make_close("task_close", tr("Close; the scene stays as it is"));
+  connect(close, &QToolButton::clicked, this, [this] {
+    hide();
+    emit closed();
+  });
+  lay_out(*this,
+          in_column({in_row({{title_, 1}, {close, 0, Qt::AlignTop}}),
+                     in_row({new QLabel(tr("Place on")), {support_, 1}}, 8),
+                     return_,
+                     note_,
+                     search_,
+                     {list_, 1},
+                     play_,
+                     plan_},
+                    6),
+          {12, 6, 8, 10});
+}
+
+void TaskCard::ask(const QString& object, const QStringList& supports, int proposed) {
+  title_->setText(tr("Pick and place %1").arg(object));
+  support_->clear();
+  support_->addItems(supports);
+  support_->setCurrentIndex(proposed);
+  set_up(tr("The hand grasps the object, carries it, and puts it down."), false, false, false);
+}
+
+void TaskCard::show_planning() { set_up(tr("Planning all stages…"), true, false, false); }
+
+void TaskCard::show_plan(const std::vector<ShownStage>& stages, double planned_in) {
+  list_->clear();
+  list_->setHeaderLabels({tr("Stage"), tr("Time"), tr("Clear")});
+  list_->headerItem()->setToolTip(2, tr("Least clearance of the stage, up to 50 mm"));
+  double duration = 0.0;
+  for (const ShownStage& stage : stages) {
+    auto* item = new QTreeWidgetItem(
+        list_, {stage_text(stage.kind), tr("%1 s").arg(stage.duration, 0, 'f', 2),
+                tr("%1 mm").arg(stage.clearance_mm, 0, 'f', 1)});
+    item->setToolTip(2, stage.nearest);
+    item->setTextAlignment(1, Qt::AlignRight);
+    item->setTextAlignment(2, Qt::AlignRight);
+    duration += stage.duration;
+  }
+  set_up(tr("A motion of %1 s, planned in %2 s. Every stage is free of collisions.")
+             .arg(duration, 0, 'f', 1)
+             .arg(planned_in, 0, 'f', 1),
+         false, true, true);
+}
+
+void TaskCard::show_failure(const QString& reason,
+                            const std::vector<planning::StageTrials>& trials) {
+  list_->clear();
+  list_->setHeaderLabels({tr("Stage"), tr("Tried"), tr("Failed")});
+  for (const planning::StageTrials& one : trials) {
+    auto* item = new QTreeWidgetItem(
+        list_, {stage_text(one.kind), QString::number(one.tried), QString::number(one.failed)});
+    item->setTextAlignment(1, Qt::AlignRight);
+    item->setTextAlignment(2, Qt::AlignRight);
+    for (int column = 0; column < list_->columnCount(); ++column) {
+      item->setToolTip(column, QString::fromStdString(one.reason));
+    }
+  }
+  set_up(reason, false, !trials.empty(), false);
+}
+
+void TaskCard::show_played(int stage) {
+  play_->setChecked(stage >= 0);
+  play_->setText(stage >= 0 ? tr("Stop") : tr("Play"));
+  list_->setCurrentItem(stage >= 0 ? list_->topLevelItem(stage) : nullptr);
+}
+
+QString TaskCard::support() const { return support_->currentText(); }
+
+bool TaskCard::returns() const { return return_->isChecked(); }
+
+void TaskCard::set_up(const QString& note, bool planning, bool with_list, bool playable) {
+  note_->setText(note);
+  search_->setVisible(planning);
+  list_->setVisible(with_list);
+  play_->setVisible(playable);
+  plan_->setEnabled(!planning);
+  support_->setEnabled(!planning);
+  return_->setEnabled(!planning);
+  appear();
+}
+
+void TaskCard::place() {
+  const QRect within = parentWidget()->rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
+  const int width = std::min(scaled(kWidth), within.width());
+  if (list_->isVisibleTo(this)) {
+    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  }
+  list_->setFixedHeight(list_->header()->sizeHint().height() +
+                        list_->topLevelItemCount() * list_->sizeHintForRow(0) + 2);
+  const int height = std::min(layout()->totalHeightForWidth(width), within.height());
+  stand_where_it_hides_least({width, height}, to_be_seen_());
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,82 @@
+#include "features/tasks/task_tool.h"
+
+#include "features/editing/editing_test.h"
+#include "view3d/scene_view.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include <gmock/gmock.h>
+
+namespace handway::test {
+namespace {
+
+class PickAndPlace : public EditingTest {
+ protected:
+  void SetUp() override {
+    EditingTest::SetUp();
+    if (!IsSkipped()) {
+      open(source_dir() / "scenes" / "can_on_table.yaml");
+      select("can");
+      part<QAction>("pick_and_place").trigger();
+    }
+  }
+  /// Presses Plan, and waits for the result.
+  void plan() {
+    click("task_plan");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::TaskTool>().is_busy(); }, 120000));
+  }
+};
+
+TEST_F(PickAndPlace, PlansAndPlaysWithTheMouseAlone) {
+  EXPECT_EQ(part<QComboBox>("task_support").currentText(), "table") << "what it stands on";
+  const planning::SceneState before = editor().state();
+  plan();
+  const planning::TaskPlan& plan = tool<gui::TaskTool>().plan();
+  ASSERT_TRUE(plan.solved) << plan.reason;
+  const auto& stages = part<QTreeWidget>("task_stages");
+  EXPECT_EQ(stages.topLevelItemCount(), static_cast<int>(plan.stages.size()));
+  EXPECT_EQ(stages.topLevelItem(0)->text(0), "Approach");
+  auto& play = part<QPushButton>("task_play");
+  EXPECT_EQ(play.text(), "Stop") << "it plays by itself";
+  const auto is_played = [&](const char* stage) {
+    return stages.currentItem() != nullptr && stages.currentItem()->text(0) == stage;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return is_played("Carry"); }, 20000));
+  keep_picture("pick_and_place");
+  EXPECT_EQ(editor().state(), before) << "only shown";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return play.text() == "Play"; }, 20000));
+  EXPECT_EQ(editor().state(), before);
+}
+
+TEST_F(PickAndPlace, ForgetsThePlanWhenTheSceneIsEdited) {
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
+  editor().set_goal(*scene().start, *scene().start);
+  EXPECT_FALSE(part<QTreeWidget>("task_stages").isVisible());
+  EXPECT_TRUE(tool<gui::TaskTool>().plan().stages.empty());
+}
+
+TEST_F(PickAndPlace, SaysWhyThereIsNoPlan) {
+  geometric::Pose away = geometric::find_object(scene(), "can")->X_PO;
+  away.translation().x() += 5.0;
+  editor().place(away);
+  part<QAction>("pick_and_place").trigger();
+  plan();
+  EXPECT_FALSE(tool<gui::TaskTool>().plan().solved);
+  EXPECT_THAT(part<QLabel>("task_note").text().toStdString(),
+              ::testing::HasSubstr("out of the arm's reach"));
+}
+
+TEST_F(PickAndPlace, EndsItsSearchWhenItIsStopped) {
+  click("task_plan");
+  click("task_stop");
+  EXPECT_FALSE(tool<gui::TaskTool>().is_busy());
+  EXPECT_EQ(part<QLabel>("task_note").text().toStdString(), "The search was stopped.");
+}
+
+}  // namespace
+}  // namespace handway::test
