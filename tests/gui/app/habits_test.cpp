@@ -112,6 +112,7 @@ TEST_F(Habits, KeysOfTheManualExistOnce) {
                           "Ctrl+Shift+U",
                           "M",
                           "Ctrl+G",
+                          "Ctrl+Alt+G",
                           "Ctrl+Shift+P",
                           "F1",
                           "Ctrl+P",
