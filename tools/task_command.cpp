@@ -56,6 +56,9 @@ planning::Task task_of(const TaskCommand& command, const geometric::Scene& scene
   if (!command.task.empty()) {
     return planning::read_task(command.task, scene);
   }
+  if (command.pick.empty() && command.then.empty()) {
+    throw CLI::RequiredError("--task, --pick or --then");
+  }
   planning::Task task;
   if (!command.pick.empty()) {
     task.emplace_back(planning::PickStep{command.pick});
@@ -286,6 +289,7 @@ void add_task_command(CLI::App& app, int& exit_code) {
       ->type_name("X,Y,Z,ROLL,PITCH,YAW")
       ->delimiter(',')
       ->expected(6)
+      ->check(number_in(-1e3, 1e3))
       ->needs(pick)
       ->excludes(on);
   task->add_option("--then", command->then,

@@ -76,6 +76,8 @@ TEST_F(TaskCommand, RefusesTaskFilesByLineAndElement) {
   EXPECT_EQ(run_file("handway_task: 7\nsteps: [{pick: can}]\n").exit_code, 3);
   EXPECT_EQ(run_file("").exit_code, 3);
   EXPECT_EQ(line_.run("task " + scene() + " --place-on table").exit_code, 2);
+  EXPECT_EQ(line_.run("task " + scene() + " --pick can --place-at 0,0,nan,0,0,0").exit_code, 2);
+  EXPECT_EQ(line_.run("task " + scene()).exit_code, 2);
 }
 
 }  // namespace

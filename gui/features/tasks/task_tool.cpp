@@ -233,7 +233,7 @@ void add_tasks(Workbench& workbench) {
       QStringLiteral("pick_and_place"), QObject::tr("&Pick and place…"),
       QKeySequence(QStringLiteral("Ctrl+Alt+G")),
       QObject::tr("Plan to grasp the object, carry it and place it, and show the motion"));
-  workbench.add_to_menu(MainMenu::kEdit, {3, 1}, pick);
+  workbench.add_to_menu(MainMenu::kPlan, {0, 20}, pick);
   workbench.add_to_menu(MainMenu::kContext, {3, 1}, pick);
   const auto update_enabled = [pick, &workbench] {
     const geometric::SceneObject* object = workbench.editor.selected_object();

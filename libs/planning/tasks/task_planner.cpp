@@ -126,6 +126,21 @@ std::string failure(const Task& task, const std::vector<StageTrials>& trials) {
                      worst->reason.ends_with('.') ? "" : ".");
 }
 
+// Refuses supports that are not there, or move with a link or with the carried object.
+void need_support(const geometric::Scene& scene, const std::string& support,
+                  const std::string& carried) {
+  need_objects(scene, {support});
+  if (support == carried) {
+    throw geometric::InputError(
+        {"task", "place", "the object itself, \"" + support + "\"", "another object", ""});
+  }
+  if (geometric::find_object(scene, support)->attachment) {
+    throw geometric::InputError({"task", "place",
+                                 "\"" + support + "\", which is attached to a link",
+                                 "an object that stands in the world", ""});
+  }
+}
+
 // Refuses steps that can not follow each other, and names that the scene lacks.
 void check_steps(const geometric::Scene& scene, const Task& task) {
   if (scene.robots.empty()) {
@@ -145,7 +160,7 @@ void check_steps(const geometric::Scene& scene, const Task& task) {
       carried = pick->object;
     } else if (const auto* place = std::get_if<PlaceStep>(&step)) {
       if (!place->support.empty()) {
-        need_objects(scene, {place->support});
+        need_support(scene, place->support, carried);
       }
       if (carried.empty()) {
         throw geometric::InputError({"task", to_string(step), "an empty hand",

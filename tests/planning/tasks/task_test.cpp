@@ -116,6 +116,7 @@ TEST(Tasks, RefuseStepsThatCannotFollowEachOther) {
   EXPECT_THAT(refusal({PickStep{"cam"}}), HasSubstr("Did you mean \"can\"?"));
   EXPECT_THAT(refusal({PickStep{"can"}, PlaceStep{"tabel"}}),
               HasSubstr("There are: pedestal, table, can"));
+  EXPECT_THAT(refusal({PickStep{"can"}, PlaceStep{"can"}}), HasSubstr("the object itself"));
   EXPECT_THAT(refusal({PickStep{"can"}, PickStep{"can"}}), HasSubstr("a hand that carries can"));
 }
 

@@ -81,9 +81,9 @@ TEST_F(Pointing, TheRightButtonSelectsAndOffersWhatCanBeDone) {
   QTest::mouseClick(&view(), Qt::RightButton, {}, seen({0.41, 0.38, 0.15}));
   EXPECT_EQ(editor().selection(), (SceneItem{Kind::kObject, "", "post"}));
   const QStringList of_an_object = offered();
-  for (const char* command : {"Cut", "Copy", "Paste", "Rename", "Duplicate", "Delete", "Hide",
-                              "Lock", "Attach to the palm", "Grasp…", "Pick and place…",
-                              "Set goal here", "Show all", "Show selection"}) {
+  for (const char* command :
+       {"Cut", "Copy", "Paste", "Rename", "Duplicate", "Delete", "Hide", "Lock",
+        "Attach to the palm", "Grasp…", "Set goal here", "Show all", "Show selection"}) {
     EXPECT_TRUE(of_an_object.contains(QString::fromUtf8(command))) << command;
   }
   EXPECT_FALSE(of_an_object.contains(QStringLiteral("Detach")));
