@@ -13,15 +13,9 @@ using geometric::HandStructure;
 using geometric::JointSelection;
 using geometric::Pose;
 
-// The joints of the arm and of the hand with this palm.
-struct ArmAndHand {
-  geometric::JointIndices arm;
-  geometric::JointIndices hand;
-  HandStructure structure;
-};
-
-ArmAndHand find_hand(const PlanningProblem& problem, int palm) {
-  ArmAndHand found{problem.joints.arm, problem.joints.hand, problem.hand};
+// Finds the arm and the hand with this palm.
+GraspingHand::ArmAndHand find_hand(const PlanningProblem& problem, int palm) {
+  GraspingHand::ArmAndHand found{problem.joints.arm, problem.joints.hand, problem.hand};
   if (found.structure.palm == palm) {
     return found;
   }
@@ -45,15 +39,18 @@ double range_of(const geometric::Joint& joint) {
 }  // namespace
 
 GraspingHand::GraspingHand(const PlanningProblem& problem, int palm)
+    : GraspingHand(problem, palm, find_hand(problem, palm)) {}
+
+GraspingHand::GraspingHand(const PlanningProblem& problem, int palm, const ArmAndHand& found)
     : model_(problem.scene->robots.front().model),
       X_WB_(problem.scene->robots.front().X_WB),
-      arm_(find_hand(problem, palm).arm),
-      hand_(find_hand(problem, palm).hand),
+      arm_(found.arm),
+      hand_(found.hand),
       ik_(model_, palm, arm_) {
   const geometric::JointIndices chain = geometric::chain_variables(*model_, palm);
   std::erase_if(arm_, [&](int v) { return std::ranges::count(chain, v) == 0; });
   links_.push_back(model_->link(palm).name);
-  for (const geometric::HandFinger& finger : find_hand(problem, palm).structure.fingers) {
+  for (const geometric::HandFinger& finger : found.structure.fingers) {
     tips_.push_back(finger.tip);
     for (const int link : finger.links) {
       links_.push_back(model_->link(link).name);

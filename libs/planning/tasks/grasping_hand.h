@@ -18,10 +18,16 @@ namespace handway::planning {
 /// The hand that grasps, on its arm.
 class GraspingHand {
  public:
+  /// The joints of an arm and of the hand that it carries.
+  struct ArmAndHand {
+    geometric::JointIndices arm;
+    geometric::JointIndices hand;
+    geometric::HandStructure structure;
+  };
+
   /// @param palm link of the hand, from Pregrasps::palm.
   GraspingHand(const PlanningProblem& problem, int palm);
 
-  [[nodiscard]] const PalmIk& ik() const { return ik_; }
   [[nodiscard]] std::string palm_name() const;
   /// Names of the joints of the arm.
   [[nodiscard]] std::vector<std::string> arm_names() const;
@@ -54,6 +60,7 @@ class GraspingHand {
                                double length, bool inwards, const std::stop_token& stop) const;
 
  private:
+  GraspingHand(const PlanningProblem& problem, int palm, const ArmAndHand& found);
   /// Returns `q` with the fingers opened against the direction in which the grasp closes them, by a
   /// share of the joints' ranges.
   [[nodiscard]] Configuration opened(const Configuration& q, const Pregrasp& grasp,
