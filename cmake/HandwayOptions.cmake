@@ -36,7 +36,11 @@ cmake_dependent_option(HANDWAY_BUILD_PYTHON "Build the Python package (pybind11,
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}"
-                                  CCACHE_NOHASHDIR=1 "${CCACHE_PROGRAM}")
+                                  CCACHE_NOHASHDIR=1
+                                  CCACHE_SLOPPINESS=pch_defines,time_macros "${CCACHE_PROGRAM}")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-fpch-preprocess)  # Without it ccache keeps nothing that uses such headers.
+  endif()
 endif()
 
 set(HANDWAY_TEST_TIMEOUT 300)  # s

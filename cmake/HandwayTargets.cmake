@@ -36,6 +36,7 @@ function(handway_library name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   _handway_warnings(${target})
+  handway_use_headers(${target} handway_library_headers)
   # Before 1.0, minor versions may change the interface.
   set_target_properties(
     ${target} PROPERTIES VERSION ${PROJECT_VERSION}
@@ -89,12 +90,12 @@ function(handway_benchmark name)
   _handway_warnings(${name})
 endfunction()
 
-# handway_test(NAME [SLOW] [REAL_TIME] SOURCES … LINK …): a GoogleTest program whose cases CTest lists
+# handway_test(NAME [SLOW] [REAL_TIME] [WINDOW] SOURCES … LINK …): a GoogleTest program whose cases CTest lists
 # one by one, labelled "fast" or "slow": all fast ones together take less than a minute. Those of
 # programs that have to keep up with the clock are slow, too; they run while no other test does, and
-# again if the machine itself did not keep up.
+# again if the machine itself did not keep up. Those with WINDOW link Qt.
 function(handway_test name)
-  cmake_parse_arguments(ARG "SLOW;REAL_TIME" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SLOW;REAL_TIME;WINDOW" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   if(ARG_REAL_TIME)
     set(main handway_test_real_time_main)
@@ -112,6 +113,11 @@ function(handway_test name)
   endif()
   # What they test is optimised; tests themselves are not worth the compiler's time.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(ARG_WINDOW)
+    handway_use_headers(${name} handway_window_test_headers)
+  else()
+    handway_use_headers(${name} handway_test_headers)
+  endif()
   gtest_discover_tests(
     ${name}
     DISCOVERY_MODE PRE_TEST

@@ -7,8 +7,8 @@
 
 namespace {
 
+using handway::geometric::BoundParameter;
 using handway::geometric::Configuration;
-using handway::planning::BoundParameter;
 using handway::planning::Path;
 using handway::planning::Planner;
 using handway::planning::PlannerCapabilities;
