@@ -5,6 +5,7 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway/sampling/postures/principal_components.h"
+#include "keyword_settings.h"
 #include "planner_model.h"
 #include "scene_model.h"
 
@@ -134,29 +135,22 @@ planning::MakeHoldTest need_hold_test() {
   return make;
 }
 
-py::list grasps(const SceneModel& scene, const std::string& object, int most, int samples,
-                std::uint64_t seed, double friction, double payload, int test) {
-  for (const auto& [argument, value] : {std::pair("most", most), std::pair("samples", samples)}) {
-    if (value < 1) {
-      throw InputError({argument, "", std::to_string(value), "1 or more", ""});
-    }
-  }
-  for (const auto& [argument, value] :
-       {std::pair("friction", friction), std::pair("payload", payload)}) {
-    if (!(value > 0.0 && std::isfinite(value))) {
-      throw InputError({argument, "", fmt::format("{}", value), "a number above 0", ""});
-    }
-  }
+py::list grasps(const SceneModel& scene, const std::string& object, int most, std::uint64_t seed,
+                int test, const py::kwargs& settings) {
   if (test < 0) {
     throw InputError({"test", "", std::to_string(test), "0 or more", ""});
   }
-  const planning::MakeHoldTest make_hold_test = test > 0 ? need_hold_test() : nullptr;
   planning::PregraspOptions options;
-  options.contact.friction = friction;
-  options.payload = payload;
-  options.most = most;
-  options.samples = samples;
+  planning::HoldConditions conditions;
+  std::vector<geometric::BoundParameter> parameters = parameters_of(options);
+  set_from_text(parameters.front(), std::to_string(most));
+  parameters.erase(parameters.begin());
+  std::ranges::move(parameters_of(conditions), std::back_inserter(parameters));
+  set_from_keywords(parameters, settings);
   options.seed = seed;
+  conditions.mass = options.payload;
+  conditions.contact = options.contact;
+  const planning::MakeHoldTest make_hold_test = test > 0 ? need_hold_test() : nullptr;
   std::vector<planning::Pregrasp> found;
   std::vector<planning::HoldResult> holds;
   run_interruptible([&](const std::stop_token& stop) {
@@ -164,7 +158,6 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, in
         planning::find_pregrasps(scene.problem(), object, options, stop);
     found = grasps.found;
     if (make_hold_test != nullptr && !found.empty()) {
-      const planning::HoldConditions conditions{.mass = payload, .contact = options.contact};
       holds =
           planning::test_grasps(*make_hold_test(scene.problem(), object, grasps.palm), found,
                                 static_cast<std::size_t>(test), conditions, options.threads, stop);
@@ -282,12 +275,13 @@ void bind_motion(py::module_& module) {
            "speed: share of full speed, above 0 and at most 1. period: time between points, s.\n"
            "jerk: True to limit jerk, too.")
       .def("grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
-           py::arg("samples") = 8000, py::arg("seed") = 1, py::arg("friction") = 0.6,
-           py::arg("payload") = 0.1, py::arg("test") = 0,
+           py::arg("seed") = 1, py::arg("test") = 0,
            "Returns grasps of an object, the best first.\n\n"
-           "object: name of a fixed object. most: largest number of grasps. samples: number of\n"
-           "palm poses to try. seed: seed of the samples. friction: coefficient between hand and\n"
-           "object. payload: mass of the object, kg. test: how many of the best to simulate.\n"
+           "object: name of a fixed object. most: largest number of grasps. seed: seed of the\n"
+           "samples. test: how many of the best to simulate. Settings (table in the manual):\n"
+           "samples, the number of palm poses to try; friction, the coefficient between hand and\n"
+           "object; payload, the mass of the object, kg; force (N), torque (N m) and stiffness\n"
+           "(N m/rad) of the simulation.\n"
            "Returns dicts: q, closed and squeezed\n"
            "[variables], the configurations before contact, in contact and pushing; score;\n"
            "epsilon (N) and volume of the grasp wrench space; holding_force (N, the largest\n"

@@ -18,10 +18,10 @@ namespace handway::python {
 namespace {
 
 using geometric::InputError;
-using planning::Parameter;
+using geometric::Parameter;
 
 std::vector<std::string> options_of(const Parameter& parameter) {
-  const auto* choice = std::get_if<planning::Choice>(&parameter.value);
+  const auto* choice = std::get_if<geometric::Choice>(&parameter.value);
   return choice != nullptr ? choice->options : std::vector<std::string>{};
 }
 

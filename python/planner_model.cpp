@@ -22,7 +22,7 @@ const planning::PluginManager& plugin_manager() {
 
 namespace {
 
-using planning::Parameter;
+using geometric::Parameter;
 using planning::PlannerRegistry;
 
 /// Writes a value as the command line does: true, 3, 0.01, joint.
@@ -38,7 +38,7 @@ std::string setting_text(const py::object& value) {
 py::object value_of(const Parameter& parameter) {
   return std::visit(
       [&](const auto& value) -> py::object {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, planning::Choice>) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, geometric::Choice>) {
           return py::str(to_text(parameter));
         } else {
           return py::cast(value);

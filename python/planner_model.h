@@ -42,7 +42,7 @@ class PlannerModel {
   [[nodiscard]] const planning::Planner& planner() const { return *planner_; }
 
   /// The present settings, bound to this object.
-  [[nodiscard]] std::vector<planning::Parameter> parameters() const {
+  [[nodiscard]] std::vector<geometric::Parameter> parameters() const {
     return planner_->parameters();
   }
 
@@ -84,6 +84,6 @@ class PlannerModel {
                                                                const std::string& name);
 
 /// A parameter's value as a Python object.
-[[nodiscard]] pybind11::object value_of(const planning::Parameter& parameter);
+[[nodiscard]] pybind11::object value_of(const geometric::Parameter& parameter);
 
 }  // namespace handway::python

@@ -1,17 +1,17 @@
 #include "arrays.h"
 #include "bindings.h"
+#include "handway/geometric/formats/program_steps.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/tasks/task.h"
 #include "handway/planning/tasks/task_file.h"
+#include "keyword_settings.h"
 #include "planner_model.h"
 #include "scene_questions.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -32,9 +32,10 @@ double length_from(const py::dict& step, const char* key, double otherwise) {
     return otherwise;
   }
   const double length = step[key].cast<double>();
-  constexpr double kMost = 10.0;
+  constexpr double kMost = geometric::kLongestStraightMotion;
   if (!(length >= 0.0 && length <= kMost)) {
-    throw InputError({"steps", key, fmt::format("{}", length), "a length from 0 to 10 m", ""});
+    throw InputError({"steps", key, fmt::format("{}", length),
+                      fmt::format("a length from 0 to {:g} m", kMost), ""});
   }
   return length;
 }
@@ -85,35 +86,27 @@ planning::TaskStep step_from(const SceneModel& scene, const py::dict& step) {
       "a configuration"};
 }
 
-// Refuses numbers that are not above 0 and at most `most`.
-void need_within(const char* argument, double value, double most) {
-  if (!(value > 0.0 && value <= most)) {
-    throw InputError({argument, "", fmt::format("{}", value),
-                      fmt::format("a number above 0, and at most {:g}", most), ""});
+planning::Task task_of(const SceneModel& scene, const py::object& steps) {
+  if (py::isinstance<py::str>(steps)) {
+    return planning::program_task(scene.scene(), steps.cast<std::string>());
   }
-}
-
-TaskPlan plan_task(PlannerModel& planner, const SceneModel& scene,
-                   const std::vector<py::dict>& steps, std::uint64_t seed, int threads,
-                   double motion_time, int grasps, int places, double friction, double payload) {
   planning::Task task;
-  for (const py::dict& step : steps) {
+  for (const py::dict& step : steps.cast<std::vector<py::dict>>()) {
     task.push_back(step_from(scene, step));
   }
-  need_within("threads", threads, 1024);
-  need_within("motion_time", motion_time, 1e6);
-  need_within("grasps", grasps, 1000);
-  need_within("places", places, 1e5);
-  need_within("friction", friction, 10.0);
-  need_within("payload", payload, 1e4);
+  return task;
+}
+
+TaskPlan plan_task(PlannerModel& planner, const SceneModel& scene, const py::object& steps,
+                   std::uint64_t seed, int threads, const py::kwargs& settings) {
+  const planning::Task task = task_of(scene, steps);
+  if (threads < 1 || threads > 1024) {
+    throw InputError({"threads", "", std::to_string(threads), "a number from 1 to 1024", ""});
+  }
   planning::TaskOptions options;
   options.seed = seed;
   options.threads = threads;
-  options.motion_time_s = motion_time;
-  options.places = places;
-  options.grasps.most = grasps;
-  options.grasps.contact.friction = friction;
-  options.grasps.payload = payload;
+  set_from_keywords(parameters_of(options), settings);
   return planner.plan_task(scene, task, options);
 }
 
@@ -183,23 +176,20 @@ void bind_tasks(py::module_& module) {
         return plan.solved ? fmt::format("<handway.TaskPlan of {} stages>", plan.stages.size())
                            : std::string("<handway.TaskPlan, not solved>");
       });
-  const planning::TaskOptions defaults;
   py::object planner = module.attr("Planner");
   planner.attr("plan_task") = py::cpp_function(
       &plan_task, py::is_method(planner), py::name("plan_task"), py::arg("scene"), py::arg("steps"),
       py::kw_only(), py::arg("seed") = 1, py::arg("threads") = 1,
-      py::arg("motion_time") = defaults.motion_time_s, py::arg("grasps") = defaults.grasps.most,
-      py::arg("places") = defaults.places, py::arg("friction") = 0.6, py::arg("payload") = 0.1,
       "Plans a task: picks objects, carries them and places them.\n\n"
       "scene: the scene in which the task begins, at its start.\n"
       "steps: dicts, each with one of the keys pick (the name of an object; with approach and\n"
       "lift, m), place (the name of the object on which it is placed, or its pose [4, 4] in the\n"
       "world; with lower and retreat, m) and move (\"start\", the name of a posture, or a\n"
-      "configuration [variables]).\n"
+      "configuration [variables]); or the name of a program of the scene, \"\" for its only one.\n"
       "seed: seed of all random choices. threads: their number, which does not affect the\n"
-      "result. motion_time: time limit of one motion that is not straight, s.\n"
-      "grasps, places: how many of them to try at most. friction: coefficient between hand and\n"
-      "object. payload: mass of the object, kg.\n\n"
+      "result. Settings (table in the manual): motion_time, the time limit of one motion that\n"
+      "is not straight, s; grasps and places, how many of them to try at most; friction between\n"
+      "hand and object; payload, the mass of the object, kg; samples of the grasp search.\n\n"
       "Returns a TaskPlan. Raises InputError for steps that can't follow each other and for\n"
       "names that the scene lacks.");
 }

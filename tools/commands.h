@@ -67,6 +67,9 @@ void add_send_command(CLI::App& app, int& exit_code);
 /// `handway setup ROBOT.urdf`: groups, pairs of links that may touch, and suspicious parts.
 void add_setup_command(CLI::App& app, int& exit_code);
 
+/// Adds `handway simulate SCENE PATH.csv|PROGRAM`.
+void add_simulate_command(CLI::App& app, int& exit_code);
+
 /// Adds `handway task SCENE`.
 void add_task_command(CLI::App& app, int& exit_code);
 

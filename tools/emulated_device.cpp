@@ -5,6 +5,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/extensions/plugin.h"
 #include "numbers.h"
+#include "parameter_options.h"
 #include "printing.h"
 #include "terminal.h"
 
@@ -119,10 +120,7 @@ CLI::Option* add_serve_options(CLI::App& command, ServeOptions& options) {
 }
 
 void add_line_fault_options(CLI::App& command, LineFaultOptions& options) {
-  command.add_option("--dropout", options.dropout, "Share of records that are lost, 0 to 1")
-      ->check(CLI::Range(0.0, 1.0));
-  command.add_option("--garbage", options.garbage, "Share of records that are damaged, 0 to 1")
-      ->check(CLI::Range(0.0, 1.0));
+  add_parameter_options(command, parameters_of(options.faults));
   command.add_option("--latency", options.latency_ms, "Delay of all output, ms")
       ->check(CLI::Range(0.0, 60000.0));
   command
@@ -138,7 +136,8 @@ void add_line_fault_options(CLI::App& command, LineFaultOptions& options) {
 device::DeviceEmulatorSettings emulator_settings(const LineFaultOptions& options,
                                                  std::uint64_t seed) {
   device::DeviceEmulatorSettings settings;
-  settings.faults = {options.dropout, options.garbage, seed};
+  settings.faults = options.faults;
+  settings.faults.seed = seed;
   settings.latency = options.latency_ms / 1000.0;
   settings.unplug_at = options.unplug_after_s;
   settings.replug_at = options.plug_again_after_s;

@@ -73,8 +73,7 @@ CLI::Option* add_serve_options(CLI::App& command, ServeOptions& options);
 
 /// Faults of an emulated device and its line.
 struct LineFaultOptions {
-  double dropout = 0.0;
-  double garbage = 0.0;
+  device::LineFaultSettings faults;  ///< Without their seed.
   double latency_ms = 0.0;
   std::optional<double> unplug_after_s;
   std::optional<double> plug_again_after_s;

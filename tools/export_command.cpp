@@ -44,7 +44,7 @@ int run_export(ExportChoice choice) {
     throw CLI::RequiredError("path");
   }
   const planning::Exporter& exporter = plugins.exporter(choice.to);
-  choice.timing.no_blend = choice.timing.no_blend || exporter.stops_at_waypoints();
+  choice.timing.settings.blend = choice.timing.settings.blend && !exporter.stops_at_waypoints();
   const planning::TimedPath timed = run_timing(choice.timing, plugins);
   std::vector<std::filesystem::path> written;
   if (timed.cleared()) {

@@ -6,6 +6,7 @@
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "numbers.h"
+#include "parameter_options.h"
 #include "printing.h"
 #include "scene_options.h"
 #include "terminal.h"
@@ -254,25 +255,9 @@ void add_grasp_command(CLI::App& app, int& exit_code) {
       ->add_option("object", options->object,
                    "Object of the scene that the robot does not hold yet")
       ->required();
-  command->add_option("--count", options->search.most, "Largest number of grasps")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command
-      ->add_option("--friction", options->search.contact.friction,
-                   "Coefficient of friction between hand and object")
-      ->check(CLI::Range(0.01, 10.0))
-      ->capture_default_str();
-  command->add_option("--payload", options->search.payload, "Mass of the object, kg")
-      ->check(CLI::Range(0.0, 1e4))
-      ->capture_default_str();
-  command->add_option("--seed", options->search.seed, "Seed of all random choices")
-      ->check(not_negative())
-      ->capture_default_str();
-  command
-      ->add_option("--threads", options->search.threads,
-                   "Number of threads; the grasps do not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_parameter_options(*command, parameters_of(options->search));
+  add_seed_option(*command, options->search.seed);
+  add_threads_option(*command, options->search.threads, "which grasps are found");
   command
       ->add_option("--test", options->test,
                    "Number of the best grasps to simulate: six forces, then a lift")
@@ -281,16 +266,7 @@ void add_grasp_command(CLI::App& app, int& exit_code) {
   command->add_flag("--margins", options->margins,
                     "Also simulate the least friction, the largest mass and the largest position "
                     "error with which these grasps hold");
-  command->add_option("--force", options->hold.force, "Disturbing force of the simulation, N")
-      ->check(CLI::Range(0.0, 1e4))
-      ->capture_default_str();
-  command->add_option("--torque", options->hold.torque, "Largest torque of a finger's joint, N·m")
-      ->check(CLI::Range(1e-3, 1e3))
-      ->capture_default_str();
-  command
-      ->add_option("--stiffness", options->hold.stiffness, "Stiffness of a finger's joint, N·m/rad")
-      ->check(CLI::Range(1e-3, 1e5))
-      ->capture_default_str();
+  add_parameter_options(*command, parameters_of(options->hold));
   add_group_option(*command, options->group);
   command->add_option("--out", options->out, "File for the grasps (YAML)");
   command->add_option("--report", options->report, "File for the report (JSON)");

@@ -11,6 +11,7 @@
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/timing/kinematic_limits.h"
 #include "numbers.h"
+#include "parameter_options.h"
 #include "printing.h"
 #include "scene_file_watch.h"
 #include "terminal.h"
@@ -94,7 +95,6 @@ struct GuideChoice {
   std::string link;
   std::filesystem::path log;
   device::ForceGuideSettings guide;
-  double tube_mm = device::ForceGuideSettings{}.tube / kMillimetre;
   double start_tolerance = 0.01;
   bool yes = false;
 };
@@ -211,7 +211,6 @@ int guide(const GuideChoice& choice) {
   }
   check_path_is_free(input);
   device::ForceGuideSettings settings = choice.guide;
-  settings.tube = kMillimetre * choice.tube_mm;
   const std::unique_ptr<device::HapticDevice> handle = device::make_haptic_device(choice.to);
   LedRobots robots(choice.robot, input.problem);
   if (!robots.empty()) {
@@ -245,7 +244,8 @@ int guide(const GuideChoice& choice) {
     }
   }
   device::ForceGuide force_guide(tool_path.curve(), settings);
-  execution::GuidedMotion motion(input.path, limits.at_speed(choice.timing.speed).velocity);
+  execution::GuidedMotion motion(input.path,
+                                 limits.at_speed(choice.timing.settings.speed).velocity);
   double next = kProgressPeriod;
   const execution::GuidanceOutcome outcome = run_guidance(
       *handle, force_guide, tool_path, motion, stop.get_token(),
@@ -274,7 +274,7 @@ int guide(const GuideChoice& choice) {
 /// Adds `handway haptic guide`.
 void add_haptic_guide(CLI::App& haptic, int& exit_code) {
   auto choice = std::make_shared<GuideChoice>();
-  choice->timing.speed = kCautiousSpeed;
+  choice->timing.settings.speed = kCautiousSpeed;
   CLI::App* command =
       haptic.add_subcommand("guide", "Guide the operator's hand along a path; the robot follows");
   command->add_option("path", choice->timing.path, "Path (CSV)")->required();
@@ -293,16 +293,9 @@ void add_haptic_guide(CLI::App& haptic, int& exit_code) {
                                 const char* text) {
     command->add_option(name, value, text)->check(number_in(least, most))->capture_default_str();
   };
-  number("--speed", choice->timing.speed, 0.001, 1.0,
+  number("--speed", choice->timing.settings.speed, 0.001, 1.0,
          "Speed of the robot, as a share of its joints' velocity limits");
-  number("--scale", choice->guide.scale, 0.01, 100.0, "Motion of the tool per motion of the hand");
-  number("--tube-mm", choice->tube_mm, 0.0, 100.0,
-         "Radius around the path within which no spring pulls the hand, mm");
-  number("--stiffness", choice->guide.stiffness, 0.0, 2000.0,
-         "Stiffness of the spring towards the tube, N/m");
-  number("--damping", choice->guide.damping, 0.0, 20.0, "Damping of the hand's velocity, N s/m");
-  number("--assistance", choice->guide.assistance, 0.0, 20.0, "Force along the path, N");
-  number("--max-force", choice->guide.strongest, 0.01, 20.0, "Strongest force on the hand, N");
+  add_parameter_options(*command, parameters_of(choice->guide));
   number("--start-tolerance", choice->start_tolerance, 1e-5, 1.0,
          "Largest distance of a joint from the path's start, rad");
   command->callback([choice, &exit_code] { exit_code = guide(*choice); });

@@ -11,6 +11,7 @@
 #include "handway/planning/queries/collision_remedy.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "numbers.h"
+#include "parameter_options.h"
 #include "plan_report.h"
 #include "printing.h"
 #include "scene_options.h"
@@ -189,14 +190,8 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("plan", "Find a collision-free path");
   command->add_option("scene", options->scene, "Scene or problem file")->required();
   command->add_option("--planner", options->planner, "Planner (default: the scene's, else auto)");
-  command->add_option("--seed", options->seed, "Seed of all random choices")
-      ->check(not_negative())
-      ->capture_default_str();
-  command
-      ->add_option("--threads", options->threads,
-                   "Number of threads; the path does not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_seed_option(*command, options->seed);
+  add_threads_option(*command, options->threads, "the path");
   command->add_option("--time-limit", options->time_limit_s, "Seconds before giving up")
       ->check(positive_number())
       ->capture_default_str();

@@ -15,10 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json value_of(const planning::Parameter& parameter) {
+Json value_of(const geometric::Parameter& parameter) {
   return std::visit(
       [&](const auto& value) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, planning::Choice>) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, geometric::Choice>) {
           return to_text(parameter);
         } else {
           return value;
@@ -89,11 +89,11 @@ std::string plan_report(planning::Planner& planner, const planning::PlanningProb
                         double load_s, const std::optional<planning::PathLikeness>& likeness,
                         const std::optional<planning::PathQuality>& quality) {
   Json parameters = Json::object();
-  for (const planning::Parameter& parameter : planner.parameters()) {
+  for (const geometric::Parameter& parameter : planner.parameters()) {
     parameters[parameter.key] = value_of(parameter);
   }
   Json departures = Json::object();
-  for (const planning::Parameter& parameter : planning::departures(planner.parameters())) {
+  for (const geometric::Parameter& parameter : geometric::departures(planner.parameters())) {
     departures[parameter.key] = {{"value", value_of(parameter)},
                                  {"as_printed", parameter.as_printed}};
   }

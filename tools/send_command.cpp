@@ -30,7 +30,7 @@ using execution::MotionTarget;
 // A tenth of the pace by default; at 20 ms an arm's queue of ten points does not run
 // empty.
 constexpr double kCautiousSpeed = 0.1;
-constexpr double kPeriodMs = 20.0;
+constexpr double kPointPeriod = 0.02;    // s
 constexpr double kProgressPeriod = 0.5;  // s
 
 struct SendChoice {
@@ -154,7 +154,7 @@ execution::SceneWatch::Problem scene_now(const TimingChoice& choice,
       read_problem_again(choice, plugins, *motion.model));
   const geometric::RobotModel& model = problem->model();
   planning::JointKinematicLimits limits = read_limits(choice, model);
-  if (!choice.jerk) {
+  if (!choice.settings.jerk) {
     limits.jerk.resize(0);
   }
   const auto faults = check_trajectory(model, motion.trajectory, limits);
@@ -208,7 +208,7 @@ int send(const SendChoice& choice) {
   for (const MotionTarget& target : targets) {
     print_out("{}: {} joints, {} points, {:.2f} s at {:g} % speed\n", target.link->name(),
               target.variables.size(), timed.motion.trajectory.points.size(), duration,
-              100.0 * choice.timing.speed);
+              100.0 * choice.timing.settings.speed);
   }
   if (!choice.yes) {
     print_error("Nothing was sent. Add --yes to let the robot move.\n");
@@ -248,8 +248,8 @@ int send(const SendChoice& choice) {
 
 void add_send_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<SendChoice>();
-  choice->timing.speed = kCautiousSpeed;
-  choice->timing.period_ms = kPeriodMs;
+  choice->timing.settings.speed = kCautiousSpeed;
+  choice->timing.settings.period = kPointPeriod;
   CLI::App* command =
       app.add_subcommand("send", "Run a path on an arm, a hand, both, or a robot in ROS");
   add_timing_options(*command, choice->timing);

@@ -2,8 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
-#include "handway/geometric/math/units.h"
-#include "numbers.h"
+#include "parameter_options.h"
 #include "printing.h"
 #include "scene_options.h"
 
@@ -14,44 +13,10 @@ namespace handway::tools {
 void add_timing_options(CLI::App& command, TimingChoice& choice) {
   command.add_option("path", choice.path, "Path (CSV)")->required();
   command.add_option("--scene", choice.scene, "Scene or problem file of the path")->required();
-  command.add_option("--speed", choice.speed, "Share of the full speed, above 0, at most 1")
-      ->check(positive_number())
-      ->check(CLI::Range(0.001, 1.0))
-      ->capture_default_str();
-  command.add_option("--period-ms", choice.period_ms, "Time from one point to the next, ms")
-      ->check(positive_number())
-      ->check(CLI::Range(0.1, 1000.0))
-      ->capture_default_str();
-  auto* deviation =
-      command
-          .add_option("--deviation", choice.deviation,
-                      "Largest distance of an arc from its waypoint, rad over all joints together")
-          ->check(positive_number())
-          ->check(CLI::Range(1e-4, 10.0))
-          ->capture_default_str();
-  command
-      .add_option("--arc-clearance-mm", choice.arc_clearance_mm,
-                  "Least clearance of arcs, mm; arcs with less clearance are made smaller")
-      ->check(positive_number())
-      ->check(CLI::Range(0.05, 1000.0))
-      ->capture_default_str();
-  command.add_flag("--no-blend", choice.no_blend, "No arcs: stop at every waypoint")
-      ->excludes(deviation);
-  command.add_flag("--jerk", choice.jerk, "Also limit jerk");
+  add_parameter_options(command, parameters_of(choice.settings));
   command.add_option(
       "--limits", choice.limits,
       "Velocity, acceleration and jerk limits that replace the robot's (joint_limits.yaml)");
-  command
-      .add_option("--margin", choice.margin_mm,
-                  "Clearance in mm that has to remain if the robot is off by its following error; "
-                  "less is cleared with a warning")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
-  command
-      .add_option("--following-error", choice.following_error,
-                  "Following error of joints at their velocity limit, rad or m (default: 0.01 rad, "
-                  "0.001 m)")
-      ->check(CLI::Range(0.0, 1.0));
   add_group_option(command, choice.group);
   command.add_option("--report", choice.report, "File for the pre-flight report (JSON)");
 }
@@ -100,20 +65,10 @@ planning::TimedPath run_timing(const TimingChoice& choice, const planning::Plugi
 
 planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& input,
                                const planning::Configuration& start, double start_tolerance) {
-  planning::TimingOptions options;
-  options.speed = choice.speed;
-  options.period = 1e-3 * choice.period_ms;
-  options.blends.deviation = choice.no_blend ? 0.0 : choice.deviation;
-  options.blends.arc_clearance = geometric::metres(choice.arc_clearance_mm);
-  options.limit_jerk = choice.jerk;
+  planning::TimingOptions options = timing_options(choice.settings, input.problem.model());
   options.measured_start = start;
   options.start_tolerance = start_tolerance;
   options.limits = read_limits(choice, input.problem.model());
-  options.safety.margin = geometric::metres(choice.margin_mm);
-  if (choice.following_error >= 0.0) {
-    options.safety.following_error =
-        Eigen::VectorXd::Constant(input.problem.model().variable_count(), choice.following_error);
-  }
   planning::TimedPath timed = time_path(
       input.problem, input.path, planning::motion_name(choice.path.stem().string()), options);
   if (!timed.blends.fault.empty()) {

@@ -2,6 +2,7 @@
 
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/timing/time_path.h"
+#include "handway/planning/timing/timing_settings.h"
 
 #include <filesystem>
 #include <string>
@@ -20,14 +21,7 @@ struct TimingChoice {
   std::filesystem::path limits;
   std::filesystem::path report;
   std::vector<std::string> group;  ///< Moving joints; empty: the scene's.
-  double speed = 1.0;
-  double period_ms = 4.0;
-  double deviation = planning::BlendOptions{}.deviation;
-  double arc_clearance_mm = 1.0;
-  double margin_mm = 0.0;
-  double following_error = -1.0;  ///< rad or m; negative: assumed.
-  bool no_blend = false;
-  bool jerk = false;
+  planning::TimingSettings settings;
 };
 
 void add_timing_options(CLI::App& command, TimingChoice& choice);

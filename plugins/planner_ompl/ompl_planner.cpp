@@ -24,8 +24,8 @@ namespace ob = ompl::base;
 using planning::Configuration;
 using planning::PlanStatus;
 
-void apply(ob::Planner& planner, const planning::Parameter& setting) {
-  const std::string text = planning::to_text(setting);
+void apply(ob::Planner& planner, const geometric::Parameter& setting) {
+  const std::string text = geometric::to_text(setting);
   if (!planner.params().setParam(setting.key, text)) {
     throw geometric::InputError(
         {planner.getName(), setting.key, text, "a value that OMPL accepts", ""});
@@ -35,7 +35,7 @@ void apply(ob::Planner& planner, const planning::Parameter& setting) {
 }  // namespace
 
 Search::Search(planning::PlanningContext& context, const Method& method,
-               std::unique_ptr<StateMap> map, const std::vector<planning::Parameter>& settings,
+               std::unique_ptr<StateMap> map, const std::vector<geometric::Parameter>& settings,
                SampleBudget budget, const planning::TargetRegion& region, planning::HandSpace hand)
     : context_(context),
       traits_(method.traits),
@@ -55,7 +55,7 @@ Search::Search(planning::PlanningContext& context, const Method& method,
 
 // All generators but those of samplers are made here, so that their seeds depend on the run
 // alone.
-void Search::set_up(const Method& method, const std::vector<planning::Parameter>& settings) {
+void Search::set_up(const Method& method, const std::vector<geometric::Parameter>& settings) {
   const SeedingLock lock = lock_seeding();
   seed_ompl(lock, draws_);
   draw_states(*map_, draws_);
@@ -68,7 +68,7 @@ void Search::set_up(const Method& method, const std::vector<planning::Parameter>
   set_objective();
 
   planner_ = method.make(information_);
-  for (const planning::Parameter& setting : settings) {
+  for (const geometric::Parameter& setting : settings) {
     apply(*planner_, setting);
   }
   planner_->setProblemDefinition(definition_);
@@ -209,9 +209,9 @@ void Search::publish_graph() {
 
 namespace {
 
-using planning::BoundParameter;
+using geometric::BoundParameter;
+using geometric::Parameter;
 using planning::HandSpace;
-using planning::Parameter;
 
 class DebugLog final : public ompl::msg::OutputHandler {
  public:
@@ -290,7 +290,7 @@ void OmplPlanner::do_plan(planning::PlanningContext& context, planning::PlanResu
     space = planning::make_control_space(problem, region_.max_pmds, region_.rho_max);
   }
   std::vector<Parameter> settings;
-  std::ranges::transform(method_parameters(), std::back_inserter(settings), planning::value_of);
+  std::ranges::transform(method_parameters(), std::back_inserter(settings), geometric::value_of);
   Search search(context, method_, std::make_unique<StateMap>(std::move(space)), settings, budget_,
                 region_, space_);
   search.run(result);

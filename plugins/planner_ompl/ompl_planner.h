@@ -1,7 +1,7 @@
 #pragma once
 
 #include "draws.h"
-#include "handway/planning/core/parameter.h"
+#include "handway/geometric/io/parameter.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/planners/planner.h"
 #include "handway/planning/spaces/target_sampler.h"
@@ -35,7 +35,7 @@ class Search {
   /// @param region, hand source of the states; the region must outlive this object.
   /// @throws geometric::InputError if OMPL refuses a setting.
   Search(planning::PlanningContext& context, const Method& method, std::unique_ptr<StateMap> map,
-         const std::vector<planning::Parameter>& settings, SampleBudget budget,
+         const std::vector<geometric::Parameter>& settings, SampleBudget budget,
          const planning::TargetRegion& region, planning::HandSpace hand);
 
   /// Searches, then reports the final nodes and edges to the observer. Sets status, reason if it
@@ -43,7 +43,7 @@ class Search {
   void run(planning::PlanResult& result);
 
  private:
-  void set_up(const Method& method, const std::vector<planning::Parameter>& settings);
+  void set_up(const Method& method, const std::vector<geometric::Parameter>& settings);
   void set_goal_and_start();
   void set_objective();
   [[nodiscard]] bool has_to_end();
@@ -86,10 +86,10 @@ class OmplPlanner final : public planning::Planner {
  protected:
   /// @throws geometric::InputError if OMPL refuses a setting.
   void do_plan(planning::PlanningContext& context, planning::PlanResult& result) override;
-  [[nodiscard]] std::vector<planning::BoundParameter> own_parameters() override;
+  [[nodiscard]] std::vector<geometric::BoundParameter> own_parameters() override;
 
  private:
-  [[nodiscard]] std::vector<planning::BoundParameter> method_parameters();
+  [[nodiscard]] std::vector<geometric::BoundParameter> method_parameters();
 
   const Method& method_;
   planning::HandSpace space_;

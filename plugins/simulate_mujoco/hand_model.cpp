@@ -89,7 +89,7 @@ class HandWriter {
 
   std::string body(int link) {
     std::string text =
-        fmt::format("<body name='link_{}' {}>\n", link,
+        fmt::format("<body name='{}' {}>\n", body_name(link),
                     place(link == palm_ ? Pose::Identity() : robot_.joint(link).X_PJ));
     if (link != palm_ && robot_.mimic_mapping(link).variable >= 0) {
       text += joint(link);
@@ -226,6 +226,8 @@ ModelPointer compile(const std::string& mjcf) {
   }
   return model;
 }
+
+std::string body_name(int link) { return fmt::format("link_{}", link); }
 
 DataPointer make_data(const mjModel& model) {
   DataPointer data(mj_makeData(&model));

@@ -37,6 +37,9 @@ inline constexpr const char* kSolver =
 /// MuJoCo's data for a model. @throws std::runtime_error if there is no memory for it.
 [[nodiscard]] DataPointer make_data(const mjModel& model);
 
+/// Returns the name of a link's body in MuJoCo's model.
+[[nodiscard]] std::string body_name(int link);
+
 /// A joint of the hand in MuJoCo's model.
 struct HandJoint {
   int link = -1;      ///< That it carries in the robot's model.

@@ -7,8 +7,11 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
 namespace handway::simulate_mujoco {
@@ -34,9 +37,48 @@ constexpr double kLiftHoldTime = 5.0;     // s
 struct Load {
   Vector3d force = Vector3d::Zero();         ///< N, at the centre of mass, in the palm's frame.
   Vector3d acceleration = Vector3d::Zero();  ///< m/s², of everything, in the palm's frame.
+  Vector3d turning = Vector3d::Zero();       ///< rad/s: angular velocity of the palm, in its frame.
+  Vector3d turning_up = Vector3d::Zero();    ///< rad/s²: its derivative.
 };
 /// The load at a time (s) from its begin.
 using LoadAtTime = std::function<Load(double time)>;
+
+/// The inertial forces of a motion of the palm, and gravity, by differences of its poses.
+class MotionLoads {
+ public:
+  explicit MotionLoads(const planning::PalmMotion& motion) : motion_(motion) {}
+
+  [[nodiscard]] double duration() const {
+    return motion_.period * static_cast<double>(motion_.X_WP.size() - 1);
+  }
+
+  [[nodiscard]] Load at(double time) const {
+    const auto i = static_cast<std::ptrdiff_t>(std::lround(time / motion_.period));
+    const Eigen::Matrix3d R_PW = pose(i).linear().transpose();
+    const Vector3d acceleration =
+        (pose(i + 1).translation() - 2.0 * pose(i).translation() + pose(i - 1).translation()) /
+        (motion_.period * motion_.period);
+    const Vector3d before = turn(i - 1);
+    const Vector3d after = turn(i);
+    return {Vector3d::Zero(), -R_PW * (acceleration + Vector3d(0.0, 0.0, kGravity)),
+            0.5 * (before + after), (after - before) / motion_.period};
+  }
+
+ private:
+  // The palm rests before and after the motion.
+  [[nodiscard]] const Pose& pose(std::ptrdiff_t i) const {
+    const auto last = static_cast<std::ptrdiff_t>(motion_.X_WP.size()) - 1;
+    return motion_.X_WP[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))];
+  }
+
+  // Mean angular velocity from pose i to the next, in the palm's frame, rad/s.
+  [[nodiscard]] Vector3d turn(std::ptrdiff_t i) const {
+    const Eigen::AngleAxisd turned(pose(i).linear().transpose() * pose(i + 1).linear());
+    return turned.angle() / motion_.period * turned.axis();
+  }
+
+  const planning::PalmMotion& motion_;
+};
 
 // Acceleration (m/s²) of a motion over a height, from rest to rest with the least jerk.
 double lift_acceleration(double time) {
@@ -119,7 +161,60 @@ class Simulation {
     return run(duration, settled, load_at);
   }
 
+  // Carries the object after the squeeze.
+  [[nodiscard]] planning::CarryResult carry(const planning::PalmMotion& motion) {
+    planning::CarryResult result;
+    result.squeeze = squeeze();
+    const MotionLoads loads(motion);
+    largest_forces_.assign(static_cast<std::size_t>(model_->nbody), 0.0);
+    const double duration = loads.duration() + kSettled;
+    result.slip = load(duration, duration, [&](double time) { return loads.at(time); });
+    result.time = std::min(elapsed_, loads.duration());
+    for (int link = 0; link < robot_.link_count(); ++link) {
+      const int body = mj_name2id(model_.get(), mjOBJ_BODY, body_name(link).c_str());
+      if (body >= 0 && largest_forces_[static_cast<std::size_t>(body)] > 0.0) {
+        result.forces.push_back(
+            {robot_.link(link).name, largest_forces_[static_cast<std::size_t>(body)]});
+      }
+    }
+    result.torque_share = largest_torque_;
+    if (strongest_ >= 0) {
+      result.joint = robot_.joint(strongest_).name;
+    }
+    return result;
+  }
+
  private:
+  // Notes the largest forces on the object, and the largest torque of a joint, while the object is
+  // carried.
+  void note_forces() {
+    if (largest_forces_.empty()) {
+      return;
+    }
+    std::vector<double> forces(largest_forces_.size(), 0.0);
+    for (int contact = 0; contact < data_->ncon; ++contact) {
+      std::array<mjtNum, 6> wrench{};
+      mj_contactForce(model_.get(), data_.get(), contact, wrench.data());
+      for (const int geom : {data_->contact[contact].geom1, data_->contact[contact].geom2}) {
+        forces[static_cast<std::size_t>(model_->geom_bodyid[geom])] += wrench[0];
+      }
+    }
+    for (std::size_t body = 0; body < forces.size(); ++body) {
+      largest_forces_[body] = std::max(largest_forces_[body], forces[body]);
+    }
+    for (const HandJoint& joint : hand_.joints) {
+      if (joint.actuator < 0) {
+        continue;
+      }
+      const double share = std::abs(data_->actuator_force[joint.actuator]) /
+                           model_->actuator_forcerange[2 * joint.actuator + 1];
+      if (share > largest_torque_) {
+        largest_torque_ = share;
+        strongest_ = joint.link;
+      }
+    }
+  }
+
   void place_object(const Pose& X_PO) {
     mjtNum* object = data_->qpos + hand_.object_position;
     const Eigen::Quaterniond q(X_PO.linear());
@@ -212,6 +307,7 @@ class Simulation {
       }
       apply(load_at(step * step_time));
       mj_step(model_.get(), data_.get());
+      note_forces();
       ++step;
       if (step % kLook == 0 || step == steps) {
         from_grasp = moved_from(grasp_pose_);
@@ -220,6 +316,7 @@ class Simulation {
         }
       }
     }
+    elapsed_ = step * step_time;
     const HoldSlip slip = moved_from(squeezed_pose_);
     return from_grasp.held ? ahead(slip, (steps - step) * step_time)
                            : HoldSlip{false, slip.shift, slip.turn};
@@ -236,8 +333,20 @@ class Simulation {
   }
 
   void apply(const Load& load) {
-    mjtNum* force = data_->xfrc_applied + 6 * hand_.object_body;
-    std::copy_n(load.force.data(), 3, force);
+    const int body = hand_.object_body;
+    const Vector3d& w = load.turning;
+    const Vector3d centre(data_->xipos + 3 * body);
+    const Vector3d v(data_->qvel + model_->body_dofadr[body]);
+    const Eigen::Matrix3d axes =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data_->ximat + 9 * body);
+    const Eigen::Matrix3d inertia =
+        axes * Vector3d(model_->body_inertia + 3 * body).asDiagonal() * axes.transpose();
+    const Vector3d force =
+        load.force - model_->body_mass[body] * (load.turning_up.cross(centre) +
+                                                w.cross(w.cross(centre)) + 2.0 * w.cross(v));
+    const Vector3d torque = -(inertia * load.turning_up) - w.cross(inertia * w);
+    std::copy_n(force.data(), 3, data_->xfrc_applied + 6 * body);
+    std::copy_n(torque.data(), 3, data_->xfrc_applied + 6 * body + 3);
     std::copy_n(load.acceleration.data(), 3, model_->opt.gravity);
   }
 
@@ -250,6 +359,10 @@ class Simulation {
   std::stop_token stop_;
   const planning::HoldWatcher& watch_;
   int load_ = 0;
+  double elapsed_ = 0.0;                ///< s of the last load.
+  std::vector<double> largest_forces_;  ///< N, by body; empty: not noted.
+  double largest_torque_ = 0.0;         ///< Share of its limit.
+  int strongest_ = -1;                  ///< Link of the joint with that torque.
   ModelPointer model_;
   DataPointer data_;
   DataPointer squeezed_;
@@ -310,6 +423,19 @@ HoldResult MujocoHoldTest::test(const planning::Pregrasp& grasp, const HoldCondi
     result.lift = lift;
   }
   return result;
+}
+
+planning::CarryResult MujocoHoldTest::carry(const planning::Pregrasp& grasp,
+                                            const planning::PalmMotion& motion,
+                                            const HoldConditions& conditions,
+                                            const std::stop_token& stop,
+                                            const planning::HoldWatcher& watch) const {
+  constexpr double kLongestStep = 0.005;  // s, of the simulation
+  if (motion.X_WP.empty() || !(motion.period > 0.0 && motion.period <= kLongestStep)) {
+    throw std::invalid_argument("a motion needs poses, and a period of at most 5 ms");
+  }
+  return Simulation(hand_, *robot_, grasp, motion.X_WP.front(), X_WO_, conditions, stop, watch)
+      .carry(motion);
 }
 
 std::vector<std::string> MujocoHoldTest::assumptions() const {

@@ -21,6 +21,11 @@ class MujocoHoldTest : public planning::HoldTest {
                                           const planning::HoldConditions& conditions,
                                           const std::stop_token& stop,
                                           const planning::HoldWatcher& watch) const override;
+  [[nodiscard]] planning::CarryResult carry(const planning::Pregrasp& grasp,
+                                            const planning::PalmMotion& motion,
+                                            const planning::HoldConditions& conditions,
+                                            const std::stop_token& stop,
+                                            const planning::HoldWatcher& watch) const override;
   [[nodiscard]] std::vector<std::string> assumptions() const override;
 
  private:

@@ -200,15 +200,11 @@ class Planner:
     def plan_task(
         self,
         scene: Scene,
-        steps: Sequence[dict[str, Any]],
+        steps: str | Sequence[dict[str, Any]],
         *,
         seed: int = 1,
         threads: int = 1,
-        motion_time: float = 5.0,
-        grasps: int = 16,
-        places: int = 24,
-        friction: float = 0.6,
-        payload: float = 0.1,
+        **settings: float,
     ) -> TaskPlan: ...
 
 class Scene:
@@ -292,11 +288,9 @@ class Scene:
         object: str,
         *,
         most: int = 8,
-        samples: int = 8000,
         seed: int = 1,
-        friction: float = 0.6,
-        payload: float = 0.1,
         test: int = 0,
+        **settings: float,
     ) -> list[dict[str, Any]]: ...
     def with_robot(
         self,

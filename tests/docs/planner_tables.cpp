@@ -1,5 +1,11 @@
 #include "planner_tables.h"
 
+#include "handway/device/core/device_emulator.h"
+#include "handway/device/haptic/force_guide.h"
+#include "handway/planning/grasps/hold_test.h"
+#include "handway/planning/tasks/task.h"
+#include "handway/planning/timing/timing_settings.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,8 +20,8 @@
 namespace handway::test {
 namespace {
 
-using planning::Choice;
-using planning::Parameter;
+using geometric::Choice;
+using geometric::Parameter;
 using planning::Planner;
 
 constexpr std::string_view kBegin = "<!-- tables -->\n";
@@ -78,6 +84,29 @@ std::string planner_tables(const planning::PlannerRegistry& registry) {
     text += table(std::ranges::subrange(parameters.begin(), shared));
   }
   return text + '\n';
+}
+
+std::string settings_tables() {
+  planning::TimingSettings timing;
+  planning::PregraspOptions grasps;
+  planning::HoldConditions hold;
+  planning::TaskOptions task;
+  device::ForceGuideSettings guide;
+  device::LineFaultSettings line;
+  const auto section = [](const char* title, const char* users, auto& settings) {
+    return fmt::format("\n## {}\n\nFor {}.\n\n{}", title, users,
+                       table(geometric::values_of(parameters_of(settings))));
+  };
+  return section("Timing", "`handway time`, `export` and `send`, and the export dialog", timing) +
+         section("Search for grasps",
+                 "`handway grasp`; in Python `Scene.grasps()`, where `count` is `most`", grasps) +
+         section("Simulation of grasps", "`handway grasp --test`; in Python `Scene.grasps(test=…)`",
+                 hold) +
+         section("Tasks", "`handway task`; in Python `Planner.plan_task()`", task) +
+         section("Haptic guidance", "`handway haptic guide`", guide) +
+         section("Faults of a line", "`handway glove emulate` and `handway tracker emulate`",
+                 line) +
+         '\n';
 }
 
 std::string with_tables(const std::string& page, const std::string& tables) {

@@ -13,17 +13,24 @@ namespace handway::test {
 namespace {
 
 // With HANDWAY_UPDATE_DOCS set the page is brought up to date.
-TEST(PlannerManual, HasTheParametersOfEveryPlanner) {
-  const std::filesystem::path file = source_dir() / "docs" / "planners.md";
+void expect_tables(const char* name, const std::string& tables) {
+  const std::filesystem::path file = source_dir() / "docs" / name;
   const std::string page = read_text(file);
-  const std::string expected = with_tables(page, planner_tables(planning::PlannerRegistry()));
+  const std::string expected = with_tables(page, tables);
   if (std::getenv("HANDWAY_UPDATE_DOCS") != nullptr) {
     std::ofstream(file, std::ios::binary) << expected;
     return;
   }
-  EXPECT_EQ(page, expected)
-      << "docs/planners.md is out of date: run build/release/tests/test_docs with "
-         "HANDWAY_UPDATE_DOCS=1";
+  EXPECT_EQ(page, expected) << file << " is out of date: run build/release/tests/test_docs with "
+                            << "HANDWAY_UPDATE_DOCS=1";
+}
+
+TEST(PlannerManual, HasTheParametersOfEveryPlanner) {
+  expect_tables("planners.md", planner_tables(planning::PlannerRegistry()));
+}
+
+TEST(SettingsManual, HasTheSettingsOfEachKindOfWork) {
+  expect_tables("settings.md", settings_tables());
 }
 
 TEST(PlannerTables, ReplaceOnlyWhatIsBetweenTheMarks) {

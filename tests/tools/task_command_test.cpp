@@ -48,6 +48,20 @@ TEST_F(TaskCommand, WritesStagesThatPassTheCheck) {
   EXPECT_THAT(line_.read("plan/task.csv"), StartsWith("stage,time,joint_1,"));
 }
 
+TEST_F(TaskCommand, PlansTheProgramsOfAScene) {
+  std::ofstream(line_.folder() / "cell.yaml")
+      << line_.read(scene()) << "program:\n  home:\n    - move: start\n  tidy:\n    - pick: can\n";
+  const Outcome home = line_.run("task cell.yaml --task home --out plan");
+  EXPECT_EQ(home.exit_code, 0) << home.err;
+  EXPECT_EQ(nlohmann::json::parse(line_.read("plan/report.json"))["steps"],
+            nlohmann::json{"move to start"});
+  EXPECT_THAT(line_.read("plan/01-move.yaml"), testing::Not(HasSubstr("program:")));
+  const Outcome which = line_.run("task cell.yaml --out plan");
+  EXPECT_EQ(which.exit_code, 3);
+  EXPECT_THAT(which.err, HasSubstr("one of \"home\", \"tidy\""));
+  EXPECT_EQ(line_.run("task cell.yaml --task away --out plan").exit_code, 3);
+}
+
 TEST_F(TaskCommand, TellsTheStageThatFails) {
   const Outcome run =
       line_.run("task " + scene() + " --pick can --place-at 5,0,1,0,0,0 --grasps 1 --out plan");
@@ -78,6 +92,31 @@ TEST_F(TaskCommand, RefusesTaskFilesByLineAndElement) {
   EXPECT_EQ(line_.run("task " + scene() + " --place-on table").exit_code, 2);
   EXPECT_EQ(line_.run("task " + scene() + " --pick can --place-at 0,0,nan,0,0,0").exit_code, 2);
   EXPECT_EQ(line_.run("task " + scene()).exit_code, 2);
+}
+
+TEST_F(TaskCommand, IsSimulatedWhileTheObjectIsCarried) {
+  const std::string task = " --pick can --place-on table --grasps 4";
+  const Outcome run = line_.run("simulate " + scene() + task + " --report sim.json");
+  if (run.err.find("no plugin that simulates") != std::string::npos) {
+    GTEST_SKIP() << "built without MuJoCo";
+  }
+  ASSERT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("can: held"));
+  const auto report = nlohmann::json::parse(line_.read("sim.json"));
+  EXPECT_EQ(report["held"], true);
+  EXPECT_LT(report["slip_mm"], 5.0);
+  EXPECT_GE(report["contacts"].size(), 2U);
+  EXPECT_GT(report["torques"]["largest_share"], 0.0);
+  const Outcome slippery = line_.run("simulate " + scene() + task + " --payload 9 --friction 0.2");
+  EXPECT_EQ(slippery.exit_code, 1) << slippery.out;
+
+  ASSERT_EQ(line_.run("task " + scene() + task + " --out plan").exit_code, 0);
+  const Outcome path = line_.run("simulate plan/04-lift.yaml plan/04-lift.csv");
+  EXPECT_EQ(path.exit_code, 0) << path.err;
+  EXPECT_THAT(path.out, HasSubstr("can: held"));
+  const Outcome empty = line_.run("simulate plan/01-approach.yaml plan/01-approach.csv");
+  EXPECT_EQ(empty.exit_code, 3);
+  EXPECT_THAT(empty.err, HasSubstr("0 objects attached to the robot"));
 }
 
 }  // namespace

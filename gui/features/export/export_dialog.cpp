@@ -6,6 +6,7 @@
 #include "model/document/document.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/parameter_form.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/motion_text.h"
 #include "widgets/plots/cursor_plot.h"
@@ -17,7 +18,6 @@
 
 #include <QCheckBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFontDatabase>
 #include <QFormLayout>
@@ -33,7 +33,10 @@
 #include <QTabWidget>
 #include <QVariant>
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace handway::gui {
 
@@ -176,17 +179,13 @@ namespace {
 
 constexpr int kSettleMs = 250;
 constexpr int kSettingsWidth = 300;
-constexpr double kPercent = 100.0;
-constexpr double kMilli = 1e-3;
-
-QDoubleSpinBox* make_number(double least, double most, double value, int decimals,
-                            const QString& unit) {
-  auto* field = new QDoubleSpinBox;
-  field->setRange(least, most);
-  field->setDecimals(decimals);
-  field->setValue(value);
-  field->setSuffix(unit);
-  return field;
+/// The settings that the dialog shows; those of the required clearance are preferences.
+std::vector<geometric::BoundParameter> shown_parameters(planning::TimingSettings& settings) {
+  std::vector<geometric::BoundParameter> list = parameters_of(settings);
+  std::erase_if(list, [](const geometric::BoundParameter& parameter) {
+    return parameter.key == "margin" || parameter.key == "following_error";
+  });
+  return list;
 }
 
 }  // namespace
@@ -202,10 +201,8 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
       formats_(named("export_formats", new QListWidget)),
       name_(named("export_name", new QLineEdit(QString::fromStdString(
                                      planning::motion_name(name.toStdString()))))),
-      speed_(make_number(1.0, kPercent, kPercent, 0, tr(" %"))),
-      period_(make_number(0.1, 1000.0, planning::TimingOptions{}.period / kMilli, 1, tr(" ms"))),
-      arcs_(new QCheckBox(tr("Round the corners"))),
-      deviation_(make_number(0.001, 10.0, planning::BlendOptions{}.deviation, 3, tr(" rad"))),
+      timing_form_(
+          new ParameterForm(geometric::values_of(shown_parameters(timing_settings_)), this)),
       any_robot_(named("export_any_robot", new QCheckBox(tr("Any robot")))),
       too_close_(named("export_too_close", new QCheckBox(tr("Accept low clearance")))),
       preview_(new MotionPreview),
@@ -267,21 +264,11 @@ QWidget* ExportDialog::make_settings() {
     item->setData(Qt::UserRole, name);
   }
   name_->setToolTip(tr("Name of the motion, used in the files and for their names"));
-  speed_->setObjectName(QStringLiteral("export_speed"));
-  speed_->setToolTip(tr("Share of the full speed that the joint limits allow"));
-  period_->setToolTip(tr("Time from one point to the next"));
-  arcs_->setChecked(true);
-  arcs_->setToolTip(tr("Round waypoints with collision-free arcs instead of stopping there"));
-  deviation_->setToolTip(
-      tr("Largest distance of an arc from its waypoint, over all joints together"));
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(10);
   form->setVerticalSpacing(6);
   form->addRow(tr("Name"), name_);
-  form->addRow(tr("Speed"), speed_);
-  form->addRow(tr("Period"), period_);
-  form->addRow(QString(), arcs_);
-  form->addRow(tr("Deviation"), deviation_);
+  form->addRow(timing_form_);
   any_robot_->setToolTip(tr("Export even if the format does not seem to suit this robot"));
   any_robot_->hide();
   form->addRow(QString(), any_robot_);
@@ -299,12 +286,15 @@ QWidget* ExportDialog::make_settings() {
   };
   connect(formats_, &QListWidget::currentRowChanged, this, settle);
   connect(name_, &QLineEdit::textEdited, this, settle);
-  connect(arcs_, &QCheckBox::toggled, this, settle);
   connect(any_robot_, &QCheckBox::toggled, this, settle);
   connect(too_close_, &QCheckBox::toggled, this, &ExportDialog::update_button);
-  for (QDoubleSpinBox* field : {speed_, period_, deviation_}) {
-    connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this, settle);
-  }
+  connect(timing_form_, &ParameterForm::edited, this,
+          [this, settle](const std::string& key, const std::string& value) {
+            const auto parameters = shown_parameters(timing_settings_);
+            set_from_text(*std::ranges::find(parameters, key, &geometric::BoundParameter::key),
+                          value);
+            settle();
+          });
   return box;
 }
 
@@ -372,14 +362,15 @@ void ExportDialog::time_again() {
     return;
   }
   const bool stops = plugins_->exporter(format()).stops_at_waypoints();
-  arcs_->setEnabled(!stops);
-  deviation_->setEnabled(!stops && arcs_->isChecked());
+  timing_form_->set_enabled("blend", !stops);
+  for (const char* key : {"deviation", "arc_clearance_mm"}) {
+    timing_form_->set_enabled(key, !stops && timing_settings_.blend);
+  }
   preview_->show_waiting(tr("Timing the path…"));
-  planning::TimingOptions options;
+  planning::TimingSettings settings = timing_settings_;
+  settings.blend = settings.blend && !stops;
+  planning::TimingOptions options = timing_options(settings, *document_.robot()->model);
   options.safety = safety_;
-  options.speed = speed_->value() / kPercent;
-  options.period = period_->value() * kMilli;
-  options.blends.deviation = stops || !arcs_->isChecked() ? 0.0 : deviation_->value();
   timing_.start(document_.problem(), path_, planning::motion_name(name_->text().toStdString()),
                 options);
 }

@@ -3,6 +3,7 @@
 #include "handway/planning/extensions/exporter.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/timing/time_path.h"
+#include "handway/planning/timing/timing_settings.h"
 #include "model/jobs/background.h"
 #include "model/planning/plan_runner.h"
 
@@ -16,7 +17,6 @@
 #include <vector>
 
 class QCheckBox;
-class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -31,6 +31,7 @@ struct SceneState;
 namespace handway::gui {
 
 class Document;
+class ParameterForm;
 class TimePlot;
 class Workbench;
 
@@ -133,10 +134,8 @@ class ExportDialog : public QDialog {
   planning::SafetyMargin safety_;
   QListWidget* formats_;
   QLineEdit* name_;
-  QDoubleSpinBox* speed_;
-  QDoubleSpinBox* period_;
-  QCheckBox* arcs_;
-  QDoubleSpinBox* deviation_;
+  planning::TimingSettings timing_settings_;
+  ParameterForm* timing_form_;
   QCheckBox* any_robot_;  ///< Shown where the format objects to the robot.
   QCheckBox* too_close_;  ///< Shown where the motion keeps too little clearance.
   MotionPreview* preview_;

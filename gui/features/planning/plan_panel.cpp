@@ -256,9 +256,9 @@ void PlanPanel::rebuild_form(bool from_defaults) {
   description_->setText(QString::fromStdString(planner.description()));
   show_whether_several();
   delete form_;
-  std::vector<planning::Parameter> parameters = planner.parameters();
+  std::vector<geometric::Parameter> parameters = planner.parameters();
   std::stable_partition(
-      parameters.begin(), parameters.end(), [](const planning::Parameter& parameter) {
+      parameters.begin(), parameters.end(), [](const geometric::Parameter& parameter) {
         return parameter.key == "objective" || parameter.key.starts_with("weight_");
       });
   form_ = new ParameterForm(parameters, form_place_->parentWidget());

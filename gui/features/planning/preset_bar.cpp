@@ -105,10 +105,10 @@ std::vector<std::string> PresetBar::modified_keys() const {
   } catch (const geometric::InputError&) {
     return keys;
   }
-  const std::vector<planning::Parameter> wanted = as_chosen->parameters();
-  for (const planning::Parameter& parameter : planner_->parameters()) {
-    if (planning::to_text(parameter) !=
-        planning::to_text(planning::find_parameter(wanted, parameter.key))) {
+  const std::vector<geometric::Parameter> wanted = as_chosen->parameters();
+  for (const geometric::Parameter& parameter : planner_->parameters()) {
+    if (geometric::to_text(parameter) !=
+        geometric::to_text(geometric::find_parameter(wanted, parameter.key))) {
       keys.push_back(parameter.key);
     }
   }
@@ -144,10 +144,10 @@ void PresetBar::restore() { apply(chosen().name); }
 void PresetBar::save_as(const QString& name) {
   PlannerPreset preset;
   preset.name = name.trimmed();
-  const std::vector<planning::Parameter> own = fresh_->parameters();
-  for (const planning::Parameter& parameter : planner_->parameters()) {
-    std::string value = planning::to_text(parameter);
-    if (value != planning::to_text(planning::find_parameter(own, parameter.key))) {
+  const std::vector<geometric::Parameter> own = fresh_->parameters();
+  for (const geometric::Parameter& parameter : planner_->parameters()) {
+    std::string value = geometric::to_text(parameter);
+    if (value != geometric::to_text(geometric::find_parameter(own, parameter.key))) {
       preset.settings.emplace_back(parameter.key, std::move(value));
     }
   }

@@ -218,7 +218,7 @@ void RegionTool::read_planner() {
   const int directions = basis ? static_cast<int>(basis->directions.size()) : 0;
   box_->show_region(
       planning::first_region(*settings_.planner(), directions), directions,
-      planning::parameter_called(settings_.planner()->parameters(), "rho_a") != nullptr);
+      geometric::parameter_called(settings_.planner()->parameters(), "rho_a") != nullptr);
   update();
 }
 

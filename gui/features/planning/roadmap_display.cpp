@@ -47,7 +47,7 @@ void HypercubeDisplay::begin_run() {
   regions_ = planning::first_regions(*settings_.planner(), 0);
   const bool has_corridor =
       regions_.size() > 1 ||
-      planning::parameter_called(settings_.planner()->parameters(), "rho_a") != nullptr;
+      geometric::parameter_called(settings_.planner()->parameters(), "rho_a") != nullptr;
   if (!has_corridor) {
     regions_.clear();
   }

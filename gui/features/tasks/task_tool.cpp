@@ -49,9 +49,7 @@ void add_stage(const planning::TaskStage& stage, std::size_t index, const std::s
   planning::TimingOptions timing;
   timing.period = kFrameTime / 1000.0;
   timing.stop = stop;
-  const planning::TimedPath timed =
-      time_path(planning::make_problem(stage.state.scene, stage.state.basis, {stop}), stage.path,
-                "stage", timing);
+  const planning::TimedPath timed = time_stage(stage, "stage", timing);
   if (!timed.cleared()) {
     task.plan.solved = false;
     task.plan.reason = to_text(timed.preflight);

@@ -84,8 +84,8 @@ std::vector<Eigen::Vector3d> palms_of(const RecordedRun& run,
 
 std::vector<std::string> departures_of(planning::Planner& planner) {
   std::vector<std::string> texts;
-  for (const planning::Parameter& parameter : planning::departures(planner.parameters())) {
-    texts.push_back(fmt::format("{} {} (printed: {})", parameter.key, planning::to_text(parameter),
+  for (const geometric::Parameter& parameter : geometric::departures(planner.parameters())) {
+    texts.push_back(fmt::format("{} {} (printed: {})", parameter.key, geometric::to_text(parameter),
                                 parameter.as_printed));
   }
   return texts;

@@ -13,8 +13,8 @@ namespace {
 constexpr std::uint64_t kFirstSeed = 1;
 
 bool is_set_alike(planning::Planner& a, planning::Planner& b) {
-  const auto text = [](const planning::Parameter& parameter) {
-    return planning::to_text(parameter);
+  const auto text = [](const geometric::Parameter& parameter) {
+    return geometric::to_text(parameter);
   };
   return a.name() == b.name() && std::ranges::equal(a.parameters(), b.parameters(), {}, text, text);
 }
@@ -36,8 +36,8 @@ std::vector<std::shared_ptr<planning::Planner>> PlanSettings::copies(int count) 
   std::vector<std::shared_ptr<planning::Planner>> copies;
   for (int i = 0; i < count; ++i) {
     std::shared_ptr<planning::Planner> copy = registry_.create(planner_->name());
-    for (const planning::Parameter& parameter : planner_->parameters()) {
-      copy->set_parameter(parameter.key, planning::to_text(parameter));
+    for (const geometric::Parameter& parameter : planner_->parameters()) {
+      copy->set_parameter(parameter.key, geometric::to_text(parameter));
     }
     copies.push_back(std::move(copy));
   }
@@ -51,10 +51,10 @@ geometric::PlannerRequest PlanSettings::choice() const {
   }
   choice.name = planner_->name();
   const std::unique_ptr<planning::Planner> fresh = registry_.create(choice.name);
-  const std::vector<planning::Parameter> usual = fresh->parameters();
-  for (const planning::Parameter& parameter : planner_->parameters()) {
-    std::string value = planning::to_text(parameter);
-    if (value != planning::to_text(planning::find_parameter(usual, parameter.key))) {
+  const std::vector<geometric::Parameter> usual = fresh->parameters();
+  for (const geometric::Parameter& parameter : planner_->parameters()) {
+    std::string value = geometric::to_text(parameter);
+    if (value != geometric::to_text(geometric::find_parameter(usual, parameter.key))) {
       choice.settings.emplace_back(parameter.key, std::move(value));
     }
   }
@@ -161,8 +161,8 @@ void PlanSettings::put_back(const PlanChoices& choices) {
     apply(choices.planner);
   } else if (choices.planner.settings != now.settings) {
     const std::unique_ptr<planning::Planner> fresh = registry_.create(now.name);
-    for (const planning::Parameter& usual : fresh->parameters()) {
-      planner_->set_parameter(usual.key, planning::to_text(usual));
+    for (const geometric::Parameter& usual : fresh->parameters()) {
+      planner_->set_parameter(usual.key, geometric::to_text(usual));
     }
     for (const auto& [key, value] : choices.planner.settings) {
       planner_->set_parameter(key, value);

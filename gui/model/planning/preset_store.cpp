@@ -34,20 +34,20 @@ PlannerPreset own_values(const std::string& planner) {
   return preset;
 }
 
-Texts texts_of(const std::vector<planning::Parameter>& parameters) {
+Texts texts_of(const std::vector<geometric::Parameter>& parameters) {
   Texts texts;
   texts.reserve(parameters.size());
-  for (const planning::Parameter& parameter : parameters) {
-    texts.push_back(planning::to_text(parameter));
+  for (const geometric::Parameter& parameter : parameters) {
+    texts.push_back(geometric::to_text(parameter));
   }
   return texts;
 }
 
 // Returns the values of the planner's parameters under the preset.
-std::vector<planning::Parameter> values_of(const PlannerPreset& preset, planning::Planner& fresh) {
-  std::vector<planning::Parameter> parameters = fresh.parameters();
+std::vector<geometric::Parameter> values_of(const PlannerPreset& preset, planning::Planner& fresh) {
+  std::vector<geometric::Parameter> parameters = fresh.parameters();
   for (const auto& [key, value] : preset.settings) {
-    set_from_text(planning::find_parameter(parameters, key), value);
+    set_from_text(geometric::find_parameter(parameters, key), value);
   }
   return parameters;
 }
@@ -114,7 +114,7 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
 
 void apply_preset(const PlannerPreset& preset, planning::Planner& fresh,
                   planning::Planner& planner) {
-  for (const planning::Parameter& parameter : values_of(preset, fresh)) {
+  for (const geometric::Parameter& parameter : values_of(preset, fresh)) {
     planner.set_parameter(parameter.key, to_text(parameter));
   }
 }

@@ -26,8 +26,8 @@ QString NumberField::textFromValue(double value) const { return locale().toStrin
 
 namespace {
 
-using planning::Choice;
-using planning::Parameter;
+using geometric::Choice;
+using geometric::Parameter;
 
 QString help_of(const Parameter& parameter) {
   QStringList help{QString::fromStdString(parameter.help)};
@@ -99,6 +99,12 @@ void ParameterForm::show_weights() {
     name->setVisible(wanted);
     field->setVisible(wanted);
   }
+}
+
+void ParameterForm::set_enabled(const std::string& key, bool enabled) {
+  findChild<QWidget*>(QString::fromStdString(key))->setEnabled(enabled);
+  std::ranges::find(names_, key, &std::pair<std::string, QWidget*>::first)
+      ->second->setEnabled(enabled);
 }
 
 void ParameterForm::mark(const std::vector<std::string>& keys) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/parameter.h"
+#include "handway/geometric/io/parameter.h"
 
 #include <QDoubleSpinBox>
 #include <QWidget>
@@ -30,18 +30,21 @@ class ParameterForm : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ParameterForm(const std::vector<planning::Parameter>& parameters,
+  explicit ParameterForm(const std::vector<geometric::Parameter>& parameters,
                          QWidget* parent = nullptr);
+
+  /// Enables or disables the field of a parameter, with its label. @pre `key` is one of them.
+  void set_enabled(const std::string& key, bool enabled);
 
   /// Makes these stand out among the others.
   void mark(const std::vector<std::string>& keys);
 
  signals:
-  /// `value` is text as planning::set_from_text() takes it.
+  /// `value` is text as geometric::set_from_text() takes it.
   void edited(const std::string& key, const std::string& value);
 
  private:
-  QWidget* make_field(const planning::Parameter& parameter);
+  QWidget* make_field(const geometric::Parameter& parameter);
   /// Weights of an objective are shown where they count: if it is a custom one.
   void show_weights();
 

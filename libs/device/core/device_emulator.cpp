@@ -11,6 +11,13 @@
 #include <thread>
 
 namespace handway::device {
+std::vector<geometric::BoundParameter> parameters_of(LineFaultSettings& settings) {
+  return {{"dropout", "Lost records", "", "Share of records that are lost", &settings.dropout, 0.0,
+           1.0},
+          {"garbage", "Damaged records", "", "Share of records that are damaged", &settings.garbage,
+           0.0, 1.0}};
+}
+
 LineFaults::LineFaults(const LineFaultSettings& settings)
     : settings_(settings), random_(std::make_unique<SeededRandom>(settings.seed)) {
   for (const double probability : {settings.dropout, settings.garbage}) {

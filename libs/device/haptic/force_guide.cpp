@@ -6,6 +6,23 @@
 #include <stdexcept>
 
 namespace handway::device {
+
+std::vector<geometric::BoundParameter> parameters_of(ForceGuideSettings& settings) {
+  return {
+      {"scale", "Scale", "", "Motion of the tool per motion of the hand", &settings.scale, 0.01,
+       100.0},
+      geometric::in_thousandths({"tube_mm", "Tube", "mm",
+                                 "Radius around the path within which no spring pulls the hand",
+                                 &settings.tube, 0.0, 100.0}),
+      {"stiffness", "Stiffness", "N/m", "Stiffness of the spring towards the tube",
+       &settings.stiffness, 0.0, 2000.0},
+      {"damping", "Damping", "N s/m", "Damping of the hand's velocity", &settings.damping, 0.0,
+       20.0},
+      {"assistance", "Assistance", "N", "Force along the path", &settings.assistance, 0.0, 20.0},
+      {"max_force", "Strongest force", "N", "Strongest force on the hand", &settings.strongest,
+       0.01, 20.0}};
+}
+
 ToolCurve::ToolCurve(std::vector<Eigen::Vector3d> points) : points_(std::move(points)) {
   if (points_.empty() ||
       !std::ranges::all_of(points_, [](const auto& p) { return p.allFinite(); })) {

@@ -259,7 +259,7 @@ Scene read_scene(const fs::path& file) {
   const YamlElement top = YamlElement::read(file, "a scene file");
   top.allow_keys({"handway", "name", "description", "robots", "objects", "constraints", "start",
                   "goal", "goal_pose", "postures", "views", "hand_basis", "planner", "collisions",
-                  "group"});
+                  "group", "program"});
   check_version(top);
   const fs::path folder = fs::absolute(file).parent_path();
   Scene scene;
@@ -302,6 +302,9 @@ Scene read_scene(const fs::path& file) {
   }
   if (const std::optional<YamlElement> planner = top.find("planner")) {
     scene.planner = planner_of(*planner);
+  }
+  if (const std::optional<YamlElement> program = top.find("program")) {
+    scene.programs = programs_of(*program, scene);
   }
   return scene;
 }

@@ -30,6 +30,13 @@ void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 /// Returns the goals as text; empty without goals.
 [[nodiscard]] std::string pose_goals_text(const std::vector<PoseGoal>& goals);
 
+/// A scene file's `program`: a list of steps, or a map from names to such lists. Adds a warning for
+/// each object that the scene does not have.
+[[nodiscard]] std::vector<Program> programs_of(const YamlElement& element, Scene& scene);
+
+/// Returns the programs as text; empty without programs.
+[[nodiscard]] std::string programs_text(const std::vector<Program>& programs);
+
 /// `{xyz: […], rpy_deg: […]}`, both optional.
 [[nodiscard]] Pose pose_of(const YamlElement& element);
 

@@ -301,7 +301,7 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   if (!references.hand_basis.empty()) {
     text += "hand_basis: " + yaml_scalar(references.hand_basis.generic_string()) + '\n';
   }
-  return text + planner_text(scene.planner);
+  return text + planner_text(scene.planner) + programs_text(scene.programs);
 }
 
 namespace fs = std::filesystem;

@@ -4,8 +4,8 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/parameter.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/planning/core/parameter.h"
 
 #include <fmt/format.h>
 
@@ -65,7 +65,8 @@ double bounded_number(const YamlElement& element, double lower, double upper, bo
   return *value;
 }
 
-std::string accepted(const YamlElement& element, Parameter parameter, const std::string& text) {
+std::string accepted(const YamlElement& element, geometric::Parameter parameter,
+                     const std::string& text) {
   try {
     set_from_text(parameter, text);
   } catch (const InputError& error) {
@@ -98,7 +99,7 @@ std::vector<double> range_values(const YamlElement& range) {
 }
 
 // Formats a value with six digits.
-std::string range_text(const Parameter& parameter, double value) {
+std::string range_text(const geometric::Parameter& parameter, double value) {
   if (std::holds_alternative<int>(parameter.value)) {
     return fmt::format("{:.0f}", std::round(value));
   }
@@ -110,7 +111,8 @@ std::string range_text(const Parameter& parameter, double value) {
 /// range of a whole-numbered parameter they are rounded, and equal ones are taken once. At least
 /// one.
 /// @throws InputError naming the element.
-std::vector<std::string> parameter_values(const YamlElement& element, const Parameter& parameter) {
+std::vector<std::string> parameter_values(const YamlElement& element,
+                                          const geometric::Parameter& parameter) {
   std::vector<std::string> values;
   const auto add = [&](const YamlElement& source, const std::string& text) {
     const std::string value = accepted(source, parameter, text);
@@ -222,14 +224,14 @@ std::vector<Axis> axes(const std::optional<YamlElement>& map, Planner& planner) 
   if (!map) {
     return result;
   }
-  const std::vector<Parameter> parameters = planner.parameters();
+  const std::vector<geometric::Parameter> parameters = planner.parameters();
   for (const auto& [key, element] : map->entries()) {
-    if (const Parameter* found = parameter_called(parameters, key)) {
+    if (const geometric::Parameter* found = parameter_called(parameters, key)) {
       result.push_back({key, parameter_values(element, *found)});
       continue;
     }
     std::vector<std::string> keys;
-    std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
+    std::ranges::transform(parameters, std::back_inserter(keys), &geometric::Parameter::key);
     element.refuse(fmt::format("\"{}\", which is no parameter of {}", key, planner.name()),
                    "one of its parameters", geometric::advise_name(key, keys));
   }
@@ -301,7 +303,7 @@ class PlannerList {
   void add_one(const YamlElement& item, CampaignPlanner entry) {
     const std::unique_ptr<Planner> planner = make_planner(entry, registry_);
     entry.parameters.clear();
-    for (const Parameter& parameter : planner->parameters()) {
+    for (const geometric::Parameter& parameter : planner->parameters()) {
       entry.parameters.emplace_back(parameter.key, to_text(parameter));
     }
     if (std::ranges::any_of(planners_, [&](const CampaignPlanner& other) {

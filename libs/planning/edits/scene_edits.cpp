@@ -182,6 +182,7 @@ SceneState with_renamed_object(const SceneState& state, const std::string& name,
     scene.display.remove(name);
     scene.display.set(new_name, state.display_of(name));
     scene.allowed_collisions = pairs_with_name(scene.allowed_collisions, name, new_name);
+    geometric::rename_object(scene.programs, name, new_name);
     if (is_carried_by(object, scene.robots.front())) {  // if not, they are about a link
       for (geometric::PathConstraint& constraint : scene.constraints) {
         constraint.body = constraint.body == name ? new_name : constraint.body;

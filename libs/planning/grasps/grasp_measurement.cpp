@@ -22,6 +22,8 @@ constexpr double kTouchDistance = 1e-3;  // m: links that near to the object tou
 constexpr double kMaxClosingDistance = 0.05;
 constexpr int kContactHalvings = 4;  // of a closing step
 constexpr double kGravity = 9.81;    // m/s²
+// Forces of the squeeze, as a multiple of those with which friction just carries the payload.
+constexpr double kSqueezeMargin = 3.0;
 
 }  // namespace
 
@@ -175,7 +177,10 @@ Configuration GraspMeasurement::squeezed(const Configuration& closed,
   }
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(model.variable_count());
   for (const int variable : of_.problem.joints.hand) {
-    direction[variable] = torques[variable];
+    const bool slides =
+        model.joint(model.variable_link(variable)).type == geometric::JointType::kPrismatic;
+    direction[variable] =
+        torques[variable] / (slides ? options_.slide_stiffness : options_.stiffness);
   }
   double depth = 0.0;  // of the farthest contact, along it
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -185,7 +190,9 @@ Configuration GraspMeasurement::squeezed(const Configuration& closed,
   if (depth <= 0.0) {
     return closed;
   }
-  return (closed + options_.squeeze / depth * direction)
+  const double needed =  // N: sum of the normal forces, of which `direction` pushes with 1 N
+      forces ? kSqueezeMargin * kGravity * options_.payload / options_.contact.friction : 0.0;
+  return (closed + std::max(options_.squeeze / depth, needed) * direction)
       .cwiseMax(model.lower())
       .cwiseMin(model.upper());
 }

@@ -215,7 +215,7 @@ class AutoPlanner final : public BuiltInPlanner {
     }
   }
 
-  [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
+  [[nodiscard]] std::vector<geometric::BoundParameter> own_parameters() override {
     return {
         {"max_samples", "Samples", "",
          "Largest number of samples of all searches together; the planner then gives up.",

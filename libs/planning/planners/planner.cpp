@@ -196,7 +196,7 @@ std::string command(Planner& planner, const PlanRequest& request) {
   if (request.optimize_s > 0.0) {
     text += fmt::format(" --optimize {}", request.optimize_s);
   }
-  for (const Parameter& parameter : planner.parameters()) {
+  for (const geometric::Parameter& parameter : planner.parameters()) {
     text += fmt::format(" --set {}={}", parameter.key, to_text(parameter));
   }
   return text + "\n";
@@ -234,27 +234,25 @@ void log_problem(Planner& planner, const PlanningProblem& problem, const PlanReq
 
 }  // namespace
 
-std::vector<Parameter> Planner::parameters() {
-  const std::vector<BoundParameter> bound = bound_parameters();
-  std::vector<Parameter> list(bound.size());
-  std::ranges::transform(bound, list.begin(), value_of);
-  return list;
+std::vector<geometric::Parameter> Planner::parameters() {
+  return geometric::values_of(bound_parameters());
 }
 
 void Planner::set_parameter(std::string_view key, std::string_view text) {
-  std::vector<Parameter> list = parameters();
-  Parameter& parameter = find_parameter(list, key);
+  std::vector<geometric::Parameter> list = parameters();
+  geometric::Parameter& parameter = find_parameter(list, key);
   set_from_text(parameter, text);
   assign(bound_parameters()[static_cast<std::size_t>(&parameter - list.data())], parameter);
 }
 
-std::vector<BoundParameter> Planner::bound_parameters() {
-  std::vector<BoundParameter> list = own_parameters();
+std::vector<geometric::BoundParameter> Planner::bound_parameters() {
+  std::vector<geometric::BoundParameter> list = own_parameters();
   list.push_back(
       {"objective", "Objective", "",
        "Property that paths are optimised for. human-like: the hand stays near the principal "
        "motion directions; custom: the weights below.",
-       BoundChoice{&objective_.preset, {"human-like", "shortest", "safest", "fastest", "custom"}}});
+       geometric::BoundChoice{&objective_.preset,
+                              {"human-like", "shortest", "safest", "fastest", "custom"}}});
   const auto weight = [&](const char* key, const char* label, const char* help, double& value) {
     list.push_back({key, label, "", help, &value, 0.0, 1e6});
   };
@@ -280,7 +278,7 @@ std::vector<BoundParameter> Planner::bound_parameters() {
       {"sampler", "Sampler", "",
        "Distribution of samples in a sampling region. random: uniform; halton, sdk: "
        "low-discrepancy sequences; gaussian: near obstacles; bridge-test: in narrow passages.",
-       BoundChoice{&sampler_, sampling::sampler_names()}});
+       geometric::BoundChoice{&sampler_, sampling::sampler_names()}});
   return list;
 }
 
@@ -421,13 +419,13 @@ PlanResult Planner::plan_to_goal(const PlanningProblem& problem, const PlanReque
   return result;
 }
 
-BoundParameter max_samples_parameter(int& value) {
+geometric::BoundParameter max_samples_parameter(int& value) {
   return {
       "max_samples", "Samples", "",       "Largest number of samples; the planner then gives up.",
       &value,        1,         100000000};
 }
 
-BoundParameter smoothing_checks_parameter(int& value) {
+geometric::BoundParameter smoothing_checks_parameter(int& value) {
   return {"smoothing_checks",
           "Smoothing checks",
           "",

@@ -163,8 +163,8 @@ class PmdLazy final : public BuiltInPlanner {
     }
   }
 
-  [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
-    std::vector<BoundParameter> list = {
+  [[nodiscard]] std::vector<geometric::BoundParameter> own_parameters() override {
+    std::vector<geometric::BoundParameter> list = {
         {"k", "Neighbours K", "", "Number of nearest nodes that a new node is connected to.",
          &settings_.k, 1, 1000},
         {"batch", "Batch size", "",

@@ -405,8 +405,8 @@ class PmdPrm final : public BuiltInPlanner {
     }
   }
 
-  [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
-    std::vector<BoundParameter> list = {
+  [[nodiscard]] std::vector<geometric::BoundParameter> own_parameters() override {
+    std::vector<geometric::BoundParameter> list = {
         {"rho_a", "Corridor half-width ρₐ", "",
          "Initial half-side of the arm's sampling hypercubes, in joints normalised to [0, 1]. It "
          "grows with every pass.",
@@ -432,11 +432,12 @@ class PmdPrm final : public BuiltInPlanner {
         {"n_checked", "Check N", "",
          "When the number of hand samples is compared with max_samples. trial: at every sample; "
          "pass: at the end of each pass, counting only failed samples, as in the paper.",
-         BoundChoice{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
+         geometric::BoundChoice{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
         {"smoothing", "Smoothing", "",
          "Edges between nodes of the path that smoothing uses. forwards: only edges forwards along "
          "the path; both-ways: also edges back along it if the path gets shorter, as in the paper.",
-         BoundChoice{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0, "both-ways"},
+         geometric::BoundChoice{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0,
+         "both-ways"},
         {"arm_trials", "Arm samples", "",
          "Largest number of samples to find an arm configuration without self-collision (Algorithm "
          "1).",

@@ -220,8 +220,8 @@ class RrtConnect final : public BuiltInPlanner {
     }
   }
 
-  [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
-    std::vector<BoundParameter> list = {
+  [[nodiscard]] std::vector<geometric::BoundParameter> own_parameters() override {
+    std::vector<geometric::BoundParameter> list = {
         {"range", "Step length", "", "Longest step of a tree, in joints normalised to [0, 1].",
          &settings_.range, 1e-3, 10.0},
         {"refinements", "Shorter steps", "",

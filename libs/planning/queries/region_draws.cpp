@@ -67,16 +67,16 @@ std::optional<SamplingRegion> first_region(Planner& planner, int directions) {
   if (!planner.capabilities().uses_pmds) {
     region.hand = HandSpace::kAllJoints;
   }
-  const std::vector<Parameter> parameters = planner.parameters();
-  const Parameter* rho = parameter_called(parameters, "rho_a");
+  const std::vector<geometric::Parameter> parameters = planner.parameters();
+  const geometric::Parameter* rho = parameter_called(parameters, "rho_a");
   if (!rho) {
     return planner.capabilities().uses_pmds ? std::optional(region) : std::nullopt;
   }
   region.rho_a = std::get<double>(rho->value);
-  if (const Parameter* corridor = parameter_called(parameters, "corridor")) {
-    region.corridor = static_cast<CorridorForm>(std::get<Choice>(corridor->value).index);
+  if (const geometric::Parameter* corridor = parameter_called(parameters, "corridor")) {
+    region.corridor = static_cast<CorridorForm>(std::get<geometric::Choice>(corridor->value).index);
   }
-  if (const Parameter* pmds = parameter_called(parameters, "max_pmds")) {
+  if (const geometric::Parameter* pmds = parameter_called(parameters, "max_pmds")) {
     region.pmds = std::min(directions, std::get<int>(pmds->value));
   }
   return region;

@@ -315,7 +315,7 @@ struct DynamicRoadmap::Replanner final : public Planner {
   [[nodiscard]] PlannerCapabilities capabilities() const override {
     return planner->capabilities();
   }
-  [[nodiscard]] std::vector<BoundParameter> own_parameters() override { return {}; }
+  [[nodiscard]] std::vector<geometric::BoundParameter> own_parameters() override { return {}; }
 
   // Several changes between two queries make a single new checker.
   void update() {

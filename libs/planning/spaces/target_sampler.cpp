@@ -177,14 +177,14 @@ Eigen::VectorXd TargetSampler::held(Eigen::VectorXd target, const Eigen::VectorX
   return target;
 }
 
-BoundParameter corridor_parameter(int& value) {
+geometric::BoundParameter corridor_parameter(int& value) {
   return {
       "corridor", "Corridor", "",
       "Corridor around the straight motion of the arm's joints (joint) or of its tool (cartesian).",
-      BoundChoice{&value, {"joint", "cartesian"}}};
+      geometric::BoundChoice{&value, {"joint", "cartesian"}}};
 }
 
-void append_region_parameters(std::vector<BoundParameter>& list, TargetRegion& region) {
+void append_region_parameters(std::vector<geometric::BoundParameter>& list, TargetRegion& region) {
   list.push_back({"near_ends", "Samples near the ends", "",
                   "Share of samples drawn around start and goal.", &region.near_ends, 0.0, 1.0});
   list.push_back({"rho_a", "Corridor half-width ρₐ", "",

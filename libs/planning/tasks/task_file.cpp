@@ -1,102 +1,45 @@
 #include "handway/planning/tasks/task_file.h"
 
+#include "handway/geometric/formats/program_steps.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/math/pose.h"
-#include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
-#include <string_view>
-#include <utility>
+#include <variant>
+#include <vector>
 
 namespace handway::planning {
 namespace {
 
 using geometric::YamlElement;
 
-// The name of an object of the scene.
-std::string object_name(const YamlElement& element, const geometric::Scene& scene) {
-  std::string name = element.text();
-  if (geometric::find_object(scene, name) == nullptr) {
-    std::vector<std::string> names;
-    std::ranges::transform(scene.objects, std::back_inserter(names), &geometric::SceneObject::name);
-    element.refuse(element.found(), "an object of the scene", geometric::advise_name(name, names));
+/// @param source of the steps, for messages.
+Task task_of(const std::vector<geometric::ProgramStep>& steps, const geometric::Scene& scene,
+             const std::string& source) {
+  Task task;
+  for (const geometric::ProgramStep& step : steps) {
+    if (const auto* pick = std::get_if<PickStep>(&step)) {
+      task.emplace_back(*pick);
+    } else if (const auto* place = std::get_if<PlaceStep>(&step)) {
+      task.emplace_back(*place);
+    } else {
+      task.emplace_back(
+          move_to_posture(scene, std::get<geometric::PostureStep>(step).posture, source));
+    }
   }
-  return name;
+  return task;
 }
 
-// A length in m.
-double length_or(const YamlElement& element, const std::string& key, double otherwise) {
-  constexpr double kMost = 10.0;
-  const auto found = element.find(key);
-  const double length = found ? found->number() : otherwise;
-  if (!(length >= 0.0 && length <= kMost)) {
-    found->refuse(found->found(), fmt::format("a length from 0 to {:g} m", kMost));
+std::string program_names(const geometric::Scene& scene) {
+  std::vector<std::string> names;
+  for (const geometric::Program& program : scene.programs) {
+    names.push_back("\"" + program.name + "\"");
   }
-  return length;
-}
-
-PickStep pick_of(const YamlElement& element, const geometric::Scene& scene) {
-  PickStep pick;
-  if (element.is_scalar()) {
-    pick.object = object_name(element, scene);
-    return pick;
-  }
-  element.allow_keys({"object", "approach", "lift"});
-  pick.object = object_name(element.need("object"), scene);
-  pick.approach = length_or(element, "approach", pick.approach);
-  pick.lift = length_or(element, "lift", pick.lift);
-  return pick;
-}
-
-geometric::Pose pose_of(const YamlElement& element) {
-  element.allow_keys({"xyz", "rpy_deg"});
-  const Eigen::Vector3d xyz = element.need("xyz").numbers(3);
-  const Eigen::Vector3d rpy =
-      geometric::kDegree * element.numbers_or("rpy_deg", Eigen::Vector3d::Zero());
-  return geometric::pose_from_rpy(xyz, rpy.x(), rpy.y(), rpy.z());
-}
-
-PlaceStep place_of(const YamlElement& element, const geometric::Scene& scene) {
-  PlaceStep place;
-  if (element.is_scalar()) {
-    place.support = object_name(element, scene);
-    return place;
-  }
-  element.allow_keys({"on", "pose", "lower", "retreat"});
-  const auto on = element.find("on");
-  const auto pose = element.find("pose");
-  if (on.has_value() == pose.has_value()) {
-    element.refuse(on ? "both on and pose" : "neither on nor pose", "one of them");
-  }
-  if (on) {
-    place.support = object_name(*on, scene);
-  } else {
-    place.pose = pose_of(*pose);
-  }
-  place.lower = length_or(element, "lower", place.lower);
-  place.retreat = length_or(element, "retreat", place.retreat);
-  return place;
-}
-
-TaskStep step_of(const YamlElement& element, const geometric::Scene& scene) {
-  element.allow_keys({"pick", "place", "move"});
-  const auto entries = element.entries();
-  if (entries.size() != 1) {
-    element.refuse(fmt::format("a map of {} keys", entries.size()),
-                   "a map with one key: pick, place or move");
-  }
-  const auto& [kind, value] = entries.front();
-  if (kind == "pick") {
-    return pick_of(value, scene);
-  }
-  if (kind == "place") {
-    return place_of(value, scene);
-  }
-  return move_to_posture(scene, value.text(), value.where());
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -108,14 +51,25 @@ Task read_task(const std::filesystem::path& file, const geometric::Scene& scene)
   if (version.number() != kTaskVersion) {
     version.refuse(version.found(), fmt::format("version {}", kTaskVersion));
   }
-  Task task;
-  for (const YamlElement& step : top.need("steps").items()) {
-    task.push_back(step_of(step, scene));
+  const YamlElement steps = top.need("steps");
+  return task_of(geometric::program_steps_of(steps, scene), scene, steps.where());
+}
+
+Task program_task(const geometric::Scene& scene, const std::string& name) {
+  const std::string source = scene.file.string();
+  if (scene.programs.empty()) {
+    throw geometric::InputError({source, "program", "no program", "a program of the scene",
+                                 "Describe the steps under \"program\", or name them otherwise"});
   }
-  if (task.empty()) {
-    top.need("steps").refuse("an empty list", "at least one step");
+  const auto found = name.empty() && scene.programs.size() == 1
+                         ? scene.programs.begin()
+                         : std::ranges::find(scene.programs, name, &geometric::Program::name);
+  if (found == scene.programs.end()) {
+    throw geometric::InputError({source, "program",
+                                 name.empty() ? "no name of a program" : "\"" + name + "\"",
+                                 "one of " + program_names(scene), ""});
   }
-  return task;
+  return task_of(found->steps, scene, source);
 }
 
 MoveStep move_to_posture(const geometric::Scene& scene, const std::string& name,

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -141,6 +143,15 @@ void need_support(const geometric::Scene& scene, const std::string& support,
   }
 }
 
+// The state for the scenes of stages: programs are about the scene as it was before.
+SceneState without_programs(const SceneState& state) {
+  SceneState result = state;
+  auto scene = std::make_shared<geometric::Scene>(*state.scene);
+  scene->programs.clear();
+  result.scene = std::move(scene);
+  return result;
+}
+
 // Refuses steps that can not follow each other, and names that the scene lacks.
 void check_steps(const geometric::Scene& scene, const Task& task) {
   if (scene.robots.empty()) {
@@ -208,6 +219,24 @@ std::string to_string(const TaskStep& step) {
   return "move to " + std::get<MoveStep>(step).name;
 }
 
+TimedPath time_stage(const TaskStage& stage, const std::string& name,
+                     const TimingOptions& options) {
+  return time_path(make_problem(stage.state.scene, stage.state.basis, {options.stop}), stage.path,
+                   name, options);
+}
+
+std::vector<geometric::BoundParameter> parameters_of(TaskOptions& options) {
+  std::vector<geometric::BoundParameter> list = {
+      {"motion_time", "Time of a motion", "s", "Time before a motion of the planner is given up",
+       &options.motion_time_s, 1e-3, 1e6},
+      {"places", "Places", "", "Largest number of places to try for each grasp", &options.places, 1,
+       1e5}};
+  std::vector<geometric::BoundParameter> of_grasps = parameters_of(options.grasps);
+  of_grasps.front().key = "grasps";
+  std::ranges::move(of_grasps, std::back_inserter(list));
+  return list;
+}
+
 TaskPlan plan_task(const SceneState& state, const Task& task, Planner& planner,
                    const TaskOptions& options, const std::stop_token& stop) {
   const auto begin = std::chrono::steady_clock::now();
@@ -218,7 +247,7 @@ TaskPlan plan_task(const SceneState& state, const Task& task, Planner& planner,
   TaskPlan plan;
   try {
     const Configuration q = state.scene->start.value_or(state.scene->robots.front().configuration);
-    const TaskWorld world = TaskWorld::of(state, q, stop);
+    const TaskWorld world = TaskWorld::of(without_programs(state), q, stop);
     if (const auto fault = world.conflict(std::vector{q}, stop)) {
       plan.start_is_valid = false;
       plan.reason = fmt::format("The start is not valid: {}.", *fault);

@@ -1,4 +1,4 @@
-#include "handway/planning/core/parameter.h"
+#include "handway/geometric/io/parameter.h"
 
 #include "handway_test/input_errors.h"
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace handway::planning {
+namespace handway::geometric {
 namespace {
 
 using test::refusal_of;
@@ -83,6 +83,18 @@ TEST_F(Parameters, ReadBackWhatTheyWrite) {
   EXPECT_EQ(to_text(values()[3]), "cartesian");
 }
 
+TEST_F(Parameters, ShowLengthsInMillimetres) {
+  double length = 0.003;
+  const BoundParameter parameter =
+      in_thousandths({"length_mm", "Length", "mm", "", &length, 0.1, 50.0});
+  EXPECT_EQ(to_text(value_of(parameter)), "3");
+  set_from_text(parameter, "0.1");
+  EXPECT_DOUBLE_EQ(length, 1e-4);
+  EXPECT_EQ(to_text(value_of(parameter)), "0.1");
+  EXPECT_THAT(refusal_of([&] { set_from_text(parameter, "0.05"); }), HasSubstr("from 0.1 to 50"));
+  EXPECT_DOUBLE_EQ(length, 1e-4);
+}
+
 TEST_F(Parameters, RefuseNumbersOutOfRange) {
   EXPECT_THAT(refusal("tries", "11"),
               AllOf(HasSubstr("tries"), HasSubstr("\"11\""), HasSubstr("from 1 to 10")));
@@ -113,4 +125,4 @@ TEST_F(Parameters, NameTheOnesThereAre) {
 }
 
 }  // namespace
-}  // namespace handway::planning
+}  // namespace handway::geometric

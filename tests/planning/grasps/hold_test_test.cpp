@@ -24,6 +24,12 @@ class SimpleHold : public HoldTest {
     }
     return result;
   }
+  [[nodiscard]] CarryResult carry(const Pregrasp& /*grasp*/, const PalmMotion& /*motion*/,
+                                  const HoldConditions& /*conditions*/,
+                                  const std::stop_token& /*stop*/,
+                                  const HoldWatcher& /*watch*/) const override {
+    return {};
+  }
   [[nodiscard]] std::vector<std::string> assumptions() const override { return {}; }
 };
 

@@ -66,6 +66,20 @@ TEST_F(PregraspSearch, FindsWaysAroundACanThatAreFree) {
   }
 }
 
+TEST_F(PregraspSearch, SqueezesInProportionToAHeavyPayload) {
+  const PlanningProblem problem = shipped("can_on_table");
+  const auto squeeze = [&](double payload) {
+    const Pregrasps grasps =
+        find_pregrasps(problem, "can", {.samples = 1024, .most = 1, .payload = payload});
+    return Eigen::VectorXd(grasps.found.front().squeezed - grasps.found.front().closed);
+  };
+  const Eigen::VectorXd light = squeeze(0.001);
+  EXPECT_GT(light.norm(), 0.0) << "even a light object is squeezed";
+  const Eigen::VectorXd heavy = squeeze(0.4);
+  EXPECT_GT(heavy.norm(), 1.5 * light.norm());
+  EXPECT_NEAR(squeeze(0.6).norm(), 1.5 * heavy.norm(), 0.05 * heavy.norm());
+}
+
 TEST_F(PregraspSearch, ClosesTheHandUpToContact) {
   const PlanningProblem problem = shipped("can_on_table");
   const Pregrasps grasps = find_pregrasps(problem, "can");

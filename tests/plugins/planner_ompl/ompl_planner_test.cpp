@@ -19,7 +19,7 @@
 namespace handway::planner_ompl {
 namespace {
 
-using planning::find_parameter;
+using geometric::find_parameter;
 using planning::PlannerRegistry;
 using planning::PlanningProblem;
 using planning::PlanRequest;
@@ -55,9 +55,9 @@ void set(planning::Planner& planner, const std::string& key, const std::string& 
 }
 
 // Returns the parameters without those that all planners share, which come last.
-std::vector<planning::Parameter> own_parameters(planning::Planner& planner) {
-  std::vector<planning::Parameter> list = planner.parameters();
-  list.erase(std::ranges::find(list, "objective", &planning::Parameter::key), list.end());
+std::vector<geometric::Parameter> own_parameters(planning::Planner& planner) {
+  std::vector<geometric::Parameter> list = planner.parameters();
+  list.erase(std::ranges::find(list, "objective", &geometric::Parameter::key), list.end());
   return list;
 }
 
@@ -104,7 +104,7 @@ TEST_P(OmplMethod, TakesTheLimitsOfItsSettings) {
   const bool regions_too = GetParam() == "ompl-pmd-rrt-connect";
   set(*planner_, "max_samples", "50");
   const PlanningProblem problem = test::post_problem();
-  for (const planning::Parameter& setting : own_parameters(*planner_)) {
+  for (const geometric::Parameter& setting : own_parameters(*planner_)) {
     if (setting.key == "max_samples" || (planner_->capabilities().uses_pmds && !regions_too)) {
       continue;
     }
@@ -122,7 +122,7 @@ TEST_P(OmplMethod, IsInTheManualWithItsSettings) {
   std::ifstream file(test::source_dir() / "docs" / "planners.md");
   const std::string manual{std::istreambuf_iterator<char>(file), {}};
   EXPECT_THAT(manual, HasSubstr("| `" + GetParam() + "` |"));
-  for (const planning::Parameter& setting : own_parameters(*planner_)) {
+  for (const geometric::Parameter& setting : own_parameters(*planner_)) {
     const std::size_t row = manual.rfind("| `" + setting.key + "` | ");
     ASSERT_NE(row, std::string::npos) << setting.key;
     EXPECT_THAT(manual.substr(row, manual.find('\n', row) - row),
@@ -153,7 +153,7 @@ TEST_P(OmplMethod, DrawsTheSameWhateverElseDraws) {
 
 TEST_P(OmplMethod, DrawsOtherSamplesForAnotherSeed) {
   set(*planner_, "max_samples", "600");
-  for (const planning::Parameter& setting : planner_->parameters()) {
+  for (const geometric::Parameter& setting : planner_->parameters()) {
     if (setting.key == "num_samples") {
       set(*planner_, setting.key, "50");  // else the samples are spent before it begins
     }

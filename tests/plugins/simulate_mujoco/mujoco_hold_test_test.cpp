@@ -20,6 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 using geometric::Pose;
+using planning::CarryResult;
 using planning::HoldConditions;
 using planning::HoldResult;
 using planning::Pregrasp;
@@ -112,6 +113,78 @@ TEST_F(Gripper, HoldsAgainstForcesUpToItsFriction) {
   EXPECT_FALSE(result.held());
   EXPECT_FALSE(result.directions[0].held);
   EXPECT_FALSE(result.directions[5].held);
+}
+
+/// A motion of the palm along x: with constant acceleration (m/s²) for half of the time, and then
+/// with the same deceleration.
+planning::PalmMotion shove(double acceleration, double duration) {
+  planning::PalmMotion motion;
+  const double half = 0.5 * duration;
+  for (double t = 0.0; t <= duration; t += motion.period) {
+    const double left = duration - t;
+    Pose X_WP = Pose::Identity();
+    const double x =
+        t < half ? 0.5 * acceleration * t * t : acceleration * (half * half - 0.5 * left * left);
+    X_WP.translation() = Vector3d(x, 0.0, 0.1);
+    motion.X_WP.push_back(X_WP);
+  }
+  return motion;
+}
+
+TEST_F(Gripper, CarriesAsFastAsItsFrictionAllows) {
+  // m sqrt(g² + a²) = 2 µ F
+  conditions_.mass = 0.5;
+  const double most = 2.0 * conditions_.contact.friction * conditions_.slide_force;
+  const double limit = std::sqrt(std::pow(most / conditions_.mass, 2) - std::pow(9.81, 2));
+  const CarryResult slow = test_.carry(grasp_, shove(0.95 * limit, 0.8), conditions_, {}, {});
+  EXPECT_TRUE(slow.held());
+  EXPECT_LT(slow.slip.shift, 0.005);
+  EXPECT_NEAR(slow.time, 0.8, 0.005);
+  const CarryResult fast = test_.carry(grasp_, shove(1.2 * limit, 0.8), conditions_, {}, {});
+  EXPECT_FALSE(fast.held());
+  EXPECT_LT(fast.time, 0.8);
+}
+
+TEST_F(Gripper, CarriesOnACircleAsFastAsItsFrictionAllows) {
+  // The palm turns about the vertical at a distance: m sqrt(g² + (w² r)²) = 2 µ F.
+  static constexpr double kRadius = 0.5;  // m
+  static constexpr double kRise = 1.0;    // s, until the speed is reached
+  const auto turn = [](double speed) {
+    planning::PalmMotion motion;
+    double angle = 0.0;
+    for (double t = 0.0; t < 2.0 + kRise; t += motion.period) {
+      const double s = std::min(t / kRise, 1.0);
+      angle += motion.period * speed * s * s * (3.0 - 2.0 * s);
+      Pose X_WP = Pose::Identity();
+      X_WP.rotate(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
+      X_WP.translate(Vector3d(kRadius, 0.0, 0.1));
+      motion.X_WP.push_back(X_WP);
+    }
+    return motion;
+  };
+  conditions_.mass = 0.5;
+  const double most = 2.0 * conditions_.contact.friction * conditions_.slide_force;
+  const double limit =
+      std::sqrt(std::sqrt(std::pow(most / conditions_.mass, 2) - std::pow(9.81, 2)) / kRadius);
+  Pose X_WO = Pose::Identity();
+  X_WO.translation().x() = kRadius;
+  Pose X_WB = X_WO;
+  X_WB.translation().z() = 0.1;
+  const MujocoHoldTest test(problem_of(gripper(), X_WB, geometric::Box{{0.06, 0.06, 0.06}}, X_WO),
+                            "object", 0);
+  EXPECT_TRUE(test.carry(grasp_, turn(0.93 * limit), conditions_, {}, {}).held());
+  EXPECT_FALSE(test.carry(grasp_, turn(1.15 * limit), conditions_, {}, {}).held());
+}
+
+TEST_F(Gripper, TellsForcesAndTorquesOfCarrying) {
+  conditions_.mass = 0.2;
+  const CarryResult result = test_.carry(grasp_, shove(1.0, 0.5), conditions_, {}, {});
+  ASSERT_EQ(result.forces.size(), 2U);
+  EXPECT_EQ(result.forces[0].link, "left");
+  EXPECT_NEAR(result.forces[0].largest, conditions_.slide_force, 0.1 * conditions_.slide_force);
+  EXPECT_NEAR(result.torque_share, 1.0, 0.01);
+  EXPECT_THROW(static_cast<void>(test_.carry(grasp_, {}, conditions_, {}, {})),
+               std::invalid_argument);
 }
 
 TEST_F(Gripper, HoldsNothingWithoutSqueeze) {
@@ -239,13 +312,16 @@ TEST(MujocoHoldTest, HoldsTheCanOfThePaper) {
   const planning::SceneState loaded =
       planning::load_scene(test::source_dir() / "scenes" / "can_on_table.yaml", {});
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-  const planning::Pregrasps grasps = planning::find_pregrasps(problem, "can");
-  ASSERT_FALSE(grasps.found.empty());
-  const MujocoHoldTest test(problem, "can", grasps.palm);
-  const HoldResult result = test.test(grasps.found.front(), {}, {}, {});
-  EXPECT_TRUE(result.held());
-  EXPECT_TRUE(result.lift->held);
-  EXPECT_LT(result.lift->shift, 0.005);
+  for (const double mass : {0.1, 0.3, 0.6}) {  // kg
+    const planning::Pregrasps grasps =
+        planning::find_pregrasps(problem, "can", {.samples = 1024, .most = 2, .payload = mass});
+    ASSERT_FALSE(grasps.found.empty());
+    const MujocoHoldTest test(problem, "can", grasps.palm);
+    const HoldResult result = test.test(grasps.found.front(), {.mass = mass}, {}, {});
+    EXPECT_TRUE(result.held()) << mass;
+    EXPECT_TRUE(result.lift->held) << mass;
+    EXPECT_LT(result.lift->shift, 0.005) << mass;
+  }
 }
 
 }  // namespace

@@ -97,11 +97,11 @@ TEST_F(ExportDialogTest, AsksForAConfirmationWhereThePathIsTooClose) {
   too_close.click();
   EXPECT_FALSE(now.isEnabled());
   too_close.click();
-  field<QDoubleSpinBox>("export_speed").setValue(50.0);
+  field<QDoubleSpinBox>("speed").setValue(0.5);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !too_close.isChecked(); }, kPatienceMs))
       << "it holds for one motion";
   EXPECT_FALSE(now.isEnabled());
-  field<QDoubleSpinBox>("export_speed").setValue(5.0);
+  field<QDoubleSpinBox>("speed").setValue(0.05);
   ASSERT_TRUE(QTest::qWaitFor([&] { return now.isEnabled(); }, kPatienceMs)) << "slow enough";
   EXPECT_FALSE(too_close.isVisible());
 }
@@ -109,7 +109,7 @@ TEST_F(ExportDialogTest, AsksForAConfirmationWhereThePathIsTooClose) {
 TEST_F(ExportDialogTest, TimesAgainAtAnotherSpeed) {
   ASSERT_TRUE(is_ready());
   const QString fast = field<QPlainTextEdit>("export_content").toPlainText();
-  field<QDoubleSpinBox>("export_speed").setValue(50.0);
+  field<QDoubleSpinBox>("speed").setValue(0.5);
   EXPECT_FALSE(field<QPushButton>("export_now").isEnabled());
   ASSERT_TRUE(is_ready());
   EXPECT_NE(field<QPlainTextEdit>("export_content").toPlainText(), fast);

@@ -65,7 +65,7 @@ TEST_F(RegionPreviewInThePanel, SetsTheParameterThatIsDragged) {
   part<QSlider>("preview_rho").setValue(600);
   settle();
   const auto parameters = window().workbench().plan_settings.planner()->parameters();
-  const double entered = std::get<double>(planning::find_parameter(parameters, "rho_a").value);
+  const double entered = std::get<double>(geometric::find_parameter(parameters, "rho_a").value);
   EXPECT_DOUBLE_EQ(part<QDoubleSpinBox>("rho_a").value(), entered);
   EXPECT_NEAR(entered, 0.017, 0.001) << "the slider is logarithmic";
   EXPECT_TRUE(is_shown());

@@ -19,11 +19,11 @@ class ParameterForms : public ::testing::Test {
  protected:
   void SetUp() override {
     HANDWAY_NEED_DISPLAY();
-    form_ = std::make_unique<ParameterForm>(std::vector<planning::Parameter>{
+    form_ = std::make_unique<ParameterForm>(std::vector<geometric::Parameter>{
         {"smooth", "Smooth the path", "", "", true},
         {"count", "Count", "", "How many", 7, 1.0, 50.0},
         {"step", "Step", "rad", "How far", 0.02, 1e-6, 2.0},
-        {"corridor", "Corridor", "", "", planning::Choice{1, {"joint", "cartesian"}}}});
+        {"corridor", "Corridor", "", "", geometric::Choice{1, {"joint", "cartesian"}}}});
     QObject::connect(form_.get(), &ParameterForm::edited,
                      [this](const std::string& key, const std::string& value) {
                        edits_.push_back(key + " " + value);
@@ -68,7 +68,7 @@ TEST_F(ParameterForms, KeepsNumbersInTheirRange) {
 TEST(ObjectiveForm, ShowsWeightsWhereTheyCount) {
   HANDWAY_NEED_DISPLAY();
   ParameterForm form(
-      {{"objective", "Objective", "", "", planning::Choice{0, {"shortest", "custom"}}},
+      {{"objective", "Objective", "", "", geometric::Choice{0, {"shortest", "custom"}}},
        {"weight_length", "Weight of length", "", "", 1.0, 0.0, 10.0}});
   form.show();
   const auto* field = form.findChild<QDoubleSpinBox*>(QStringLiteral("weight_length"));

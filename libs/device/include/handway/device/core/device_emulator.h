@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/export.h"
+#include "handway/geometric/io/parameter.h"
 
 #include <cstdint>
 #include <memory>
@@ -47,6 +48,10 @@ struct LineFaultSettings {
   double garbage = 0.0;  ///< The record is damaged: see LineFaults.
   std::uint64_t seed = 1;
 };
+
+/// Describes the settings but the seed.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<geometric::BoundParameter> parameters_of(
+    LineFaultSettings& settings);
 
 /// Damages records as bad cables do: loses some whole, and damages others by one of a lost byte, a
 /// doubled byte, a 00 inside, a missing end, random bytes in front. The same seed gives the same

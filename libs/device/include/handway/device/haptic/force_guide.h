@@ -2,6 +2,7 @@
 
 #include "handway/device/export.h"
 #include "handway/device/haptic/haptic_protocol.h"
+#include "handway/geometric/io/parameter.h"
 
 #include <Eigen/Core>
 
@@ -54,6 +55,10 @@ struct ForceGuideSettings {
   /// are the base's y, z and x.
   Eigen::Matrix3d R_BD = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
 };
+
+/// Describes the settings that users choose.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<geometric::BoundParameter> parameters_of(
+    ForceGuideSettings& settings);
 
 /// Reaction to a sample of the handle.
 struct GuideStep {

@@ -6,6 +6,7 @@
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/pose_goal.h"
+#include "handway/geometric/scene/program.h"
 #include "handway/geometric/scene/scene_display.h"
 
 #include <Eigen/Core>
@@ -114,6 +115,7 @@ struct Scene {
   std::vector<NamedPosture> postures;  ///< Postures of robots[0] or a part of it; names are unique.
   std::filesystem::path hand_basis;    ///< PMD basis file as the scene names it; may be empty.
   PlannerRequest planner;              ///< Read by planning alone.
+  std::vector<Program> programs;       ///< Names are unique.
   SceneDisplay display;                ///< Read by the window alone.
   std::vector<std::string> warnings;   ///< Warnings of the reader.
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/io/parameter.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/planning/export.h"
 #include "handway/planning/grasps/grasp_quality.h"
@@ -33,6 +34,10 @@ struct HoldConditions {
   double slide_force = 20.0;        ///< N: the most that a prismatic joint applies.
   double slide_stiffness = 1000.0;  ///< N/m of a prismatic joint's position control.
 };
+
+/// Describes the conditions that users choose, but friction and mass, which are the search's.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<geometric::BoundParameter> parameters_of(
+    HoldConditions& conditions);
 
 /// How far the object has moved in the hand at the end of a load.
 struct HoldSlip {
@@ -70,9 +75,37 @@ struct HoldMargins {
   std::optional<double> position_error = {};
 };
 
+/// Motion of the palm in the world while the hand carries an object, at rest at both ends.
+struct PalmMotion {
+  double period = 0.004;              ///< s between two poses, above 0, at most 0.005.
+  std::vector<geometric::Pose> X_WP;  ///< At least one.
+};
+
+/// Largest force with which a link pushes on the object.
+struct LinkForce {
+  std::string link;
+  double largest = 0.0;  ///< N: sum of the normal forces of its contacts.
+};
+
+/// Result of carrying an object in a simulation.
+struct CarryResult {
+  /// Between the grasp and the end of the squeeze, without gravity.
+  HoldSlip squeeze = {};
+  /// Between the end of the squeeze and the end of the motion, in the palm's frame.
+  HoldSlip slip = {};
+  double time = 0.0;                   ///< s: less than the motion's if the object is lost.
+  std::vector<LinkForce> forces = {};  ///< Of links that touch the object, in the hand's order.
+  double torque_share = 0.0;           ///< Largest torque of a joint, as a share of its limit.
+  std::string joint = {};              ///< The joint with that torque.
+
+  [[nodiscard]] bool held() const { return squeeze.held && slip.held; }
+};
+
 /// A moment of a hold test.
 struct HoldFrame {
-  int load = 0;       ///< 0: the squeeze; 1 to 6: HoldResult::directions; 7: the lift.
+  /// 0: the squeeze; 1 to 6: HoldResult::directions; 7: the lift. Of HoldTest::carry() 1: the
+  /// motion.
+  int load = 0;
   double time = 0.0;  ///< s since the load's begin.
   Configuration q;    ///< Of the robot, its arm at rest: the lift is shown in the palm's frame.
   geometric::Pose X_WO = geometric::Pose::Identity();  ///< Of the object.
@@ -95,6 +128,14 @@ class HANDWAY_PLANNING_EXPORT HoldTest {
   [[nodiscard]] virtual HoldResult test(const Pregrasp& grasp, const HoldConditions& conditions,
                                         const std::stop_token& stop,
                                         const HoldWatcher& watch) const = 0;
+  /// Carries the object along a motion of the palm, under gravity, after the squeeze: in the palm's
+  /// frame the object feels the inertial forces of the motion. The arm follows the motion exactly.
+  /// @param grasp closed and squeezed are used. @param conditions force is not used.
+  /// @param stop and watch as test().
+  [[nodiscard]] virtual CarryResult carry(const Pregrasp& grasp, const PalmMotion& motion,
+                                          const HoldConditions& conditions,
+                                          const std::stop_token& stop,
+                                          const HoldWatcher& watch) const = 0;
   /// Returns what the simulation assumes besides HoldConditions, a sentence each.
   [[nodiscard]] virtual std::vector<std::string> assumptions() const = 0;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/io/parameter.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 #include "handway/planning/grasps/grasp_quality.h"
@@ -26,10 +27,16 @@ struct PregraspOptions {
   int threads = 2;            ///< That search; any number of them gives the same bits.
   ContactModel contact = {};  ///< Forces that links transmit to the object.
   double payload = 0.1;       ///< Mass of the object, kg, for Pregrasp::holding_force.
-  /// Depth that the links would go into the object in the squeeze posture, m: what a hand without
-  /// force control pushes with.
+  /// Least depth that the links would go into the object in the squeeze posture, m: what a hand
+  /// without force control pushes with. The squeeze is deeper where the payload needs more force.
   double squeeze = 0.01;
+  double stiffness = 5.0;           ///< N·m/rad of a revolute joint's position control.
+  double slide_stiffness = 1000.0;  ///< N/m of a prismatic joint's position control.
 };
+
+/// Describes the options that users choose, but seed and threads.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<geometric::BoundParameter> parameters_of(
+    PregraspOptions& options);
 
 /// A place where the hand touches the object.
 struct HandContact {
@@ -46,8 +53,9 @@ struct Pregrasp {
   /// With the fingers closed from there until they touch the object or something else. Where one
   /// joint moves several fingers, the arm moves too, so that all of them touch.
   Configuration closed = {};
-  /// Joint targets beyond `closed` that make the fingers push: the joints' ways are in proportion
-  /// to their torques for contact forces that balance each other (internal_contact_forces()).
+  /// Joint targets beyond `closed` that make the fingers push: with the joints' stiffness, the
+  /// torques of contact forces that balance each other (internal_contact_forces()). Their normal
+  /// forces sum up to three times the weight of the payload over the friction, or more.
   Configuration squeezed = {};
   std::vector<HandContact> contacts = {};  ///< Contacts in `closed`.
   /// Quality of `contacts`. Grasps are ranked by their epsilon above all.

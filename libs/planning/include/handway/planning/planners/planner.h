@@ -1,8 +1,8 @@
 #pragma once
 
+#include "handway/geometric/io/parameter.h"
 #include "handway/planning/core/objective.h"
 #include "handway/planning/core/observer.h"
-#include "handway/planning/core/parameter.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
@@ -40,7 +40,7 @@ class HANDWAY_PLANNING_EXPORT Planner {
   [[nodiscard]] virtual PlannerCapabilities capabilities() const = 0;
   /// The settings with their values: first the planner's own, then those of the objective and of
   /// optimising that all planners share.
-  [[nodiscard]] std::vector<Parameter> parameters();
+  [[nodiscard]] std::vector<geometric::Parameter> parameters();
   /// Sets one setting from text, as set_from_text().
   /// @throws InputError naming the valid keys, or the setting's values.
   void set_parameter(std::string_view key, std::string_view text);
@@ -69,10 +69,10 @@ class HANDWAY_PLANNING_EXPORT Planner {
   virtual void do_plan(PlanningContext& context, PlanResult& result) = 0;
 
   /// The settings of this planner alone, bound to its members.
-  [[nodiscard]] virtual std::vector<BoundParameter> own_parameters() = 0;
+  [[nodiscard]] virtual std::vector<geometric::BoundParameter> own_parameters() = 0;
 
  private:
-  [[nodiscard]] std::vector<BoundParameter> bound_parameters();
+  [[nodiscard]] std::vector<geometric::BoundParameter> bound_parameters();
   [[nodiscard]] PlanResult plan_to_goal(const PlanningProblem& problem, const PlanRequest& request,
                                         const std::stop_token& stop, Observer* observer);
   [[nodiscard]] PlanResult plan_to_any(const PlanningProblem& problem, const PlanRequest& request,
@@ -85,9 +85,10 @@ class HANDWAY_PLANNING_EXPORT Planner {
 };
 
 /// Description of the parameter that limits a planner's samples.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter max_samples_parameter(int& value);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::BoundParameter max_samples_parameter(int& value);
 /// Description of the parameter that limits the edges tested to smooth a path.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter smoothing_checks_parameter(int& value);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::BoundParameter smoothing_checks_parameter(
+    int& value);
 
 /// Function that makes a planner with its default settings.
 using PlannerFactory = std::function<std::unique_ptr<Planner>()>;

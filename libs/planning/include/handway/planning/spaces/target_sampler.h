@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/parameter.h"
+#include "handway/geometric/io/parameter.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/export.h"
 #include "handway/planning/spaces/state_space.h"
@@ -101,10 +101,10 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
 };
 
 /// Descriptions of the parameters of regions.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter corridor_parameter(int& value);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::BoundParameter corridor_parameter(int& value);
 
 /// Appends all parameters of a region but its corridor and PMDs.
-HANDWAY_PLANNING_EXPORT void append_region_parameters(std::vector<BoundParameter>& list,
+HANDWAY_PLANNING_EXPORT void append_region_parameters(std::vector<geometric::BoundParameter>& list,
                                                       TargetRegion& region);
 
 }  // namespace handway::planning

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "handway/geometric/io/parameter.h"
+#include "handway/geometric/scene/program.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/edits/scene_state.h"
 #include "handway/planning/export.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/planners/planner.h"
+#include "handway/planning/timing/time_path.h"
 
 #include <Eigen/Core>
 
@@ -24,21 +27,8 @@
 
 namespace handway::planning {
 
-/// A step that grasps an object and lifts it.
-struct PickStep {
-  std::string object;     ///< Stands in the world.
-  double approach = 0.1;  ///< m: length of the straight motion that ends at the grasp.
-  double lift = 0.1;      ///< m: height of the straight motion upwards; less where that is blocked.
-};
-
-/// A step that puts down the carried object, opens the hand and takes it away.
-struct PlaceStep {
-  std::string support;  ///< The object on whose upward faces it is placed; empty: see `pose`.
-  /// Pose of the object in the world, without a support.
-  geometric::Pose pose = geometric::Pose::Identity();
-  double lower = 0.1;    ///< m: height of the straight motion downwards; less where it is blocked.
-  double retreat = 0.1;  ///< m: length of the straight motion that leaves the object.
-};
+using geometric::PickStep;
+using geometric::PlaceStep;
 
 /// A step that moves to a posture.
 struct MoveStep {
@@ -62,6 +52,10 @@ struct TaskOptions {
   /// before it looks for more.
   PregraspOptions grasps = {.most = 16};
 };
+
+/// Describes the options that users choose, but seed and threads.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<geometric::BoundParameter> parameters_of(
+    TaskOptions& options);
 
 /// Kind of a stage.
 enum class StageKind {
@@ -129,6 +123,12 @@ struct TaskPlan {
                                                          Planner& planner,
                                                          const TaskOptions& options = {},
                                                          const std::stop_token& stop = {});
+
+/// Times the path of a stage in the scene of the stage.
+/// @param name of the motion, see Motion::name.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimedPath time_stage(const TaskStage& stage,
+                                                           const std::string& name,
+                                                           const TimingOptions& options = {});
 
 /// Words for a step: "pick can", "place on shelf", "move to home".
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_string(const TaskStep& step);

@@ -14,16 +14,16 @@ inline constexpr int kTaskVersion = 1;
 
 /// Reads a task file (YAML; docs/tasks.md): `handway_task: 1` and `steps`, a list of maps with one
 /// key each. Lengths are in m, angles in degrees.
-///
-///     - pick: {object: can, approach: 0.1, lift: 0.1}
-///     - place: {on: shelf, lower: 0.1, retreat: 0.1}    # or {pose: {xyz: …, rpy_deg: …}}
-///     - move: start                                     # or a posture of the scene
-///
-/// `pick: can` and `place: shelf` are short for maps with default lengths.
+/// Steps are those of geometric::program_steps_of().
 /// @param scene whose objects and postures the steps name.
 /// @throws InputError naming file, line and element of the error.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Task read_task(const std::filesystem::path& file,
                                                      const geometric::Scene& scene);
+
+/// Returns the program of the scene called `name`, or its only one if `name` is empty.
+/// @throws InputError naming the programs that there are.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Task program_task(const geometric::Scene& scene,
+                                                        const std::string& name);
 
 /// Returns the step that moves the first robot to a posture of the scene or of the robot, or to the
 /// start of the scene if `name` is "start". Joints that the posture does not name stay at the

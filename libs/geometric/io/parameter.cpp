@@ -1,4 +1,4 @@
-#include "handway/planning/core/parameter.h"
+#include "handway/geometric/io/parameter.h"
 
 #include "handway/geometric/io/input_error.h"
 
@@ -7,17 +7,17 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <type_traits>
 #include <utility>
 
-namespace handway::planning {
+namespace handway::geometric {
 namespace {
 
 [[noreturn]] void refuse(const Parameter& parameter, std::string_view text,
                          const std::string& expected) {
-  throw geometric::InputError(
-      {"parameter", parameter.key, fmt::format("\"{}\"", text), expected, ""});
+  throw InputError({"parameter", parameter.key, fmt::format("\"{}\"", text), expected, ""});
 }
 
 template <typename Number>
@@ -50,6 +50,12 @@ void set_choice(const Parameter& parameter, std::string_view text, Choice& choic
   choice.index = static_cast<int>(found - choice.options.begin());
 }
 
+// A member's value in the unit of display, without digits that only the division adds.
+double shown(double value, double scale) {
+  constexpr double kDigits = 1e12;  // of a whole unit
+  return scale == 1.0 ? value : std::round(value / scale * kDigits) / kDigits;
+}
+
 }  // namespace
 
 Parameter value_of(const BoundParameter& parameter) {
@@ -64,7 +70,21 @@ Parameter value_of(const BoundParameter& parameter) {
         }
       },
       parameter.value);
+  if (auto* number = std::get_if<double>(&result.value)) {
+    *number = shown(*number, parameter.scale);
+  }
   return result;
+}
+
+std::vector<Parameter> values_of(const std::vector<BoundParameter>& parameters) {
+  std::vector<Parameter> values(parameters.size());
+  std::ranges::transform(parameters, values.begin(), value_of);
+  return values;
+}
+
+BoundParameter in_thousandths(BoundParameter parameter) {
+  parameter.scale = 1e-3;
+  return parameter;
 }
 
 void assign(const BoundParameter& member, const Parameter& parameter) {
@@ -78,6 +98,15 @@ void assign(const BoundParameter& member, const Parameter& parameter) {
         }
       },
       member.value);
+  if (auto* const* number = std::get_if<double*>(&member.value)) {
+    **number *= member.scale;
+  }
+}
+
+void set_from_text(const BoundParameter& member, std::string_view text) {
+  Parameter parameter = value_of(member);
+  set_from_text(parameter, text);
+  assign(member, parameter);
 }
 
 void set_from_text(Parameter& parameter, std::string_view text) {
@@ -125,9 +154,8 @@ const Parameter& find_parameter(const std::vector<Parameter>& parameters, std::s
   if (!found) {
     std::vector<std::string> keys;
     std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
-    throw geometric::InputError({"parameter", std::string(key),
-                                 "an unknown parameter of this planner",
-                                 fmt::format("one of {}", fmt::join(keys, ", ")), ""});
+    throw InputError({"parameter", std::string(key), "an unknown parameter",
+                      fmt::format("one of {}", fmt::join(keys, ", ")), ""});
   }
   return *found;
 }
@@ -137,4 +165,4 @@ Parameter& find_parameter(std::vector<Parameter>& parameters, std::string_view k
   return parameters[static_cast<std::size_t>(&found - parameters.data())];
 }
 
-}  // namespace handway::planning
+}  // namespace handway::geometric

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/scene/program.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// Range of the lengths of straight motions in programs, m: from 0 to this.
+inline constexpr double kLongestStraightMotion = 10.0;
+
+/// Reads a list of steps, maps with one key each. Lengths are in m, angles in degrees.
+///
+///     - pick: {object: can, approach: 0.1, lift: 0.1}
+///     - place: {on: shelf, lower: 0.1, retreat: 0.1}    # or {pose: {xyz: …, rpy_deg: …}}
+///     - move: start                                     # or a posture of the scene
+///
+/// `pick: can` and `place: shelf` are short for maps with default lengths.
+/// @param scene whose objects the steps name.
+/// @param warnings receives the names of objects that the scene does not have; nullptr: they are
+/// errors.
+/// @throws InputError naming file, line and element of the error.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<ProgramStep> program_steps_of(
+    const YamlElement& list, const Scene& scene, std::vector<std::string>* warnings = nullptr);
+
+}  // namespace handway::geometric

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "handway/planning/export.h"
+#include "handway/planning/grasps/hold_test.h"
+#include "handway/planning/tasks/task.h"
+#include "handway/planning/timing/timing_settings.h"
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// What a hand does with an object from the grasp until it opens again: input of
+/// HoldTest::carry().
+struct CarriedObjectMotion {
+  std::string object;
+  SceneState before;  ///< The scene in which the hand closes: the object is free.
+  int palm = -1;      ///< Link that carries the object.
+  Pregrasp grasp;     ///< With closed and squeezed alone.
+  PalmMotion motion;
+};
+
+/// Returns the motion of each object that a planned task carries. The robot rests between stages.
+/// @param timing of the stages.
+/// @throws InputError if a stage does not pass the pre-flight check at this timing.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<CarriedObjectMotion> carried_motions(
+    const TaskPlan& plan, const TimingSettings& timing, const std::stop_token& stop = {});
+
+/// Returns the motion of an object that is attached to the hand along a path of the scene. The
+/// grasp is measured at the path's beginning.
+/// @param state its scene has one object attached to the first robot.
+/// @throws InputError if it has none or several, if fewer than two fingers touch the object, and as
+/// carried_motions().
+[[nodiscard]] HANDWAY_PLANNING_EXPORT CarriedObjectMotion
+carried_motion(const SceneState& state, const Path& path, const TimingSettings& timing,
+               const std::stop_token& stop = {});
+
+}  // namespace handway::planning
