@@ -63,6 +63,11 @@ void print_carried(const Carried& carried) {
   print_out("{}: {}, slip {:.1f} mm, {:.1f} degrees in {:.2f} s\n", carried.object,
             result.held() ? "held" : "lost", geometric::millimetres(slip.shift),
             geometric::degrees(slip.turn), result.time);
+  if (!result.held()) {
+    print_out(
+        "  Carry it more slowly (--speed), or give the object's mass (--payload) for the "
+        "squeeze\n");
+  }
   for (const planning::LinkForce& force : result.forces) {
     print_out("  {:<32} up to {:>6.2f} N\n", force.link, force.largest);
   }

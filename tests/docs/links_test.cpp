@@ -51,6 +51,13 @@ TEST(Markdown, CutsOutASection) {
   EXPECT_EQ(section("## a\none\n", "b"), "");
 }
 
+TEST(Markdown, FindsTheOptionsOfSettings) {
+  EXPECT_EQ(setting_options("| Parameter | Default |\n|---|---|\n| `period_ms` | 4 ms | x |\n"
+                            "| `blend` | true | x |\n"),
+            (std::set<std::string>{"--period-ms", "--no-blend"}));
+  EXPECT_EQ(section_at("## A b\nx\n## C\ny\n", "a-b"), "x\n");
+}
+
 TEST(Markdown, FindsOptions) {
   EXPECT_THAT(long_options("[--seed N] `--out`, a---b c--d --time-limit=3"),
               UnorderedElementsAre("--seed", "--out", "--time-limit"));

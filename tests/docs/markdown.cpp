@@ -22,6 +22,38 @@ std::vector<std::string> all_matches(const std::string& text, const std::regex& 
   return found;
 }
 
+std::string anchor_of(const std::string& heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == ' ' || c == '-') {
+      anchor += '-';
+    } else if (std::isalnum(byte) != 0 || c == '_') {
+      anchor += static_cast<char>(std::tolower(byte));
+    }
+  }
+  return anchor;
+}
+
+// The lines between a heading that `is_wanted`, without its signs, and the next of its level or
+// above.
+template <typename Predicate>
+std::string lines_below(const std::string& markdown, const Predicate& is_wanted) {
+  std::istringstream lines(markdown);
+  std::string found;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("# ") || line.starts_with("## ")) {
+      std::string title = line.substr(line.find(' ') + 1);
+      std::erase(title, '`');
+      inside = is_wanted(title);
+    } else if (inside) {
+      found += line + '\n';
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string read_text(const fs::path& file) {
@@ -41,34 +73,29 @@ std::set<std::string> heading_anchors(const std::string& markdown) {
   static const std::regex kHeading(R"((?:^|\n)#+ +([^\n]+))");
   std::set<std::string> anchors;
   for (const std::string& heading : all_matches(markdown, kHeading)) {
-    std::string anchor;
-    for (const char c : heading) {
-      const auto byte = static_cast<unsigned char>(c);
-      if (c == ' ' || c == '-') {
-        anchor += '-';
-      } else if (std::isalnum(byte) != 0 || c == '_') {
-        anchor += static_cast<char>(std::tolower(byte));
-      }
-    }
-    anchors.insert(anchor);
+    anchors.insert(anchor_of(heading));
   }
   return anchors;
 }
 
 std::string section(const std::string& markdown, std::string_view name) {
-  std::istringstream lines(markdown);
-  std::string found;
-  bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("# ") || line.starts_with("## ")) {
-      std::string title = line.substr(line.find(' ') + 1);
-      std::erase(title, '`');
-      inside = title == name;
-    } else if (inside) {
-      found += line + '\n';
-    }
+  return lines_below(markdown, [name](const std::string& title) { return title == name; });
+}
+
+std::string section_at(const std::string& markdown, std::string_view anchor) {
+  return lines_below(markdown,
+                     [anchor](const std::string& title) { return anchor_of(title) == anchor; });
+}
+
+std::set<std::string> setting_options(const std::string& table) {
+  static const std::regex kRow(R"(\| `([a-z_]+)` \| ([^|]*) \|[^\n]*)");
+  std::set<std::string> options;
+  for (std::sregex_iterator row(table.begin(), table.end(), kRow), end; row != end; ++row) {
+    std::string key = row->str(1);
+    std::ranges::replace(key, '_', '-');
+    options.insert((row->str(2) == "true" ? "--no-" : "--") + key);
   }
-  return found;
+  return options;
 }
 
 std::set<std::string> long_options(const std::string& text) {

@@ -22,6 +22,13 @@ namespace handway::test {
 /// Empty if there is no such heading.
 [[nodiscard]] std::string section(const std::string& markdown, std::string_view name);
 
+/// Returns the lines below the heading with an anchor, as section(). Empty if there is none.
+[[nodiscard]] std::string section_at(const std::string& markdown, std::string_view anchor);
+
+/// Returns the options of a table of settings: "--period-ms" for "period_ms", "--no-blend" for
+/// "blend" whose default is true.
+[[nodiscard]] std::set<std::string> setting_options(const std::string& table);
+
 /// Returns every "--option" in `text`, without its argument.
 [[nodiscard]] std::set<std::string> long_options(const std::string& text);
 
