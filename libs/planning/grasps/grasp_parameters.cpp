@@ -8,6 +8,10 @@ std::vector<geometric::BoundParameter> parameters_of(PregraspOptions& options) {
       {"count", "Grasps", "", "Largest number of grasps", &options.most, 1, 1000},
       {"friction", "Friction", "", "Coefficient of friction between hand and object",
        &options.contact.friction, 0.01, 10.0},
+      geometric::in_thousandths(
+          {"patch_radius_mm", "Contact patch", "mm",
+           "Radius of the disc that a soft finger touches with; 0: a hard finger",
+           &options.contact.patch_radius, 0.0, 50.0}),
       {"payload", "Payload", "kg", "Mass of the object", &options.payload, 0.0, 1e4},
       {"samples", "Samples", "", "Largest number of palm poses to try", &options.samples, 1, 1e7}};
 }
