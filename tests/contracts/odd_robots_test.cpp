@@ -137,7 +137,7 @@ const std::vector<OddRobot> kOddRobots = {
 /// nothing is set.
 std::vector<std::pair<std::string, std::string>> choices_of(Planner& planner) {
   std::vector<std::pair<std::string, std::string>> choices = {{"", ""}};
-  for (const Parameter& parameter : planner.parameters()) {
+  for (const geometric::Parameter& parameter : planner.parameters()) {
     if (const auto* choice = std::get_if<Choice>(&parameter.value)) {
       for (const std::string& option : choice->options) {
         choices.emplace_back(parameter.key, option);

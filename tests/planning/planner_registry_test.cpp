@@ -40,7 +40,7 @@ TEST(PlannerRegistry, DescribesEveryParameter) {
   for (const std::string& name : registry.names()) {
     const auto planner = registry.create(name);
     std::set<std::string> keys;
-    for (const Parameter& parameter : planner->parameters()) {
+    for (const geometric::Parameter& parameter : planner->parameters()) {
       EXPECT_TRUE(keys.insert(parameter.key).second) << name << " " << parameter.key;
       EXPECT_FALSE(parameter.label.empty() || parameter.help.empty()) << parameter.key;
       EXPECT_NO_THROW(planner->set_parameter(parameter.key, to_text(parameter)))

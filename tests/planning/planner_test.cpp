@@ -87,7 +87,7 @@ class Liar final : public Planner {
     result.status = PlanStatus::kSolved;
     result.path.waypoints = waypoints_;
   }
-  [[nodiscard]] std::vector<BoundParameter> own_parameters() override { return {}; }
+  [[nodiscard]] std::vector<geometric::BoundParameter> own_parameters() override { return {}; }
 
   std::vector<Configuration> waypoints_;
 };

@@ -20,7 +20,7 @@ std::unique_ptr<Planner> planner_as_shipped() { return PlannerRegistry().create(
 
 std::unique_ptr<Planner> planner_as_printed() {
   std::unique_ptr<Planner> planner = planner_as_shipped();
-  for (const Parameter& parameter : planner->parameters()) {
+  for (const geometric::Parameter& parameter : planner->parameters()) {
     if (!parameter.as_printed.empty()) {
       planner->set_parameter(parameter.key, parameter.as_printed);
     }
@@ -55,7 +55,7 @@ PlanningProblem held_between_pins() {
 
 TEST(PmdPrm, NamesWhatDepartsFromThePrint) {
   std::vector<std::string> keys;
-  for (const Parameter& parameter : departures(planner_as_shipped()->parameters())) {
+  for (const geometric::Parameter& parameter : departures(planner_as_shipped()->parameters())) {
     keys.push_back(parameter.key);
   }
   EXPECT_THAT(keys, ElementsAre("rho_max", "fill_gaps", "n_checked", "smoothing"));
