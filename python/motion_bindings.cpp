@@ -137,6 +137,9 @@ planning::MakeHoldTest need_hold_test() {
 
 py::list grasps(const SceneModel& scene, const std::string& object, int most, std::uint64_t seed,
                 int test, const py::kwargs& settings) {
+  if (most < 1) {
+    throw InputError({"most", "", std::to_string(most), "1 or more", ""});
+  }
   if (test < 0) {
     throw InputError({"test", "", std::to_string(test), "0 or more", ""});
   }

@@ -14,6 +14,7 @@ void add_timing_options(CLI::App& command, TimingChoice& choice) {
   command.add_option("path", choice.path, "Path (CSV)")->required();
   command.add_option("--scene", choice.scene, "Scene or problem file of the path")->required();
   add_parameter_options(command, parameters_of(choice.settings));
+  command.get_option("--no-blend")->excludes(command.get_option("--deviation"));
   command.add_option(
       "--limits", choice.limits,
       "Velocity, acceleration and jerk limits that replace the robot's (joint_limits.yaml)");

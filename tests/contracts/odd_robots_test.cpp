@@ -138,7 +138,7 @@ const std::vector<OddRobot> kOddRobots = {
 std::vector<std::pair<std::string, std::string>> choices_of(Planner& planner) {
   std::vector<std::pair<std::string, std::string>> choices = {{"", ""}};
   for (const geometric::Parameter& parameter : planner.parameters()) {
-    if (const auto* choice = std::get_if<Choice>(&parameter.value)) {
+    if (const auto* choice = std::get_if<geometric::Choice>(&parameter.value)) {
       for (const std::string& option : choice->options) {
         choices.emplace_back(parameter.key, option);
       }

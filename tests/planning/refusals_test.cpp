@@ -43,7 +43,7 @@ TEST(ArmSamples, ThatAllCollideWithTheRobotItselfEndTheSearch) {
   constexpr int kPlates = 26;
   geometric::RobotDescription robot;
   robot.name = "combs";
-  robot.links.push_back({"base", {}, {}});
+  robot.links.emplace_back().name = "base";
   for (int lane = 0; lane < 4; ++lane) {
     const auto at = [&](double x) { return geometric::Pose(Eigen::Translation3d(x, lane, 0)); };
     for (int plate = 0; plate < kPlates; ++plate) {
