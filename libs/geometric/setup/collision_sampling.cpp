@@ -199,11 +199,11 @@ AllowedCollisions sample_overlapping_links(const RobotModel& model, int samples,
   const CollisionWorld& world = checker.world();
   AllowedCollisions allowed = adjacent_links(model);
   std::vector<std::pair<int, SampledPair>> candidates;
-  const std::vector<bool> at_neutral = touching_at(checker, model.neutral());
-  for (std::size_t pair = 0; pair < at_neutral.size(); ++pair) {
+  checker.place(model.neutral());
+  for (std::size_t pair = 0; pair < world.pairs().size(); ++pair) {
     SampledPair sampled{world.body(world.pairs()[pair].a).name,
                         world.body(world.pairs()[pair].b).name, 0, true};
-    if (at_neutral[pair] && !allowed.reason(sampled.a, sampled.b)) {
+    if (!allowed.reason(sampled.a, sampled.b) && checker.pair_collides(static_cast<int>(pair))) {
       sampled.jaws = are_jaws(model, sampled.a, sampled.b);
       candidates.emplace_back(static_cast<int>(pair), std::move(sampled));
     }
