@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -53,6 +54,11 @@ class VolumeArchive {
     list(archive, field.blocks_);
   }
 
+  template <typename Archive>
+  static void balls(Archive& archive, std::vector<InnerBall>& balls) {
+    list(archive, balls);
+  }
+
  private:
   template <typename Archive, typename Value>
   static void plain(Archive& archive, Value& value) {
@@ -75,7 +81,7 @@ class VolumeArchive {
 };
 
 std::string archive_layout() {
-  constexpr int kRevision = 18;  // to change with what volumes are made of
+  constexpr int kRevision = 19;  // to change with what volumes are made of
   return fmt::format("volumes {}, {} {} {}", kRevision, sizeof(SphereTree::Node),
                      sizeof(DistanceField::Cell), sizeof(TriangleBlock));
 }
@@ -87,6 +93,7 @@ std::string archive_volumes(const MeshVolumes& volumes) {
   VolumeArchive::cover(archive, copy.cover);
   VolumeArchive::hull(archive, copy.hull);
   VolumeArchive::field(archive, copy.field);
+  VolumeArchive::balls(archive, copy.balls);
   return stream.str();
 }
 
@@ -97,6 +104,7 @@ MeshVolumes unarchive_volumes(const std::string& bytes) {
   VolumeArchive::cover(archive, volumes.cover);
   VolumeArchive::hull(archive, volumes.hull);
   VolumeArchive::field(archive, volumes.field);
+  VolumeArchive::balls(archive, volumes.balls);
   return volumes;
 }
 
@@ -181,6 +189,8 @@ MeshVolumes make_volumes(const TriangleMesh& mesh, const OnDemand<TriangleTree>&
   end_if_stopped(stop);
   volumes.hull = ConvexCover(mesh, hull_margin(volumes.cover));
   volumes.field = DistanceField(mesh, *triangles, cells_for(mesh), stop);
+  end_if_stopped(stop);
+  volumes.balls = inner_balls(mesh, *triangles);
   return volumes;
 }
 
@@ -202,14 +212,19 @@ MeshVolumes volumes_of(const CacheKey& key, const TriangleMesh& mesh,
 Surface surface_of_primitive(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,
                              const PrimitiveDistance& primitive) {
   const SphereTree cover = SphereTree::growing(mesh, leaf_radius(*mesh));
+  const OnDemand<TriangleTree> triangles = tree_of(mesh);
   const double margin = hull_margin(cover);
-  return {
-      key,           mesh,
-      cover,         DistanceField(primitive),
-      tree_of(mesh), OnDemand<ConvexCover>([mesh, margin] { return ConvexCover(*mesh, margin); })};
+  return {key,
+          mesh,
+          cover,
+          DistanceField(primitive),
+          triangles,
+          OnDemand<ConvexCover>([mesh, margin] { return ConvexCover(*mesh, margin); }),
+          OnDemand<std::vector<InnerBall>>(
+              [mesh, triangles] { return inner_balls(*mesh, *triangles); })};
 }
 
-// Its hull is the box around it: a better one takes long.
+// Its hull is the box around it, and no balls are sought in it: better ones take long.
 Surface surface_of_large_mesh(const CacheKey& key,
                               const std::shared_ptr<const TriangleMesh>& mesh) {
   const OnDemand<TriangleTree> triangles = tree_of(mesh);
@@ -221,7 +236,8 @@ Surface surface_of_large_mesh(const CacheKey& key,
           SphereTree::growing(mesh, leaf_radius(*mesh)),
           DistanceField::growing(mesh, triangles),
           triangles,
-          OnDemand<ConvexCover>([around] { return ConvexCover(around, 0.0); })};
+          OnDemand<ConvexCover>([around] { return ConvexCover(around, 0.0); }),
+          OnDemand<std::vector<InnerBall>>(std::vector<InnerBall>())};
 }
 
 Surface surface_of_mesh(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,
@@ -234,7 +250,8 @@ Surface surface_of_mesh(const CacheKey& key, const std::shared_ptr<const Triangl
           std::move(volumes.cover),
           std::move(volumes.field),
           triangles,
-          OnDemand<ConvexCover>(std::move(volumes.hull))};
+          OnDemand<ConvexCover>(std::move(volumes.hull)),
+          OnDemand<std::vector<InnerBall>>(std::move(volumes.balls))};
 }
 
 Surface surface_of(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,

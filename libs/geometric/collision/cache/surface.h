@@ -2,6 +2,7 @@
 
 #include "collision/volumes/convex_cover.h"
 #include "collision/volumes/distance_field.h"
+#include "collision/volumes/inner_balls.h"
 #include "collision/volumes/on_demand.h"
 #include "collision/volumes/sphere_tree.h"
 #include "collision/volumes/triangle_tree.h"
@@ -20,6 +21,7 @@ struct MeshVolumes {
   SphereTree cover;
   ConvexCover hull;
   DistanceField field;
+  std::vector<InnerBall> balls;
 };
 
 /// Returns a text that changes with the byte layout of archived volumes: a part of their key.
@@ -39,6 +41,7 @@ struct Surface {
   DistanceField field;
   OnDemand<TriangleTree> triangles;
   OnDemand<ConvexCover> hull;
+  OnDemand<std::vector<InnerBall>> balls;  ///< inner_balls().
 };
 
 /// Makes the surfaces of `meshes`, in order. Meshes of the same content share one;

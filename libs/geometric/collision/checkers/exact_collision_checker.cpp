@@ -24,6 +24,7 @@ constexpr double kFineEnough = 0.0005;  // m: spheres need not be finer than thi
 constexpr int kQuickNodes = 16;         // nodes of spheres that a bound is worth …
 constexpr int kThorough = 1 << 20;      // … and that one to be remembered is
 constexpr std::size_t kPlainer = 8;     // times fewer triangles
+constexpr float kDeep = 0.6F;           // relative distance below which balls are looked at
 constexpr float kTiny = 0.4F;           // share of the other body's size
 
 }  // namespace
@@ -143,8 +144,11 @@ void ExactCollisionChecker::do_closest_first(double distance, PairIndices& pairs
 std::optional<int> ExactCollisionChecker::do_first_collision(int hint) {
   std::vector<UndecidedPair>& undecided = scratch_->undecided;
   undecided.clear();
-  if (volumes_->broad_phase->bound(scratch_->placement, hint) < kTouch && touches_quickly(hint)) {
-    return hint;
+  if (volumes_->broad_phase->bound(scratch_->placement, hint) < kTouch) {
+    if (touches_quickly(hint) || (!undecided.empty() && touches_exactly(hint))) {
+      return hint;
+    }
+    undecided.clear();
   }
   do_near_pairs(kTouch, scratch_->near);
   std::ranges::reverse(scratch_->near);  // what stands still came last, and is hit most often
@@ -156,12 +160,15 @@ std::optional<int> ExactCollisionChecker::do_first_collision(int hint) {
   std::ranges::sort(undecided, {}, [](const UndecidedPair& candidate) {
     return std::pair(candidate.relative_distance, candidate.pair);
   });
-  const auto touching = std::ranges::find_if(undecided, [&](const UndecidedPair& candidate) {
-    const Proximity proximity = exact_proximity(candidate.pair, collision_distance(candidate.pair));
-    return proximity == Proximity::kCollision ||
-           (proximity == Proximity::kWithinTolerance && world().padding(candidate.pair) > 0.0);
-  });
+  const auto touching = std::ranges::find_if(
+      undecided, [&](const UndecidedPair& candidate) { return touches_exactly(candidate.pair); });
   return touching == undecided.end() ? std::nullopt : std::optional(touching->pair);
+}
+
+bool ExactCollisionChecker::touches_exactly(int pair) {
+  const Proximity proximity = exact_proximity(pair, collision_distance(pair));
+  return proximity == Proximity::kCollision ||
+         (proximity == Proximity::kWithinTolerance && world().padding(pair) > 0.0);
 }
 
 bool ExactCollisionChecker::touches_quickly(int pair) {
@@ -172,10 +179,26 @@ bool ExactCollisionChecker::touches_quickly(int pair) {
   }
   NarrowPhaseQuery surfaces = query(pair, body_poses());
   if (surfaces.may_be_nearer_than(distance)) {
+    if (surely_overlaps(pair, surfaces)) {
+      return true;
+    }
     scratch_->undecided.push_back({surfaces.relative_distance(), pair});
     return false;
   }
   return is_contained(pair, surfaces);
+}
+
+bool ExactCollisionChecker::surely_overlaps(int pair, const NarrowPhaseQuery& surfaces) const {
+  if (surfaces.relative_distance() >= kDeep) {
+    return false;
+  }
+  const int a = volumes_->pairs[static_cast<std::size_t>(pair)].a;
+  const BodySolids& body = *world().body(a).solids;
+  return !body.parts.empty() &&
+         std::ranges::any_of(
+             *volumes_->surfaces[static_cast<std::size_t>(a)]->balls, [&](const InnerBall& ball) {
+               return surfaces.cuts(ball) && body.contains(ball.centre.cast<double>());
+             });
 }
 
 double ExactCollisionChecker::root_bound(int pair) const {
@@ -238,8 +261,13 @@ bool ExactCollisionChecker::is_separated(int pair, double distance) {
 }
 
 Proximity ExactCollisionChecker::nearby_proximity(int pair, double tolerance) {
-  return is_separated(pair, std::max(tolerance, kTouch)) ? Proximity::kClear
-                                                         : exact_proximity(pair, tolerance);
+  if (is_separated(pair, std::max(tolerance, kTouch))) {
+    return Proximity::kClear;
+  }
+  NarrowPhaseQuery surfaces = query(pair, body_poses());
+  return surfaces.may_be_nearer_than(kTouch) && surely_overlaps(pair, surfaces)
+             ? Proximity::kCollision
+             : exact_proximity(pair, tolerance);
 }
 
 Proximity ExactCollisionChecker::exact_proximity(int pair, double tolerance) {
@@ -259,6 +287,10 @@ Proximity ExactCollisionChecker::exact_proximity(int pair, double tolerance) {
 }
 
 bool ExactCollisionChecker::is_contained(int pair, const NarrowPhaseQuery& surfaces) const {
+  if (surfaces.root_is_clear()) {
+    const int around = volumes_->pairs[static_cast<std::size_t>(pair)].b;
+    return world().body(around).solids->contains(surfaces.root_centre());
+  }
   return !surfaces.hulls_are_apart() && pair_is_contained(pair);
 }
 

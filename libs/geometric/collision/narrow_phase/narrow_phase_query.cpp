@@ -43,10 +43,13 @@ NarrowPhaseQuery::NarrowPhaseQuery(const Surface& a, const Surface& b, const Pos
 bool NarrowPhaseQuery::root_is_near() {
   const BoundingSphere& root = a_.cover.root();
   const Eigen::Vector3d centre = X_WA_ * root.centre.cast<double>() - X_WB_.translation();
-  const Eigen::Vector3f p_BRoot = (X_WB_.linear().transpose() * centre).cast<float>();
+  p_BRoot_ = X_WB_.linear().transpose() * centre;
+  const Eigen::Vector3f p_BRoot = p_BRoot_.cast<float>();
   const float rounding = kMoveRounding * p_BRoot.lpNorm<1>() + b_.field.rounding();
   const float bound = b_.field.bound(p_BRoot);
-  if (bound - root.radius - rounding >= reach_) {
+  const float least = bound - root.radius - rounding;
+  root_is_clear_ = least > 0.0F;
+  if (least >= reach_) {
     return false;
   }
   relative_distance_ = bound / root.radius;
@@ -108,6 +111,12 @@ DistanceRange NarrowPhaseQuery::distance(double enough, double share) {
 bool NarrowPhaseQuery::may_be_nearer_than(double tolerance) {
   start(tolerance);
   return root_is_near();
+}
+
+bool NarrowPhaseQuery::cuts(const InnerBall& ball) const {
+  const Eigen::Vector3d centre = X_BA_ * ball.centre.cast<double>();
+  return b_.field.bound(centre.cast<float>()) < ball.radius &&
+         b_.triangles->is_surely_nearer_than(centre, ball.radius);
 }
 
 Proximity NarrowPhaseQuery::proximity(double tolerance) {

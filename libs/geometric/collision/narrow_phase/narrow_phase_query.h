@@ -35,8 +35,18 @@ class NarrowPhaseQuery {
   /// may_be_nearer_than()
   [[nodiscard]] float relative_distance() const { return relative_distance_; }
 
+  /// Returns whether B's surface certainly cuts a ball inside A. @pre may_be_nearer_than()
+  [[nodiscard]] bool cuts(const InnerBall& ball) const;
+
   /// Returns whether the surfaces are closer than `tolerance` (m). "Touching" below kTouch.
   [[nodiscard]] Proximity proximity(double tolerance);
+
+  /// Returns whether the sphere around A was found clear of B's surface: then A is inside or
+  /// outside of each piece of B as a whole, as the sphere's centre is, and B is not inside A.
+  [[nodiscard]] bool root_is_clear() const { return root_is_clear_; }
+
+  /// The centre of A's sphere in B's frame, m. @pre root_is_clear()
+  [[nodiscard]] const Eigen::Vector3d& root_centre() const { return p_BRoot_; }
 
   /// Returns whether the hulls are known to be separated, so that neither body is in the other.
   [[nodiscard]] bool hulls_are_apart() const { return hull_gap_ > 0.0; }
@@ -71,6 +81,8 @@ class NarrowPhaseQuery {
   const Pose& X_WA_;
   const Pose& X_WB_;
   bool placed_ = false;
+  bool root_is_clear_ = false;
+  Eigen::Vector3d p_BRoot_;
   Pose X_BA_;
   FloatPose moves_;
   double least_ = 0.0;    ///< The least distance known so far, or the limit.

@@ -227,9 +227,12 @@ class TriangleTreeBuilder {
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) { TriangleTreeBuilder(*this, mesh).build(); }
 
+float TriangleTree::rounding(const Eigen::Vector3d& p, double distance) const {
+  return kTreeRounding * (size_ + static_cast<float>(distance + p.lpNorm<1>()));
+}
+
 float TriangleTree::reach(const Eigen::Vector3d& p, double distance) const {
-  return static_cast<float>(distance) +
-         kTreeRounding * (size_ + static_cast<float>(distance + p.lpNorm<1>()));
+  return static_cast<float>(distance) + rounding(p, distance);
 }
 
 HANDWAY_VECTOR_UNITS std::uint32_t TriangleTree::near_boxes(const Node& node,
@@ -291,15 +294,22 @@ float TriangleTree::distance(const Eigen::Vector3f& p, float within) const {
   return within;
 }
 
-bool TriangleTree::is_nearer_than(const Eigen::Vector3d& p, double distance) const {
-  const float within = reach(p, distance);
-  const Eigen::Vector3f point = p.cast<float>();
+bool TriangleTree::has_triangle_within(const Eigen::Vector3f& p, float distance) const {
   bool found = false;
-  visit_near(point, within, [&](const Leaf& leaf) {
-    found = leaf.block.distance(point) < within;
+  visit_near(p, distance, [&](const Leaf& leaf) {
+    found = leaf.block.distance(p) < distance;
     return found;
   });
   return found;
+}
+
+bool TriangleTree::is_nearer_than(const Eigen::Vector3d& p, double distance) const {
+  return has_triangle_within(p.cast<float>(), reach(p, distance));
+}
+
+bool TriangleTree::is_surely_nearer_than(const Eigen::Vector3d& p, double distance) const {
+  const float within = static_cast<float>(distance) - rounding(p, distance);
+  return within > 0.0F && has_triangle_within(p.cast<float>(), within);
 }
 
 void TriangleTree::append_within(const Eigen::Vector3d& p, double distance,

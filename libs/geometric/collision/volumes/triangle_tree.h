@@ -74,6 +74,9 @@ class TriangleTree {
   /// Returns whether a triangle is nearer to `p` (m, in the mesh's frame) than `distance` (m).
   [[nodiscard]] bool is_nearer_than(const Eigen::Vector3d& p, double distance) const;
 
+  /// Returns whether a triangle is nearer than that whatever the rounding; false if undecided.
+  [[nodiscard]] bool is_surely_nearer_than(const Eigen::Vector3d& p, double distance) const;
+
   /// Distance (m) of `p` from the nearest triangle, up to single precision; `within` (m) if none is
   /// nearer.
   [[nodiscard]] float distance(const Eigen::Vector3f& p, float within) const;
@@ -105,6 +108,9 @@ class TriangleTree {
   void visit_near(const Eigen::Vector3f& p, const float& distance, const Visit& visit) const;
   /// `distance`, and what roundings may be off by.
   [[nodiscard]] float reach(const Eigen::Vector3d& p, double distance) const;
+  /// Bound of the rounding of a distance (m) up to that one.
+  [[nodiscard]] float rounding(const Eigen::Vector3d& p, double distance) const;
+  [[nodiscard]] bool has_triangle_within(const Eigen::Vector3f& p, float distance) const;
   static std::uint32_t near_boxes(const Node& node, const Eigen::Vector3f& p, float distance,
                                   std::array<float, kWidth>& squared);
 

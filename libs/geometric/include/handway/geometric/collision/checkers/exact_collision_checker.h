@@ -70,6 +70,10 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   /// Returns whether the pair certainly touches; if that takes more than the quick test, the pair
   /// joins the undecided pairs.
   [[nodiscard]] bool touches_quickly(int pair);
+  /// Returns whether one body's surface certainly cuts one of a few balls inside the other.
+  [[nodiscard]] bool surely_overlaps(int pair, const NarrowPhaseQuery& surfaces) const;
+  /// Returns whether the pair collides, by its triangles where they matter.
+  [[nodiscard]] bool touches_exactly(int pair);
 
   /// A lower bound from the pair's table of distances, if it has one; else 0.
   [[nodiscard]] double cached_distance(int pair);
