@@ -43,9 +43,16 @@ function(_handway_install_program name)
   install(TARGETS ${name} RUNTIME DESTINATION bin COMPONENT programs)
 endfunction()
 
+# _handway_install_plugin(NAME [FOLDER]): in that folder beside the plugins, or with them.
 function(_handway_install_plugin name)
-  _handway_find_libraries_at(${name} "$ORIGIN/..")
-  install(TARGETS ${name} LIBRARY DESTINATION lib/handway-plugins COMPONENT plugins)
+  set(folder lib/handway-plugins)
+  set(libraries "$ORIGIN/..")
+  if(ARGC GREATER 1)
+    string(APPEND folder /${ARGV1})
+    string(APPEND libraries /..)
+  endif()
+  _handway_find_libraries_at(${name} "${libraries}")
+  install(TARGETS ${name} LIBRARY DESTINATION ${folder} COMPONENT plugins)
 endfunction()
 
 # Robots, objects, bases and scenes, and the package that find_package(Handway) reads.

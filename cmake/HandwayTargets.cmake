@@ -82,6 +82,20 @@ function(handway_plugin name)
   endif()
 endfunction()
 
+# handway_plugin_part(NAME PLUGIN P LIBRARY L): a library that the plugin P loads itself, when it needs it, from
+# the folder P beside it.
+function(handway_plugin_part name)
+  cmake_parse_arguments(ARG "" "PLUGIN;LIBRARY" "" ${ARGN})
+  add_library(${name} MODULE $<TARGET_OBJECTS:${ARG_LIBRARY}>)
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARY})
+  set_target_properties(
+    ${name}
+    PROPERTIES LINKER_LANGUAGE CXX
+               PREFIX ""
+               LIBRARY_OUTPUT_DIRECTORY "${HANDWAY_PLUGIN_DIRECTORY}/${ARG_PLUGIN}")
+  _handway_install_plugin(${name} ${ARG_PLUGIN})
+endfunction()
+
 # handway_benchmark(NAME SOURCES … LINK …): a program in bin/ that is not installed.
 function(handway_benchmark name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})

@@ -1,13 +1,10 @@
 #include "sdf_reader.h"
 
 #include "handway/geometric/formats/mesh_reader.h"
-#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
-#include "handway/geometric/io/text_file.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/base_joint.h"
-#include "handway/planning/extensions/plugin.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -460,22 +457,11 @@ class Reader {
 
 }  // namespace
 
-bool is_sdf_file(const fs::path& file) {
-  const bool is_other =
-      geometric::has_extension(file, ".world") || geometric::has_extension(file, ".xml");
-  if (!is_other) {
-    return geometric::has_extension(file, ".sdf");
-  }
-  return geometric::head_of(file).find("<sdf") != std::string::npos;
-}
-
 RobotDescription read_sdf(const fs::path& file) { return Reader(file).read(); }
 
 }  // namespace handway::import_sdf
 
-HANDWAY_PLUGIN({.name = "import_sdf",
-                .version = HANDWAY_VERSION,
-                .make_robot_readers = []() -> std::vector<handway::geometric::RobotReader> {
-                  return {{"an SDF model (.sdf)", handway::import_sdf::is_sdf_file,
-                           handway::import_sdf::read_sdf}};
-                }});
+extern "C" __attribute__((visibility("default"))) void handway_read_sdf(
+    const std::filesystem::path& file, handway::geometric::RobotDescription& robot) {
+  robot = handway::import_sdf::read_sdf(file);
+}

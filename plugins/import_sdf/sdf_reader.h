@@ -6,9 +6,6 @@
 
 namespace handway::import_sdf {
 
-/// Returns whether the file's name ends in .sdf, or in .world or .xml with <sdf near its beginning.
-[[nodiscard]] bool is_sdf_file(const std::filesystem::path& file);
-
 /// Reads a robot from an SDF file (http://sdformat.org/spec?ver=1.9) by libsdformat: its model, or
 /// the one with the most joints of a world; models in it by their scoped names (`hand::palm`).
 ///

@@ -95,10 +95,9 @@ struct ReadMesh {
   double largest = 0.0;  ///< See ImportedMesh.
 };
 
-constexpr int kRevision = 1;                     // to change with what is made of a file
-constexpr std::uintmax_t kLargeFile = 1U << 20;  // bytes: smaller ones are soon read
+constexpr int kRevision = 1;  // to change with what is made of a file
 
-// The content of a large file that refers to no other file.
+// The content of a file that refers to no other file.
 std::optional<std::string> worth_remembering(const fs::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
@@ -106,7 +105,7 @@ std::optional<std::string> worth_remembering(const fs::path& file) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(file, error);
   const bool is_whole = ending == ".stl" || ending == ".ply" || ending == ".obj";
-  if (error || size < kLargeFile || size > DiskCache::kBudget || !is_whole) {
+  if (error || size > DiskCache::kBudget || !is_whole) {
     return std::nullopt;
   }
   std::string content(size, '\0');
@@ -207,7 +206,7 @@ class MeshSource {
     }
   }
 
-  // Cleaned mesh. A large file that needs no other is read once for all uniform scales.
+  // Cleaned mesh. A file that needs no other is read once for all uniform scales.
   [[nodiscard]] ReadMesh read_or_remember() const {
     const std::optional<std::string> content = worth_remembering(file_);
     if (!content) {
