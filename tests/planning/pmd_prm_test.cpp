@@ -73,6 +73,17 @@ TEST(PmdPrm, GrowsTheCorridorWithoutLimitAsPrinted) {
   EXPECT_DOUBLE_EQ(shipped->plan(test::walled_in_problem(), {}).statistics.final_rho_a, 0.05);
 }
 
+TEST(PmdPrm, GrowsTheCorridorByEqualStepsAsTheAuthorsProgram) {
+  const auto linear = planner_as_printed();
+  linear->set_parameter("growth", "linear");
+  linear->set_parameter("max_samples", "20000");
+  const PlanStatistics statistics = linear->plan(test::walled_in_problem(), {}).statistics;
+  EXPECT_GT(statistics.passes, 2U);
+  EXPECT_DOUBLE_EQ(statistics.final_rho_a, static_cast<double>(statistics.passes) * 0.001);
+  EXPECT_THAT(departures(linear->parameters()),
+              ElementsAre(testing::Field(&geometric::Parameter::key, "growth")));
+}
+
 TEST(PmdPrm, ChecksNAtTheEndOfEachPassAsPrinted) {
   const auto printed = planner_as_printed();
   printed->set_parameter("max_samples", "100");

@@ -31,11 +31,18 @@ enum class SampleLimit {
   kEachPass,   ///< At the end of a pass, failed trials alone, as printed (Algorithm 4).
 };
 
+/// The growth of ρ_a from pass to pass; k counts the passes from 1.
+enum class RhoGrowth {
+  kFactorial,  ///< ρ_a ← k ρ_a, as printed (Algorithm 4).
+  kLinear,     ///< k times the initial ρ_a, as in the authors' program.
+};
+
 /// Symbols are the paper's (sections 5 and 7, Table 3), where good results are reported for ρ_a
 /// between 0.001 and 0.05.
 struct PmdPrmSettings {
   double rho_a = 0.001;
   double rho_max = 0.05;
+  int growth = static_cast<int>(RhoGrowth::kFactorial);
   bool fill_gaps = true;
   int n_checked = static_cast<int>(SampleLimit::kEachTrial);
   int smoothing = static_cast<int>(SmoothingEdges::kForwards);
@@ -81,7 +88,7 @@ class RoadmapSearch {
   void run(PlanResult& result) {
     double rho = settings_.rho_a;
     for (int k = 1;; ++k) {
-      rho = std::min(k * rho, largest_rho_);
+      rho = std::min(grown(rho, k), largest_rho_);
       statistics().final_rho_a = rho;
       ++statistics().passes;
       notify({.line = lines::kWiden, .rho_a = rho});
@@ -111,6 +118,12 @@ class RoadmapSearch {
     if (watcher_) {
       watcher_->on_step(step);
     }
+  }
+
+  // ρ_a of pass `k`, from that of the pass before.
+  [[nodiscard]] double grown(double rho, int k) const {
+    return k *
+           (static_cast<RhoGrowth>(settings_.growth) == RhoGrowth::kLinear ? settings_.rho_a : rho);
   }
 
   // Remaining budget N for the trials of one arm configuration.
@@ -414,6 +427,10 @@ class PmdPrm final : public BuiltInPlanner {
         {"rho_max", "Largest ρₐ", "",
          "Largest half-width of the corridor. 0: no limit, as in the paper.", &settings_.rho_max,
          0.0, 0.5, "0"},
+        {"growth", "Growth of ρₐ", "",
+         "Growth of ρₐ with the number k of the pass. factorial: times k, as in the paper; linear: "
+         "k times the initial one, as in the authors' program.",
+         geometric::BoundChoice{&settings_.growth, {"factorial", "linear"}}, 0.0, 0.0, "factorial"},
         {"fill_gaps", "Fill gaps", "",
          "Sample the middle of the search range if no hypercube lies in it. The paper does not.",
          &settings_.fill_gaps, 0.0, 0.0, "false"},
