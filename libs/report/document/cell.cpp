@@ -86,11 +86,12 @@ std::string Cell::text() const { return std::visit(ForReaders(), value_); }
 std::string Cell::field() const { return std::visit(ForPrograms(), value_); }
 
 std::string number_text(const Number& number) {
-  std::string text = rounded(number.value, number);
-  if (std::isfinite(number.value) && !number.unit.empty()) {
-    text += ' ' + number.unit;
+  const std::string text = rounded(number.value, number);
+  if (!std::isfinite(number.value)) {
+    return text;
   }
-  return text;
+  return number.unit.empty() ? number.prefix + text
+                             : fmt::format("{}{} {}", number.prefix, text, number.unit);
 }
 
 std::string time_text(double seconds) {

@@ -15,15 +15,11 @@ namespace {
 constexpr double kLargestDrawn = 1e100;
 constexpr int kMostDecades = 9;
 
-// The least step of 1, 2 or 5 times a power of ten that is not below `least`.
-double round_step(double least) {
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least * (1.0 - 1e-9)) {
-      return factor * power;
-    }
-  }
-  return 10.0 * power;
+// The step of 1, 2 or 5 times a power of ten that is nearest to `step`.
+double round_step(double step) {
+  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  const double part = step / power;
+  return power * (part < 1.5 ? 1.0 : part < 3.5 ? 2.0 : part < 7.5 ? 5.0 : 10.0);
 }
 
 std::string with_minus(std::string text) {
@@ -56,7 +52,7 @@ bool is_drawn(double value) { return std::isfinite(value) && std::abs(value) <= 
 
 std::string axis_title(const Axis& axis) { return Column(axis.title, axis.unit).heading(); }
 
-AxisScale::AxisScale(const Axis& axis, const std::vector<double>& values, int most_ticks)
+AxisScale::AxisScale(const Axis& axis, const std::vector<double>& values, int ticks)
     : is_logarithmic_(axis.is_logarithmic) {
   if (is_logarithmic_) {
     make_logarithmic(axis, values);
@@ -74,10 +70,10 @@ AxisScale::AxisScale(const Axis& axis, const std::vector<double>& values, int mo
     least = 0.0;
     most = 1.0;
   }
-  make_linear(axis, least, most, most_ticks);
+  make_linear(axis, least, most, ticks);
 }
 
-void AxisScale::make_linear(const Axis& axis, double least, double most, int most_ticks) {
+void AxisScale::make_linear(const Axis& axis, double least, double most, int ticks) {
   if (is_drawn(axis.least)) {
     least = axis.least;
     most = std::max(most, least);
@@ -92,7 +88,7 @@ void AxisScale::make_linear(const Axis& axis, double least, double most, int mos
     least -= around;
     most += around;
   }
-  double step = round_step((most - least) / std::max(1, most_ticks));
+  double step = round_step((most - least) / std::max(1, ticks));
   if (axis.is_whole) {
     step = std::max(step, 1.0);
   }

@@ -25,8 +25,8 @@ class AxisScale {
   };
 
   /// @param values on the axis; those without a place are ignored.
-  /// @param most_ticks of a linear scale.
-  AxisScale(const Axis& axis, const std::vector<double>& values, int most_ticks);
+  /// @param ticks of a linear scale, about.
+  AxisScale(const Axis& axis, const std::vector<double>& values, int ticks);
 
   /// Sets the pixels of the lower and the upper end.
   void place(double begin, double end);
@@ -40,7 +40,7 @@ class AxisScale {
   [[nodiscard]] double label_width() const;
 
  private:
-  void make_linear(const Axis& axis, double least, double most, int most_ticks);
+  void make_linear(const Axis& axis, double least, double most, int ticks);
   void make_logarithmic(const Axis& axis, const std::vector<double>& values);
 
   bool is_logarithmic_;

@@ -12,7 +12,7 @@ constexpr double kBoxRow = 26.0;
 constexpr double kHalfBox = 8.0;
 constexpr double kBoxGap = 8.0;
 constexpr double kMostLabel = 0.4;  // of the width
-constexpr double kBoxTick = 60.0;
+constexpr double kBoxTick = 80.0;
 
 bool has_box(const Box& box) {
   return is_drawn(box.lower_whisker) && is_drawn(box.lower_quartile) && is_drawn(box.median) &&

@@ -15,8 +15,8 @@ constexpr double kHeightToWidth = 0.55;  // of the plane
 constexpr double kLeastHeight = 120.0;
 constexpr double kMostHeight = 280.0;
 constexpr double kTickGap = 6.0;    // between the plane and its labels
-constexpr double kTickRoom = 70.0;  // for a label across
-constexpr double kTickLine = 32.0;  // for a label upwards
+constexpr double kTickRoom = 90.0;  // for a label across
+constexpr double kTickLine = 40.0;  // for a label upwards
 constexpr double kLegendSample = 26.0;
 constexpr double kHalfBar = 0.3;
 
@@ -270,9 +270,9 @@ Drawing draw(const XyPlot& plot, double width) {
   AxisScale y(plot.y, extents.y, static_cast<int>(height / kTickLine));
   const double left = kPlotRoom + kLineHeight + y.label_width() + kTickGap;
   AxisScale x(plot.x, extents.x,
-              static_cast<int>((width - left) / (plot.x.is_whole ? kTickRoom / 2.0 : kTickRoom)));
+              static_cast<int>((width - left) / (plot.x.is_whole ? 0.5 : 1.0) / kTickRoom));
   const double half_label = x.ticks().empty() ? 0.0 : text_width(x.ticks().back().label) / 2.0;
-  const Area plane{left, top, width - std::max(kPlotRoom, half_label), top + height};
+  const Area plane{left, top, width - kPlotRoom - half_label, top + height};
   x.place(plane.left, plane.right);
   y.place(plane.bottom, plane.top);
   const XyPainter painter(x, y, plane);

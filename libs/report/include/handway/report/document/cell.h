@@ -24,9 +24,10 @@ enum class Digits {
 struct Number {
   double value = std::numeric_limits<double>::quiet_NaN();
   Digits digits = Digits::kFour;
-  int decimals = 0;       ///< Of Digits::kFixed.
-  std::string unit = {};  ///< Written behind the number, for columns without a unit.
-  bool has_plus = false;  ///< Positive numbers have a sign, too.
+  int decimals = 0;         ///< Of Digits::kFixed.
+  std::string unit = {};    ///< Written behind the number, for columns without a unit.
+  std::string prefix = {};  ///< Written before the number, such as "< ".
+  bool has_plus = false;    ///< Positive numbers have a sign, too.
 };
 
 /// Returns a number with a fixed number of decimals.

@@ -32,8 +32,8 @@ enum class Mark {
 struct Series {
   std::string label;  ///< In the legend; empty: not listed there.
   Mark mark = Mark::kLine;
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x = {};
+  std::vector<double> y = {};
   std::vector<double> low = {};         ///< Lower ends of a band about the line; empty: none.
   std::vector<double> high = {};        ///< Upper ends of the band.
   std::vector<std::string> notes = {};  ///< Texts beside the first points; may be empty.
