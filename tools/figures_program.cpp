@@ -50,7 +50,7 @@ fs::path figures_program() {
 void draw_pictures(const fs::path& source) {
   const fs::path program = figures_program();
   if (!fs::exists(program)) {
-    throw InputError({"pictures", "", "no program " + program.string(),
+    throw InputError({"handway-figures", "", "no program " + program.string(),
                       "this program, which draws the pictures",
                       "Build or install the workbench; the data are in " + source.string()});
   }
@@ -62,12 +62,13 @@ void draw_pictures(const fs::path& source) {
   command.insert(command.end(), {program.string(), source.string()});
   const int exit_code = run(command);
   if (exit_code == kNotFound && !display) {
-    throw InputError({"pictures", "", "neither a display nor xvfb-run", "one of them",
+    throw InputError({"handway-figures", "", "neither a display nor xvfb-run", "one of them",
                       "Install the package xvfb; the data are in " + source.string()});
   }
   if (exit_code != 0) {
-    throw InputError({"pictures", "", fmt::format("exit code {} of {}", exit_code, command.front()),
-                      "pictures", "The data are in " + source.string()});
+    throw InputError({"handway-figures", "",
+                      fmt::format("exit code {} of {}", exit_code, command.front()), "pictures",
+                      "The data are in " + source.string()});
   }
 }
 

@@ -127,7 +127,8 @@ Drawing draw(const HeatMap& map, double /*width*/) {
   std::string svg;
   for (std::size_t i = 0; i < std::min(map.tiles.size(), rows * columns); ++i) {
     const double x = left + kTileWidth * static_cast<double>(i % columns);
-    const double y = bottom - kTileHeight * static_cast<double>(i / columns + 1);
+    const std::size_t row = i / columns + 1;
+    const double y = bottom - kTileHeight * static_cast<double>(row);
     svg += tile_svg(map.tiles[i], colors, {x, y, x + kTileWidth, y + kTileHeight});
   }
   if (colors.has_times()) {

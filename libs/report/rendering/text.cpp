@@ -82,6 +82,7 @@ std::string TextTable::line(const std::vector<std::string>& texts) const {
 
 std::string TextTable::header() const {
   std::vector<std::string> texts;
+  texts.reserve(layout_.size());
   for (const Layout& column : layout_) {
     texts.push_back(column.column.heading());
   }
@@ -90,6 +91,7 @@ std::string TextTable::header() const {
 
 std::string TextTable::row(const std::vector<Cell>& cells) const {
   std::vector<std::string> texts;
+  texts.reserve(cells.size());
   for (const Cell& cell : cells) {
     texts.push_back(cell.text());
   }

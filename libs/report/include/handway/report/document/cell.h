@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 /// @file
@@ -50,6 +51,7 @@ struct Estimate {
 class HANDWAY_REPORT_EXPORT Cell {
  public:
   Cell() = default;
+  // NOLINTBEGIN(google-explicit-constructor): rows are lists of values.
   Cell(std::string text) : value_(std::move(text)) {}
   Cell(std::string_view text) : value_(std::string(text)) {}
   Cell(const char* text) : value_(std::string(text)) {}
@@ -58,6 +60,7 @@ class HANDWAY_REPORT_EXPORT Cell {
   Cell(double value) : value_(Number{.value = value}) {}
   Cell(Number number) : value_(std::move(number)) {}
   Cell(Estimate estimate) : value_(std::move(estimate)) {}
+  // NOLINTEND(google-explicit-constructor)
 
   /// Returns false for texts.
   [[nodiscard]] bool is_number() const { return value_.index() != 0; }

@@ -20,7 +20,7 @@ struct Paragraph {
   std::string text;
 };
 
-using Part = std::variant<Heading, Paragraph, Table, Figure, Picture>;
+using Part = std::variant<Heading, Paragraph, Table, Figure, Picture>;  ///< Part of a document.
 
 /// A report as data: `rendering/` writes it as plain text, Markdown and HTML.
 using Document = std::vector<Part>;

@@ -80,7 +80,7 @@ struct HeatMap {
   std::vector<Tile> tiles;  ///< Index of y · size of x_values + x, all of them.
 };
 
-using Plot = std::variant<XyPlot, BoxPlot, HeatMap>;
+using Plot = std::variant<XyPlot, BoxPlot, HeatMap>;  ///< A plot of any kind.
 
 /// A figure of one or several plots, row by row.
 struct Figure {

@@ -3,7 +3,6 @@
 #include "handway/report/document/cell.h"
 #include "handway/report/export.h"
 
-#include <concepts>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -13,9 +12,11 @@ namespace handway::report {
 
 /// Column of a table.
 struct HANDWAY_REPORT_EXPORT Column {
-  template <std::convertible_to<std::string> Text>
-  Column(Text&& title_, std::string unit_ = {})
-      : title(std::forward<Text>(title_)), unit(std::move(unit_)) {}
+  // NOLINTBEGIN(google-explicit-constructor): headers are lists of titles.
+  Column(const char* name, std::string its_unit = {}) : title(name), unit(std::move(its_unit)) {}
+  Column(std::string name, std::string its_unit = {})
+      : title(std::move(name)), unit(std::move(its_unit)) {}
+  // NOLINTEND(google-explicit-constructor)
 
   std::string title;
   std::string unit;  ///< Unit of all its numbers; may be empty.
