@@ -46,11 +46,32 @@ std::string paragraph_html(const Paragraph& paragraph) {
   return fmt::format("<p>{}</p>\n", html_escaped(paragraph.text));
 }
 
-// Rows of a table. @param text, number attributes of cells.
-std::string rows_html(const Table& table, const char* text, const char* number) {
+std::string cell_html(const Cell& cell) { return html_escaped(cell.text()); }
+
+// For narrow tables: short intervals.
+std::string narrow_cell_html(const Cell& cell) {
+  std::string html = cell_html(cell);
+  if (!cell.is_number()) {
+    return html;
+  }
+  if (const std::size_t to = html.find(" to "); to != std::string::npos) {
+    html.replace(to, 4, "–");
+  }
+  return html;
+}
+
+/// Attributes of cells, and their content.
+struct TableStyle {
+  const char* text;
+  const char* number;
+  const char* number_heading;
+  std::string (*content)(const Cell& cell);
+};
+
+std::string rows_html(const Table& table, const TableStyle& style) {
   std::string html = "<tr>";
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    html += fmt::format("<th{}>{}</th>", table.is_numeric(i) ? number : text,
+    html += fmt::format("<th{}>{}</th>", table.is_numeric(i) ? style.number_heading : style.text,
                         html_escaped(table.columns[i].heading()));
   }
   html += "</tr>\n";
@@ -58,13 +79,19 @@ std::string rows_html(const Table& table, const char* text, const char* number) 
     html += "<tr>";
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const Cell cell = i < row.size() ? row[i] : Cell();
-      html += fmt::format("<td{}>{}</td>", cell.is_number() || table.is_numeric(i) ? number : text,
-                          html_escaped(cell.text()));
+      const bool is_number = cell.is_number() || table.is_numeric(i);
+      html +=
+          fmt::format("<td{}>{}</td>", is_number ? style.number : style.text, style.content(cell));
     }
     html += "</tr>\n";
   }
   return html;
 }
+
+constexpr TableStyle kPageTables = {" class=\"text\"", "", "", cell_html};
+constexpr TableStyle kNarrowTables = {" align=\"left\"",
+                                      " align=\"right\" style=\"white-space:nowrap\"",
+                                      " align=\"right\"", narrow_cell_html};
 
 class HtmlWriter {
  public:
@@ -73,7 +100,7 @@ class HtmlWriter {
   std::string operator()(const Heading& heading) const { return heading_html(heading); }
   std::string operator()(const Paragraph& paragraph) const { return paragraph_html(paragraph); }
   std::string operator()(const Table& table) const {
-    return "<table>\n" + rows_html(table, " class=\"text\"", "") + "</table>\n";
+    return "<table>\n" + rows_html(table, kPageTables) + "</table>\n";
   }
   std::string operator()(const Figure& figure) const {
     return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", to_svg(figure),
@@ -102,11 +129,13 @@ class HtmlWriter {
 };
 
 struct RichTextWriter {
-  std::string operator()(const Heading& heading) const { return heading_html(heading); }
+  std::string operator()(const Heading& heading) const {
+    return fmt::format("<p><b>{}</b></p>\n", html_escaped(heading.text));
+  }
   std::string operator()(const Paragraph& paragraph) const { return paragraph_html(paragraph); }
   std::string operator()(const Table& table) const {
-    return "<table cellspacing=\"0\" cellpadding=\"2\">\n" +
-           rows_html(table, " align=\"left\"", " align=\"right\"") + "</table>\n";
+    return "<table cellspacing=\"0\" cellpadding=\"2\">\n" + rows_html(table, kNarrowTables) +
+           "</table>\n";
   }
   std::string operator()(const Figure& figure) const { return paragraph_html({figure.caption}); }
   std::string operator()(const Picture& picture) const { return paragraph_html({picture.caption}); }

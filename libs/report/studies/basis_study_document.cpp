@@ -58,7 +58,7 @@ void add_stability(Document& document, const BasisStudy& study) {
   for (const sampling::BasisStability& stability : study.stability) {
     std::vector<Cell> row = {fixed(stability.seconds, 1)};
     for (const sampling::Interval& angle : stability.angles) {
-      row.emplace_back(estimate(angle, kDegree, 1));
+      row.emplace_back(estimate(angle, kDegree, 0));
     }
     table.rows.push_back(std::move(row));
   }

@@ -87,9 +87,12 @@ TEST(ReportAsHtml, ContainsPictures) {
               HasSubstr("<img src=\"none.png\""));
 }
 
-TEST(ReportAsRichText, AlignsCellsByAttributes) {
+TEST(ReportAsRichText, AlignsCellsByAttributesAndKeepsNumbersInOneLine) {
   EXPECT_THAT(report::to_rich_text({planners()}),
-              AllOf(HasSubstr("<td align=\"right\">0.500</td>"), Not(HasSubstr("class"))));
+              AllOf(HasSubstr("<td align=\"right\" style=\"white-space:nowrap\">0.500</td>"),
+                    Not(HasSubstr("class"))));
+  const Table shares{{"share"}, {{report::Estimate{report::percent(0.98), 95.0, 99.2}}}};
+  EXPECT_THAT(report::to_rich_text({shares}), HasSubstr(">98.0 % (95.0–99.2)</td>"));
 }
 
 TEST(ReportAsCsv, HasAllDigitsAndEmptyCells) {

@@ -24,12 +24,12 @@ sampling::BasisStudy small_study() {
 
 TEST(BasisStudyDocument, AnswersTheQuestionsInMillimetresAndDegrees) {
   const std::string text = report::to_text(report::basis_study_document(small_study(), 0.95));
-  EXPECT_THAT(text,
-              AllOf(HasSubstr("not used for the basis, mm (95 % confidence)"),
-                    HasSubstr("Enough for 10 mm: 1 PMDs; for 5 mm: 1 PMDs; for 2 mm: all PMDs "
-                              "are not enough."),
-                    HasSubstr("20.0 (18.0 to 22.0)"), HasSubstr("5.0 (1.0 to 9.0)"),
-                    Not(HasSubstr("Persons"))));
+  EXPECT_THAT(
+      text,
+      AllOf(HasSubstr("not used for the basis, mm (95 % confidence)"),
+            HasSubstr("Enough for 10 mm: 1 PMDs; for 5 mm: 1 PMDs; for 2 mm: all PMDs "
+                      "are not enough."),
+            HasSubstr("20.0 (18.0 to 22.0)"), HasSubstr("5 (1 to 9)"), Not(HasSubstr("Persons"))));
 }
 
 TEST(BasisStudyDocument, ComparesPersons) {
