@@ -1,9 +1,9 @@
 #include "bench_report.h"
 
 #include "handway/geometric/math/units.h"
+#include "handway/report/rendering/csv.h"
 #include "plan_report.h"
 #include "printing.h"
-#include "report_document.h"
 #include "version.h"
 
 #include <fmt/format.h>
@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 namespace handway::tools {
 namespace {
@@ -130,34 +132,37 @@ Json variants_of(const BenchSettings& settings, const VariantBench& bench) {
           {"variants", variants}};
 }
 
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format(",{:.9g}", value) : std::string(",");
+std::vector<report::Cell> scene_cells(const SceneBench& scene) {
+  return {scene.name(),
+          scene.load_s,
+          scene.memory,
+          scene.collision.fast.configuration_us,
+          scene.collision.fcl.configuration_us,
+          scene.collision.fcl_broadphase_configuration_us,
+          scene.collision.fast.edge_us,
+          scene.collision.fcl.edge_us};
 }
 
-std::string scene_cells(const SceneBench& scene) {
-  std::string cells;
-  for (const double value :
-       {scene.load_s, static_cast<double>(scene.memory), scene.collision.fast.configuration_us,
-        scene.collision.fcl.configuration_us, scene.collision.fcl_broadphase_configuration_us,
-        scene.collision.fast.edge_us, scene.collision.fcl.edge_us}) {
-    cells += cell(value);
-  }
-  return cells;
-}
-
-std::string plan_cells(const BenchSettings& settings, const SceneBench& scene, std::size_t i) {
+std::vector<report::Cell> plan_cells(const BenchSettings& settings, const SceneBench& scene,
+                                     std::size_t i) {
   const PlanBench& bench = scene.plans[i];
-  std::string cells =
-      fmt::format(",{},{},{},{:.9g},{},{},{}", bench.planner, bench.checker, settings.threads,
-                  settings.time_limit_s, bench.results.size(), solved_count(bench),
-                  settings.check_paths ? fmt::to_string(faulty_count(bench)) : "");
-  for (const double value :
-       {time_quantile(bench, 0.5), time_quantile(bench, 0.95), time_quantile(bench, 0.99),
-        time_ratio(scene, i), median_samples(bench), median_checks(bench), median_path_nodes(bench),
-        median_length(bench), median_to_subspace(bench), static_cast<double>(bench.memory)}) {
-    cells += cell(value);
-  }
-  return cells;
+  return {bench.planner,
+          bench.checker,
+          settings.threads,
+          settings.time_limit_s,
+          bench.results.size(),
+          solved_count(bench),
+          settings.check_paths ? report::Cell(faulty_count(bench)) : report::Cell(),
+          time_quantile(bench, 0.5),
+          time_quantile(bench, 0.95),
+          time_quantile(bench, 0.99),
+          time_ratio(scene, i),
+          median_samples(bench),
+          median_checks(bench),
+          median_path_nodes(bench),
+          median_length(bench),
+          median_to_subspace(bench),
+          bench.memory};
 }
 
 }  // namespace
@@ -167,22 +172,44 @@ double time_ratio(const SceneBench& scene, std::size_t i) {
 }
 
 std::string bench_csv(const BenchSettings& settings, const std::vector<SceneBench>& scenes) {
-  std::string csv =
-      "scene,load_s,load_memory_bytes,configuration_us,configuration_fcl_us,"
-      "configuration_fcl_broadphase_us,edge_us,edge_fcl_us,"
-      "planner,checker,threads,time_limit_s,runs,solved,paths_with_faults,median_s,p95_s,p99_s,"
-      "ratio,samples,checks,"
-      "path_nodes,length,to_subspace,memory_bytes\n";
+  report::Table table{{"scene",
+                       "load_s",
+                       "load_memory_bytes",
+                       "configuration_us",
+                       "configuration_fcl_us",
+                       "configuration_fcl_broadphase_us",
+                       "edge_us",
+                       "edge_fcl_us",
+                       "planner",
+                       "checker",
+                       "threads",
+                       "time_limit_s",
+                       "runs",
+                       "solved",
+                       "paths_with_faults",
+                       "median_s",
+                       "p95_s",
+                       "p99_s",
+                       "ratio",
+                       "samples",
+                       "checks",
+                       "path_nodes",
+                       "length",
+                       "to_subspace",
+                       "memory_bytes"}};
   for (const SceneBench& scene : scenes) {
-    const std::string begin = fmt::format("{}{}", csv_field(scene.name()), scene_cells(scene));
     if (scene.plans.empty()) {
-      csv += fmt::format("{}{:,>17}\n", begin, "");
+      table.rows.push_back(scene_cells(scene));
     }
     for (std::size_t i = 0; i < scene.plans.size(); ++i) {
-      csv += fmt::format("{}{}\n", begin, plan_cells(settings, scene, i));
+      std::vector<report::Cell> row = scene_cells(scene);
+      for (report::Cell& cell : plan_cells(settings, scene, i)) {
+        row.push_back(std::move(cell));
+      }
+      table.rows.push_back(std::move(row));
     }
   }
-  return csv;
+  return report::to_csv(table);
 }
 
 std::string bench_json(const BenchSettings& settings, const std::vector<SceneBench>& scenes) {
@@ -228,49 +255,101 @@ namespace {
 
 constexpr double kMega = 1e6;
 
-// Three significant digits or a whole number; "-" for missing values.
-std::string shown(double value) {
-  if (!std::isfinite(value)) {
-    return "-";
-  }
-  return std::abs(value) < 100.0 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+// Three significant digits or a whole number; "-" for missing and infinite values.
+report::Number shown(double value) {
+  return {.value = std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN(),
+          .digits = report::Digits::kThree};
 }
 
-std::string milliseconds(double seconds) { return shown(1e3 * seconds); }
+report::Number milliseconds(double seconds) { return shown(1e3 * seconds); }
+
+report::Number whole_percent(double share) { return report::fixed(100.0 * share, 0); }
+
+std::string solved_text(const PlanBench& bench) {
+  return fmt::format("{}/{}", solved_count(bench), bench.results.size());
+}
+
+std::string plural(int count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::size_t name_width(const std::vector<std::filesystem::path>& files) {
+  std::size_t width = 0;
+  for (const std::filesystem::path& file : files) {
+    width = std::max(width, file.stem().string().size());
+  }
+  return width;
+}
+
+// Adds columns of numbers to those of names. Their widths are those of the widest usual numbers:
+// the rows become known one after the other.
+report::TextTable table_of(std::vector<report::TextTable::Layout> layout,
+                           const std::vector<std::pair<report::Column, std::size_t>>& numbers) {
+  for (const auto& [column, width] : numbers) {
+    layout.push_back({column, width});
+  }
+  return report::TextTable(std::move(layout));
+}
 
 }  // namespace
 
 BenchTable::BenchTable(const BenchSettings& settings,
                        const std::vector<std::filesystem::path>& files)
-    : settings_(settings), width_(5) {
-  for (const std::filesystem::path& file : files) {
-    width_ = std::max(width_, static_cast<int>(file.stem().string().size()));
-  }
-}
+    : settings_(settings),
+      collisions_(table_of({{"scene", name_width(files), false}}, {{{"load", "ms"}, 7},
+                                                                   {{"memory", "MB"}, 9},
+                                                                   {{"collide", "%"}, 9},
+                                                                   {"config", 6},
+                                                                   {"FCL", 6},
+                                                                   {"ratio", 5},
+                                                                   {"FCL broad", 9},
+                                                                   {"ratio", 5},
+                                                                   {{"free", "%"}, 6},
+                                                                   {"edge", 6},
+                                                                   {"FCL", 6},
+                                                                   {"ratio", 5}})),
+      plans_(table_of(
+          {{"scene", name_width(files), false}, {"planner", 18, false}, {"checker", 14, false}},
+          {{"solved", 8},
+           {"median", 8},
+           {"p95", 8},
+           {"p99", 8},
+           {"ratio", 6},
+           {"checks", 9},
+           {"samples", 9},
+           {"nodes", 6},
+           {"length", 7},
+           {"to PMDs", 7},
+           {{"memory", "MB"}, 9}})),
+      variants_(table_of({{"problem", name_width(files), false}, {"planner", 18, false}},
+                         {{"solved", 8},
+                          {"median", 8},
+                          {"p95", 8},
+                          {"checks", 9},
+                          {"samples", 9},
+                          {"nodes", 6}})) {}
 
 void BenchTable::begin_collisions() const {
   print_out(
       "Collision checks, µs: configurations near the motion from start to goal; edges of a tenth "
-      "of its length.\n"
-      "{:<{}} {:>7} {:>9} | {:>9} {:>6} {:>6} {:>5} {:>9} {:>5} | {:>6} {:>6} {:>6} {:>5}\n",
-      "scene", width_, "load ms", "memory MB", "collide %", "config", "FCL", "ratio", "FCL broad",
-      "ratio", "free %", "edge", "FCL", "ratio");
+      "of its length.\n{}",
+      collisions_.header());
   std::fflush(stdout);
 }
 
 void BenchTable::add_collision(const SceneBench& scene) const {
   const CollisionBench& bench = scene.collision;
-  print_out(
-      "{:<{}} {:>7} {:>9} | {:>9.0f} {:>6} {:>6} {:>5} {:>9} {:>5} | {:>6} {:>6} {:>6} {:>5}\n",
-      scene.name(), width_, milliseconds(scene.load_s),
-      shown(static_cast<double>(scene.memory) / kMega), 100.0 * bench.in_collision,
-      shown(bench.fast.configuration_us), shown(bench.fcl.configuration_us),
-      shown(bench.fcl.configuration_us / bench.fast.configuration_us),
-      shown(bench.fcl_broadphase_configuration_us),
-      shown(bench.fcl_broadphase_configuration_us / bench.fast.configuration_us),
-      bench.edges > 0 ? fmt::format("{:.0f}", 100.0 * bench.edges_free) : "-",
-      shown(bench.fast.edge_us), shown(bench.fcl.edge_us),
-      shown(bench.fcl.edge_us / bench.fast.edge_us));
+  print_out("{}", collisions_.row(
+                      {scene.name(), milliseconds(scene.load_s),
+                       shown(static_cast<double>(scene.memory) / kMega),
+                       whole_percent(bench.in_collision), shown(bench.fast.configuration_us),
+                       shown(bench.fcl.configuration_us),
+                       shown(bench.fcl.configuration_us / bench.fast.configuration_us),
+                       shown(bench.fcl_broadphase_configuration_us),
+                       shown(bench.fcl_broadphase_configuration_us / bench.fast.configuration_us),
+                       bench.edges > 0 ? whole_percent(bench.edges_free) : report::Number{},
+                       shown(bench.fast.edge_us), shown(bench.fcl.edge_us),
+                       shown(bench.fcl.edge_us / bench.fast.edge_us)}));
   if (bench.disagreements > 0) {
     print_out("  FAULT: the checkers disagree on {} of {} configurations\n", bench.disagreements,
               bench.configurations);
@@ -280,27 +359,23 @@ void BenchTable::add_collision(const SceneBench& scene) const {
 
 void BenchTable::begin_plans() const {
   print_out(
-      "\nPlans: {} seed{}, {} thread{}, limit {:g} s; planning and smoothing in ms (a run without "
-      "a path counts as infinite).\n"
-      "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>7} {:>7} {:>9}\n",
-      settings_.seeds, settings_.seeds == 1 ? "" : "s", settings_.threads,
-      settings_.threads == 1 ? "" : "s", settings_.time_limit_s, "scene", width_, "planner",
-      "checker", "solved", "median", "p95", "p99", "ratio", "checks", "samples", "nodes", "length",
-      "to PMDs", "memory MB");
+      "\nPlans: {}, {}, limit {:g} s; planning and smoothing in ms (a run without a path counts as "
+      "infinite).\n{}",
+      plural(settings_.seeds, "seed"), plural(settings_.threads, "thread"), settings_.time_limit_s,
+      plans_.header());
   std::fflush(stdout);
 }
 
 void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
   const PlanBench& bench = scene.plans[i];
-  print_out(
-      "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>7} {:>7} {:>9}\n",
-      scene.name(), width_, bench.planner, bench.checker,
-      fmt::format("{}/{}", solved_count(bench), bench.results.size()),
-      milliseconds(time_quantile(bench, 0.5)), milliseconds(time_quantile(bench, 0.95)),
-      milliseconds(time_quantile(bench, 0.99)), shown(time_ratio(scene, i)),
-      shown(median_checks(bench)), shown(median_samples(bench)), shown(median_path_nodes(bench)),
-      shown(median_length(bench)), shown(median_to_subspace(bench)),
-      shown(static_cast<double>(bench.memory) / kMega));
+  print_out("{}", plans_.row({scene.name(), bench.planner, bench.checker, solved_text(bench),
+                              milliseconds(time_quantile(bench, 0.5)),
+                              milliseconds(time_quantile(bench, 0.95)),
+                              milliseconds(time_quantile(bench, 0.99)), shown(time_ratio(scene, i)),
+                              shown(median_checks(bench)), shown(median_samples(bench)),
+                              shown(median_path_nodes(bench)), shown(median_length(bench)),
+                              shown(median_to_subspace(bench)),
+                              shown(static_cast<double>(bench.memory) / kMega)}));
   const auto failed = std::ranges::find_if(
       bench.results, [](const planning::PlanResult& result) { return !result.solved(); });
   if (!bench.problem.empty()) {
@@ -316,15 +391,15 @@ void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
 
 void BenchTable::begin_variants(const VariantSettings& variants) const {
   print_out(
-      "{} variants of each problem, seed {}; {} seed{} each, {} thread{}, limit {:g} s"
-      "{}; planning and smoothing in ms (a run without a path counts as infinite).\n"
-      "{:<{}} {:<18} {:>8} {:>8} {:>8} {:>9} {:>9} {:>6}\n",
-      variants.count, variants.seed, settings_.seeds, settings_.seeds == 1 ? "" : "s",
-      settings_.threads, settings_.threads == 1 ? "" : "s", settings_.time_limit_s,
+      "{} variants of each problem, seed {}; {} each, {}, limit {:g} s{}; planning and smoothing "
+      "in "
+      "ms (a run without a path counts as infinite).\n{}",
+      variants.count, variants.seed, plural(settings_.seeds, "seed"),
+      plural(settings_.threads, "thread"), settings_.time_limit_s,
       variants.others_time_limit_s == settings_.time_limit_s
           ? ""
           : fmt::format(", for other planners {:g} s", variants.others_time_limit_s),
-      "problem", width_, "planner", "solved", "median", "p95", "checks", "samples", "nodes");
+      variants_.header());
   std::fflush(stdout);
 }
 
@@ -333,11 +408,11 @@ void BenchTable::add_variants(const VariantBench& bench) const {
     if (plan.results.empty() && plan.problem.empty()) {
       continue;  // nothing was left for it
     }
-    print_out("{:<{}} {:<18} {:>8} {:>8} {:>8} {:>9} {:>9} {:>6}\n", bench.name(), width_,
-              plan.planner, fmt::format("{}/{}", solved_count(plan), plan.results.size()),
-              milliseconds(time_quantile(plan, 0.5)), milliseconds(time_quantile(plan, 0.95)),
-              shown(median_checks(plan)), shown(median_samples(plan)),
-              shown(median_path_nodes(plan)));
+    print_out("{}",
+              variants_.row({bench.name(), plan.planner, solved_text(plan),
+                             milliseconds(time_quantile(plan, 0.5)),
+                             milliseconds(time_quantile(plan, 0.95)), shown(median_checks(plan)),
+                             shown(median_samples(plan)), shown(median_path_nodes(plan))}));
     if (!plan.problem.empty()) {
       print_out("  not run: {}\n", plan.problem);
     }

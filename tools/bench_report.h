@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/report/rendering/text.h"
 #include "plan_bench.h"
 
 #include <cstddef>
@@ -60,7 +61,7 @@ struct SceneBench {
 /// Prints a benchmark to standard output as two tables, row by row as results come.
 class BenchTable {
  public:
-  /// @param files all scenes, for the width of the first column.
+  /// @param files all scenes, whose names set the width of the first column.
   BenchTable(const BenchSettings& settings, const std::vector<std::filesystem::path>& files);
 
   void begin_collisions() const;
@@ -79,7 +80,9 @@ class BenchTable {
   void add_faults(const PlanBench& bench) const;
 
   BenchSettings settings_;
-  int width_;  ///< Width of scenes' names.
+  report::TextTable collisions_;
+  report::TextTable plans_;
+  report::TextTable variants_;
 };
 
 }  // namespace handway::tools

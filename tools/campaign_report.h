@@ -3,7 +3,7 @@
 #include "campaign_command.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/campaign_statistics.h"
-#include "report_document.h"
+#include "handway/report/document/document.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -28,16 +28,15 @@ struct ParameterGrid {
 /// list is across.
 [[nodiscard]] std::vector<ParameterGrid> parameter_grids(const planning::Campaign& campaign);
 
-/// Median planning times of a grid on one problem as colours and numbers, the least in bold, with
-/// the share of runs that found a path if it is below 100 %, and the scale of colours. @param cells
-/// of the problem, a planner each.
-[[nodiscard]] std::string heat_map_svg(const ParameterGrid& grid,
+/// Returns the median planning times of a grid on one problem, with the share of runs that found a
+/// path if it is below 100 %. @param cells of the problem, a planner each.
+[[nodiscard]] report::HeatMap heat_map(const ParameterGrid& grid,
                                        std::span<const planning::CampaignCell> cells);
 
 /// A row for each problem, grid and combination.
-[[nodiscard]] ReportTable heat_map_table(const planning::Campaign& campaign,
-                                         std::span<const ParameterGrid> grids,
-                                         std::span<const planning::CampaignCell> cells);
+[[nodiscard]] report::Table heat_map_table(const planning::Campaign& campaign,
+                                           std::span<const ParameterGrid> grids,
+                                           std::span<const planning::CampaignCell> cells);
 
 /// Writes into `folder`: report.md with drawings/N.svg, report.html, summary.csv, runs.csv,
 /// ecdf.csv, boxplot.csv, comparisons.csv and one OMPL benchmark log per problem in `ompl/`.
@@ -45,14 +44,14 @@ struct ParameterGrid {
 void write_campaign_report(const planning::Campaign& campaign, const CampaignOutcome& outcome,
                            const std::filesystem::path& folder);
 
-/// The share of runs that found a path, with Wilson's 95 % interval: "98.0 % (95.0 to 99.2)".
-[[nodiscard]] std::string success_text(const planning::CampaignCell& cell);
+/// Returns the share of runs that found a path, with Wilson's 95 % interval, in %.
+[[nodiscard]] report::Estimate success(const planning::CampaignCell& cell);
 
 /// Returns the machine that the times depend on, and how the runs were carried out.
-[[nodiscard]] ReportTable machine_table(const CampaignOutcome& outcome);
+[[nodiscard]] report::Table machine_table(const CampaignOutcome& outcome);
 
 /// The planners compared, with their parameters: one column per planner.
-[[nodiscard]] ReportTable parameter_table(const planning::Campaign& campaign);
+[[nodiscard]] report::Table parameter_table(const planning::Campaign& campaign);
 
 /// The runs on one problem as OMPL's benchmark log, from which `ompl_benchmark_statistics` makes a
 /// database for Planner Arena (https://ompl.kavrakilab.org/benchmark.html).

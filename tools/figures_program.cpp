@@ -1,18 +1,14 @@
 #include "figures_program.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/replace_file.h"
-#include "handway/sampling/postures/pmd_basis.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
-#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -51,11 +47,11 @@ fs::path figures_program() {
 
 }  // namespace
 
-void draw_figures(const fs::path& source) {
+void draw_pictures(const fs::path& source) {
   const fs::path program = figures_program();
   if (!fs::exists(program)) {
-    throw InputError({"figures", "", "no program " + program.string(),
-                      "this program, which draws the figures",
+    throw InputError({"handway-figures", "", "no program " + program.string(),
+                      "this program, which draws the pictures",
                       "Build or install the workbench; the data are in " + source.string()});
   }
   const bool display = std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
@@ -66,41 +62,14 @@ void draw_figures(const fs::path& source) {
   command.insert(command.end(), {program.string(), source.string()});
   const int exit_code = run(command);
   if (exit_code == kNotFound && !display) {
-    throw InputError({"figures", "", "neither a display nor xvfb-run", "one of them",
+    throw InputError({"handway-figures", "", "neither a display nor xvfb-run", "one of them",
                       "Install the package xvfb; the data are in " + source.string()});
   }
   if (exit_code != 0) {
-    throw InputError({"figures", "", fmt::format("exit code {} of {}", exit_code, command.front()),
-                      "drawings", "The data are in " + source.string()});
+    throw InputError({"handway-figures", "",
+                      fmt::format("exit code {} of {}", exit_code, command.front()), "pictures",
+                      "The data are in " + source.string()});
   }
-}
-
-namespace {
-
-std::string table_text(const std::vector<std::string>& header, const Eigen::MatrixXd& rows) {
-  std::string text = fmt::format("{}\n", fmt::join(header, ","));
-  for (Eigen::Index row = 0; row < rows.rows(); ++row) {
-    for (Eigen::Index column = 0; column < rows.cols(); ++column) {
-      fmt::format_to(std::back_inserter(text), "{}{}", column > 0 ? "," : "", rows(row, column));
-    }
-    text += '\n';
-  }
-  return text;
-}
-
-}  // namespace
-
-void write_basis_plots(const fs::path& folder, const sampling::PmdBasis& basis,
-                       const Eigen::MatrixXd& postures, const Eigen::VectorXd& shares) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw InputError({folder.string(), "", error.message(), "a folder for figures", ""});
-  }
-  geometric::replace_file(folder / "postures.csv", table_text(basis.joints, postures));
-  geometric::replace_file(folder / "variance.csv", table_text({"share"}, shares));
-  sampling::write_pmd_basis(basis, folder / "basis.yaml");
-  draw_figures(folder);
 }
 
 }  // namespace handway::tools

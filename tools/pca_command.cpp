@@ -1,3 +1,4 @@
+#include "basis_figures.h"
 #include "commands.h"
 #include "figures_program.h"
 #include "handway/device/glove/glove_calibration.h"
@@ -13,6 +14,8 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/group_proposal.h"
+#include "handway/report/rendering/text.h"
+#include "handway/report/studies/basis_study_document.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "numbers.h"
@@ -371,7 +374,7 @@ void report(const std::vector<MappedRecording>& recordings, const PcaOptions& op
   settings.seed = options.seed;
   const sampling::BasisStudy study =
       study_recordings(recordings, hand.model, *hand.source, options.normalisation, settings);
-  print_out("{}", study_text(study, settings.confidence));
+  print_out("{}", report::to_text(report::basis_study_document(study, settings.confidence)));
   write_study(study, settings, recordings, hand.model->name(), *hand.source, options.report);
 }
 
@@ -412,6 +415,17 @@ void look_at_rows(const std::vector<MappedRecording>& recordings, const PcaOptio
         "  warning: only {} different row{} for {} joints: the basis spans no other postures; "
         "record more postures\n",
         distinct, distinct == 1 ? "" : "s", joints);
+  }
+}
+
+// Writes plots and, if there is a program that draws them, pictures of the hand.
+void write_plots(const fs::path& folder, const sampling::PmdBasis& basis,
+                 const Eigen::MatrixXd& postures, const Eigen::VectorXd& shares) {
+  write_basis_plots(folder, basis, postures, shares);
+  try {
+    draw_pictures(folder);
+  } catch (const geometric::InputError& error) {
+    print_error("handway: no pictures of the hand: {}\n", error.what());
   }
 }
 
@@ -491,8 +505,8 @@ int pca(const PcaOptions& options) {
   }
   if (!options.plots.empty()) {
     basis.hand = hand_seen_from(fs::absolute(options.plots));
-    write_basis_plots(options.plots, basis, joint_values(chosen_samples, mapper),
-                      chosen.components.shares);
+    write_plots(options.plots, basis, joint_values(chosen_samples, mapper),
+                chosen.components.shares);
   }
   return kDone;
 }
@@ -582,7 +596,8 @@ void add_pca_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", options->out, "File for the basis (YAML)");
   command->add_option("--postures", options->postures,
                       "File for the postures (CSV), which the basis then names");
-  command->add_option("--plots", options->plots, "Folder for figures (PNG and SVG)");
+  command->add_option("--plots", options->plots,
+                      "Folder for figures: plots (SVG) and pictures (PNG and SVG)");
   command->add_option("--report", options->report,
                       "File for a report (JSON): the number of directions that are enough, their "
                       "stability, and their quality for each recording; it is also printed");

@@ -1,5 +1,6 @@
 #include "posture_study.h"
 
+#include "basis_figures.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording_filters.h"
@@ -137,10 +138,7 @@ constexpr const char* kThumbBase = "thumb_base";
 
 double PostureStudy::correlation(const std::string& first, const std::string& second) const {
   const std::vector<int> pair = joint_indices({first, second}, basis.joints);
-  const Eigen::VectorXd x = postures.col(pair[0]).array() - postures.col(pair[0]).mean();
-  const Eigen::VectorXd y = postures.col(pair[1]).array() - postures.col(pair[1]).mean();
-  const double scale = x.norm() * y.norm();
-  return scale > 0.0 ? x.dot(y) / scale : 0.0;
+  return tools::correlation(postures.col(pair[0]), postures.col(pair[1]));
 }
 
 PostureStudy study_postures(const fs::path& recording, Normalisation normalisation) {
@@ -180,50 +178,9 @@ using geometric::kDegree;
 using geometric::kMillimetre;
 using sampling::BasisStudy;
 
-std::string interval_text(const sampling::Interval& interval, double unit) {
-  return fmt::format("{:8.1f} {:>15}", interval.mean / unit,
-                     fmt::format("({:.1f} - {:.1f})", interval.low / unit, interval.high / unit));
-}
-
 Json interval_json(const sampling::Interval& interval, double unit) {
   return {
       {"mean", interval.mean / unit}, {"low", interval.low / unit}, {"high", interval.high / unit}};
-}
-
-std::string stability_text(const BasisStudy& study) {
-  std::string text =
-      "Stability: largest angle between the first directions of a part of the recording and of all "
-      "of it, deg:\n";
-  text += fmt::format("  {:>10}", "s");
-  for (std::size_t k = 1; k <= study.stability.back().angles.size(); ++k) {
-    text += fmt::format("{:>24}", k);
-  }
-  text += '\n';
-  for (const sampling::BasisStability& stability : study.stability) {
-    text += fmt::format("  {:>10.1f}", stability.seconds);
-    for (const sampling::Interval& angle : stability.angles) {
-      text += interval_text(angle, kDegree);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
-std::string persons_text(const BasisStudy& study) {
-  std::string text = fmt::format(
-      "Fingertip error of each recording with its own basis and with that of the others, mm:\n  "
-      "{:<24}{:>24}{:>24}  {}\n",
-      "", "own basis", "the others'", "largest angles, deg");
-  for (const sampling::PersonFit& person : study.persons) {
-    text += fmt::format("  {:<24}{}{} ", person.name, interval_text(person.own, kMillimetre),
-                        interval_text(person.others, kMillimetre));
-    for (const double angle : person.angles) {
-      text += fmt::format(" {:.1f}", angle / kDegree);
-    }
-    text += '\n';
-  }
-  return text + fmt::format("  {:<24}{:>24}{}\n", "a new person (estimate)", "",
-                            interval_text(study.newcomer, kMillimetre));
 }
 
 }  // namespace
@@ -249,28 +206,6 @@ BasisStudy study_recordings(const std::vector<MappedRecording>& recordings,
     first += rows;
   }
   return sampling::study_basis(hands, fingertips, settings);
-}
-
-std::string study_text(const BasisStudy& study, double confidence) {
-  std::string text = fmt::format(
-      "Fingertip error for postures not used for the basis, mm ({:.0f} % confidence):\n"
-      "  {:>10}{:>24}{:>10}{:>12}\n",
-      100.0 * confidence, "PMDs", "mean", "95 %", "variance %");
-  for (const sampling::ReconstructionError& error : study.reconstruction) {
-    text += fmt::format("  {:>10}{}{:>10.1f}{:>12.1f}\n", error.directions,
-                        interval_text(error.fingertip, kMillimetre), error.most / kMillimetre,
-                        100.0 * error.variance);
-  }
-  for (const double error : sampling::kReportedErrors) {
-    const double wanted = error / kMillimetre;
-    const int enough = study.enough_for(error);
-    text += enough < 0 ? fmt::format("  for {:g} mm: all PMDs are not enough\n", wanted)
-                       : fmt::format("  for {:g} mm: {} PMDs\n", wanted, enough);
-  }
-  if (!study.stability.empty()) {
-    text += stability_text(study);
-  }
-  return study.persons.empty() ? text : text + persons_text(study);
 }
 
 void write_study(const BasisStudy& study, const sampling::BasisStudySettings& settings,

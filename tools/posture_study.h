@@ -104,9 +104,6 @@ struct PostureStudy {
     const std::shared_ptr<const geometric::RobotModel>& hand, const device::PostureSource& mapper,
     Normalisation normalisation, const sampling::BasisStudySettings& settings);
 
-/// Tables in mm, degrees and s.
-[[nodiscard]] std::string study_text(const sampling::BasisStudy& study, double confidence);
-
 /// Writes the study with its inputs as a JSON file.
 /// @throws InputError if it can't be written.
 void write_study(const sampling::BasisStudy& study, const sampling::BasisStudySettings& settings,

@@ -1,3 +1,4 @@
+#include "basis_figures.h"
 #include "campaign_command.h"
 #include "figures_program.h"
 #include "handway/geometric/io/input_error.h"
@@ -6,7 +7,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
-#include "numbers.h"
+#include "handway/report/rendering/csv.h"
 #include "posture_study.h"
 #include "reproduce_report.h"
 
@@ -31,29 +32,15 @@ using geometric::InputError;
 struct PostureFigure {
   int number;
   const char* caption;
-  const char* drawing;  ///< Its name in handway-figures.
+  const char* drawing;  ///< Name of its file.
+  bool shows_hands;     ///< It has pictures of hands, which handway-figures draws.
 };
 
 constexpr std::array<PostureFigure, 4> kFigures = {
-    {{7, "Correlations between joints of the hand", "correlations"},
-     {8, "The hand along each of the first two principal motion directions", "directions"},
-     {9, "The hand over both of the first two principal motion directions", "grid"},
-     {10, "Variance covered by the first principal motion directions", "variance"}}};
-
-/// Joints that Fig. 7 plots over each other, with its results.
-struct JointPair {
-  const char* first;
-  const char* second;
-  const char* joints;  ///< Their numbers in the paper.
-  const char* published;
-};
-constexpr std::array<JointPair, 6> kPairs = {
-    {{"middle_proximal", "ring_proximal", "8, 11", "positive"},
-     {"index_abduction", "ring_abduction", "4, 10", "negative"},
-     {"index_medial", "middle_medial", "6, 9", "positive"},
-     {"middle_proximal", "ring_abduction", "8, 10", "positive"},
-     {"thumb_base", "index_proximal", "0, 5", "none"},
-     {"thumb_base", "ring_medial", "0, 12", "none"}}};
+    {{7, "Correlations between joints of the hand", "correlations", false},
+     {8, "The hand along each of the first two principal motion directions", "directions", true},
+     {9, "The hand over both of the first two principal motion directions", "grid", true},
+     {10, "Variance covered by the first principal motion directions", "variance", false}}};
 
 constexpr std::array<double, 3> kPublishedVariance = {42.19, 77.12, 84.71};  // %, section 4.2
 
@@ -88,29 +75,31 @@ std::vector<Studied> study_all(std::string& problem) {
 }
 
 // A joint without motion in a recording correlates with none.
-ReportTable correlation_table(const std::vector<Studied>& all) {
-  ReportTable table{{"Joints", "numbers", "published"}, {}};
+report::Table correlation_table(const std::vector<Studied>& all) {
+  report::Table table{{"Joints", "numbers", "published"}};
   for (const Studied& one : all) {
-    table.columns.push_back(one.name);
+    table.columns.emplace_back(one.name);
   }
-  for (const JointPair& pair : kPairs) {
-    std::vector<std::string> row = {fmt::format("{}, {}", pair.first, pair.second), pair.joints,
-                                    pair.published};
+  for (const JointPair& pair : kPaperJointPairs) {
+    std::string joints = fmt::format("{}, {}", pair.first, pair.second);
+    std::ranges::replace(joints, '_', ' ');
+    std::vector<report::Cell> row = {joints, pair.joints, pair.published};
     for (const Studied& one : all) {
-      row.push_back(fmt::format("{:+.2f}", one.study.correlation(pair.first, pair.second)));
+      report::Number number = report::fixed(one.study.correlation(pair.first, pair.second), 2);
+      number.has_plus = true;
+      row.emplace_back(std::move(number));
     }
-    std::ranges::replace(row.front(), '_', ' ');
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-ReportTable variance_table(const std::vector<Studied>& all) {
-  ReportTable table{{"Directions", "published [%]"}, {}};
+report::Table variance_table(const std::vector<Studied>& all) {
+  report::Table table{{"Directions", {"published", "%"}}};
   std::vector<const Eigen::VectorXd*> columns;
   for (const Studied& one : all) {
     for (const Normalisation scaling : {Normalisation::kLimits, Normalisation::kRange}) {
-      table.columns.push_back(fmt::format("{}, {} [%]", one.name, text_of(scaling)));
+      table.columns.emplace_back(fmt::format("{}, {}", one.name, text_of(scaling)), "%");
       columns.push_back(scaling == Normalisation::kLimits ? &one.study.limits_shares
                                                           : &one.study.range_shares);
     }
@@ -118,12 +107,12 @@ ReportTable variance_table(const std::vector<Studied>& all) {
   const Eigen::Index most = columns.front()->size();
   for (Eigen::Index count = 1; count <= most; ++count) {
     const auto at = static_cast<std::size_t>(count - 1);
-    std::vector<std::string> row = {
-        fmt::format("{}", count),
-        at < kPublishedVariance.size() ? fmt::format("{:.2f}", kPublishedVariance[at]) : "-"};
+    std::vector<report::Cell> row = {count, at < kPublishedVariance.size()
+                                                ? report::fixed(kPublishedVariance[at], 2)
+                                                : report::Number{}};
     for (const Eigen::VectorXd* shares : columns) {
-      row.push_back(
-          fmt::format("{:.2f}", 100.0 * shares->head(std::min(count, shares->size())).sum()));
+      row.emplace_back(
+          report::fixed(100.0 * shares->head(std::min(count, shares->size())).sum(), 2));
     }
     table.rows.push_back(std::move(row));
   }
@@ -150,6 +139,32 @@ const std::set<int>& posture_figures() {
   return kNumbers;
 }
 
+// Draws the hands of the studies; returns the reason of those that can't be drawn.
+std::string draw_hands(const std::vector<Studied>& all, const fs::path& folder) {
+  for (const Studied& one : all) {
+    try {
+      draw_pictures(folder / "postures" / one.name);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }
+  return "";
+}
+
+report::Part drawing_of(const PostureFigure& figure, const Studied& one) {
+  const std::string caption = fmt::format("{}: {}", figure.caption, one.name);
+  const std::string file = fmt::format("postures/{}/{}", one.name, figure.drawing);
+  if (figure.shows_hands) {
+    return report::Picture{caption, file + ".png"};
+  }
+  report::Figure drawn = figure.number == 7
+                             ? correlation_figure(one.study.basis, one.study.postures)
+                             : variance_figure(one.study.shares);
+  drawn.caption = caption;
+  drawn.file = file + ".svg";
+  return drawn;
+}
+
 /// Analyses the recording that ships and, if HANDWAY_REFERENCE_DIR names the folder of the
 /// published files, the recordings of people in it, mapped by the paper's Table 1, and draws those
 /// of `figures` that are figures of postures to `postures/RECORDING`. The numbers of 7 and 10 are
@@ -162,28 +177,30 @@ std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
   }
   std::string problem;
   const std::vector<Studied> all = study_all(problem);
-  std::vector<const Studied*> drawn;
   for (const Studied& one : all) {
-    try {
-      const fs::path own = folder / "postures" / one.name;
-      write_basis_plots(own, one.study.basis, one.study.postures, one.study.shares);
-      drawn.push_back(&one);
-    } catch (const InputError& error) {
-      problem += fmt::format("{} ", error.what());
-    }
+    write_basis_plots(folder / "postures" / one.name, one.study.basis, one.study.postures,
+                      one.study.shares);
   }
+  const bool needs_hands = std::ranges::any_of(kFigures, [&](const PostureFigure& figure) {
+    return figure.shows_hands && figures.contains(figure.number);
+  });
+  const std::string hands_problem = needs_hands ? draw_hands(all, folder) : "";
   std::vector<ReproducedFigure> made;
   for (const PostureFigure& figure : kFigures) {
     if (!figures.contains(figure.number)) {
       continue;
     }
-    const bool first = made.empty();  // what is said there is so for all of them
-    ReproducedFigure result{
-        figure.number,       figure.caption, first ? sources_text(all) : "", {}, {},
-        first ? problem : ""};
-    for (const Studied* one : drawn) {
-      result.pictures.push_back({fmt::format("{}: {}", figure.caption, one->name),
-                                 fmt::format("postures/{}/{}.png", one->name, figure.drawing)});
+    ReproducedFigure result{figure.number, figure.caption, "", {}, {}, ""};
+    if (made.empty()) {  // what is said there is so for all of them
+      result.text = sources_text(all);
+      result.problem = problem;
+    }
+    if (figure.shows_hands && !hands_problem.empty()) {
+      result.problem += hands_problem;
+    } else {
+      for (const Studied& one : all) {
+        result.drawings.push_back(drawing_of(figure, one));
+      }
     }
     if (figure.number == 7) {
       result.table = correlation_table(all);
@@ -192,7 +209,7 @@ std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
     }
     if (result.table) {
       geometric::replace_file(folder / fmt::format("figure_{}.csv", figure.number),
-                              to_csv(*result.table));
+                              report::to_csv(*result.table));
     }
     made.push_back(std::move(result));
   }
@@ -251,8 +268,8 @@ class FilmMaker {
     geometric::replace_file(file, fmt::format("title: \"{}\"\nframes: 6\nview: {}\nrows:\n{}",
                                               figure.caption, figure.view, rows));
     try {
-      draw_figures(file);
-      made.pictures.push_back({figure.caption, name + ".png"});
+      draw_pictures(file);
+      made.drawings.push_back(report::Picture{figure.caption, name + ".png"});
     } catch (const geometric::InputError& error) {
       made.problem += error.what();
     }

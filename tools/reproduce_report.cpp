@@ -4,8 +4,8 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/campaign_statistics.h"
-#include "numbers.h"
-#include "report_document.h"
+#include "handway/report/rendering/csv.h"
+#include "handway/report/rendering/report_files.h"
 
 #include <fmt/format.h>
 
@@ -121,6 +121,8 @@ std::vector<PaperParameter> paper_table_3() {
           {"Edges of smoothing", "smoothing", "both-ways", "both-ways"}};
 }
 
+std::string text_of(double value) { return report::Cell(value).text(); }
+
 /// A column of measured figures.
 struct MeasuredColumn {
   std::string label;
@@ -136,18 +138,14 @@ std::vector<double> values_of(const PaperRow& row, const CampaignCell& cell) {
   return values;
 }
 
-std::string mean_text(const std::vector<double>& values) {
+report::Estimate mean_estimate(const std::vector<double>& values) {
   const planning::Interval interval = planning::mean_interval(values);
-  if (std::isnan(interval.lower)) {
-    return number_text(planning::mean_of(values));
-  }
-  return fmt::format("{} ({} to {})", number_text(planning::mean_of(values)),
-                     number_text(interval.lower), number_text(interval.upper));
+  return {{.value = planning::mean_of(values)}, interval.lower, interval.upper};
 }
 
-std::string times_faster(double published, const CampaignCell& cell, const PaperRow& time) {
+double times_faster(double published, const CampaignCell& cell, const PaperRow& time) {
   const double mean = planning::mean_of(values_of(time, cell));
-  return mean > 0.0 ? number_text(published / mean) : "-";
+  return mean > 0.0 ? published / mean : kNone;
 }
 
 const std::string& parameter_of(const planning::CampaignPlanner& planner, const std::string& key) {
@@ -161,30 +159,30 @@ const std::string& parameter_of(const planning::CampaignPlanner& planner, const 
 /// each column the mean with its 95 % interval over the runs that found a path; at the end the
 /// published time by the mean time.
 /// @param published which column of the rows.
-ReportTable compared_table(const std::vector<PaperRow>& rows, std::size_t published,
-                           const std::vector<MeasuredColumn>& columns) {
-  ReportTable table{{"", "published"}, {{"Runs", "-"}, {"Solved", "-"}}};
+report::Table compared_table(const std::vector<PaperRow>& rows, std::size_t published,
+                             const std::vector<MeasuredColumn>& columns) {
+  report::Table table{{"", "published"}, {{"Runs", kNone}, {"Solved", kNone}}};
   for (const MeasuredColumn& column : columns) {
-    table.columns.push_back(column.label);
-    table.rows[0].push_back(fmt::format("{}", column.cell.runs.size()));
-    table.rows[1].push_back(success_text(column.cell));
+    table.columns.emplace_back(column.label);
+    table.rows[0].emplace_back(column.cell.runs.size());
+    table.rows[1].emplace_back(success(column.cell));
   }
   for (const PaperRow& row : rows) {
-    std::vector<std::string> cells = {row.label, number_text(row.published[published])};
+    std::vector<report::Cell> cells = {row.label, row.published[published]};
     for (const MeasuredColumn& column : columns) {
-      cells.push_back(mean_text(values_of(row, column.cell)));
+      cells.emplace_back(mean_estimate(values_of(row, column.cell)));
     }
     const bool applies = std::any_of(cells.begin() + 1, cells.end(),
-                                     [](const std::string& cell) { return cell != "-"; });
+                                     [](const report::Cell& cell) { return cell.text() != "-"; });
     if (applies) {
       table.rows.push_back(std::move(cells));
     }
   }
-  std::vector<std::string> ratio = {"Published time / our mean time", "1"};
-  std::vector<std::string> median = {"Median time of all runs [s]", "-"};
+  std::vector<report::Cell> ratio = {"Published time / our mean time", 1};
+  std::vector<report::Cell> median = {"Median time of all runs [s]", kNone};
   for (const MeasuredColumn& column : columns) {
-    ratio.push_back(times_faster(rows.front().published[published], column.cell, rows.front()));
-    median.push_back(number_text(planning::quantile_of(column.cell.times(), 0.5)));
+    ratio.emplace_back(times_faster(rows.front().published[published], column.cell, rows.front()));
+    median.emplace_back(planning::quantile_of(column.cell.times(), 0.5));
   }
   table.rows.push_back(std::move(median));
   table.rows.push_back(std::move(ratio));
@@ -192,37 +190,33 @@ ReportTable compared_table(const std::vector<PaperRow>& rows, std::size_t publis
 }
 
 /// Such a table without rows.
-ReportTable compared_csv() {
+report::Table compared_csv() {
   return {{"table", "problem", "column", "runs", "solved", "figure", "published", "mean",
-           "mean_lower", "mean_upper", "median"},
-          {}};
+           "mean_lower", "mean_upper", "median"}};
 }
 
 /// Adds a row for programs for each column and figure.
 /// @param table such as "2"; @param problem what the columns are about.
-void add_compared_rows(ReportTable& csv, const std::string& table, const std::string& problem,
+void add_compared_rows(report::Table& csv, const std::string& table, const std::string& problem,
                        const std::vector<PaperRow>& rows, std::size_t published,
                        const std::vector<MeasuredColumn>& columns) {
   for (const MeasuredColumn& column : columns) {
     for (const PaperRow& row : rows) {
       const std::vector<double> values = values_of(row, column.cell);
       const planning::Interval interval = planning::mean_interval(values);
-      csv.rows.push_back({table, problem, column.label, fmt::format("{}", column.cell.runs.size()),
-                          fmt::format("{}", column.cell.solved()), row.label,
-                          number_field(row.published[published]),
-                          number_field(planning::mean_of(values)), number_field(interval.lower),
-                          number_field(interval.upper),
-                          number_field(planning::quantile_of(values, 0.5))});
+      csv.rows.push_back({table, problem, column.label, column.cell.runs.size(),
+                          column.cell.solved(), row.label, row.published[published],
+                          planning::mean_of(values), interval.lower, interval.upper,
+                          planning::quantile_of(values, 0.5)});
     }
   }
 }
 
 /// Table 3, with the parameters of two planners beside it.
-ReportTable parameters_compared(const planning::CampaignPlanner& with_pmds,
-                                const planning::CampaignPlanner& without_pmds) {
-  ReportTable table{{"Parameter", "published, PMDs", "ours, " + with_pmds.planner,
-                     "published, no PMDs", "ours, " + without_pmds.planner},
-                    {}};
+report::Table parameters_compared(const planning::CampaignPlanner& with_pmds,
+                                  const planning::CampaignPlanner& without_pmds) {
+  report::Table table{{"Parameter", "published, PMDs", "ours, " + with_pmds.planner,
+                       "published, no PMDs", "ours, " + without_pmds.planner}};
   for (const PaperParameter& parameter : paper_table_3()) {
     table.rows.push_back({parameter.label, parameter.with_pmds,
                           parameter_of(with_pmds, parameter.key), parameter.without_pmds,
@@ -248,10 +242,10 @@ std::vector<MeasuredColumn> columns_of(const ReproducedCampaign& part, std::stri
   return columns;
 }
 
-void add_table_2(ReportDocument& document, ReportTable& csv, const ReproducedCampaign& part) {
+void add_table_2(report::Document& document, report::Table& csv, const ReproducedCampaign& part) {
   const std::vector<MeasuredColumn> columns = columns_of(part, "");
-  document.push_back(ReportHeading{2, "Table 2: reduced and full search space"});
-  document.push_back(ReportText{fmt::format(
+  document.push_back(report::Heading{2, "Table 2: reduced and full search space"});
+  document.push_back(report::Paragraph{fmt::format(
       "Means over 100 runs in the paper, on a {}; ours with 95 % intervals (Student's t), over the "
       "runs that found a path. Success with Wilson's 95 % interval.",
       kTable2Machine)});
@@ -267,7 +261,7 @@ void add_table_2(ReportDocument& document, ReportTable& csv, const ReproducedCam
     });
     if (!shown.empty()) {
       const char* name = space == 0 ? "Reduced search space" : "Full search space";
-      document.push_back(ReportHeading{3, name});
+      document.push_back(report::Heading{3, name});
       document.push_back(compared_table(rows, space, shown));
       add_compared_rows(csv, "2", name, rows, space, shown);
     }
@@ -280,18 +274,18 @@ void add_table_2(ReportDocument& document, ReportTable& csv, const ReproducedCam
   };
   const double as_printed = mean_time("Full") / mean_time("Reduced");
   const double as_shipped = mean_time("full-prm as it ships") / mean_time("pmd-prm as it ships");
-  document.push_back(ReportText{fmt::format(
+  document.push_back(report::Paragraph{fmt::format(
       "Mean time of the full divided by that of the reduced search space: {} as in the paper, {} "
       "with the default parameters (ρₐ at most 0.05); {} is the paper's result.",
-      number_text(as_printed), number_text(as_shipped),
-      number_text(rows.front().published[1] / rows.front().published[0]))});
+      text_of(as_printed), text_of(as_shipped),
+      text_of(rows.front().published[1] / rows.front().published[0]))});
 }
 
-void add_table_4(ReportDocument& document, ReportTable& csv,
+void add_table_4(report::Document& document, report::Table& csv,
                  const std::vector<ReproducedCampaign>& campaigns) {
   constexpr std::size_t kProblems = 4;
-  document.push_back(ReportHeading{2, "Table 4: four problems"});
-  document.push_back(ReportText{fmt::format(
+  document.push_back(report::Heading{2, "Table 4: four problems"});
+  document.push_back(report::Paragraph{fmt::format(
       "Means from 1,000 runs in the paper, on an {}; ours with 95 % intervals, over the runs that "
       "found a path. \"As published\": the authors' own problem files (if HANDWAY_REFERENCE_DIR is "
       "set to their folder); the other columns use scenes that ship, built after the paper's "
@@ -322,38 +316,38 @@ void add_table_4(ReportDocument& document, ReportTable& csv,
       }
     }
     if (!columns.empty()) {
-      document.push_back(ReportHeading{3, fmt::format("Problem {}", title)});
+      document.push_back(report::Heading{3, fmt::format("Problem {}", title)});
       document.push_back(compared_table(rows, problem, columns));
       add_compared_rows(csv, "4", title, rows, problem, columns);
     }
   }
 }
 
-void add_table_3(ReportDocument& document, const planning::Campaign& campaign) {
-  document.push_back(ReportHeading{2, "Table 3: parameters"});
+void add_table_3(report::Document& document, const planning::Campaign& campaign) {
+  document.push_back(report::Heading{2, "Table 3: parameters"});
   document.push_back(parameters_compared(campaign.planners[0], campaign.planners[1]));
-  document.push_back(
-      ReportText{"A run without a path ends after N samples. Table 3 has the initial values 100 "
-                 "(10,000); section 6.2 says that N was \"chosen large enough to allow finding a "
-                 "solution in all cases\", and the "
-                 "samples "
-                 "of Table 2 are more than 100. Here N is too large to end a run. Exceptions: "
-                 "Table 2 has columns for N = 100 and 10,000, compared at the end of each pass as "
-                 "in the paper, and problem 4 of Table 4 has N = 2,250. rho_a is the initial "
-                 "value; it is multiplied by 1, 2, 3, … with the passes, without limit."});
+  document.push_back(report::Paragraph{
+      "A run without a path ends after N samples. Table 3 has the initial values 100 "
+      "(10,000); section 6.2 says that N was \"chosen large enough to allow finding a "
+      "solution in all cases\", and the "
+      "samples "
+      "of Table 2 are more than 100. Here N is too large to end a run. Exceptions: "
+      "Table 2 has columns for N = 100 and 10,000, compared at the end of each pass as "
+      "in the paper, and problem 4 of Table 4 has N = 2,250. rho_a is the initial "
+      "value; it is multiplied by 1, 2, 3, … with the passes, without limit."});
 }
 
-void add_figure(ReportDocument& document, const ReproducedFigure& figure) {
-  document.push_back(ReportHeading{2, fmt::format("Fig. {}: {}", figure.number, figure.caption)});
+void add_figure(report::Document& document, const ReproducedFigure& figure) {
+  document.push_back(report::Heading{2, fmt::format("Fig. {}: {}", figure.number, figure.caption)});
   if (!figure.text.empty()) {
-    document.push_back(ReportText{figure.text});
+    document.push_back(report::Paragraph{figure.text});
   }
-  document.insert(document.end(), figure.pictures.begin(), figure.pictures.end());
+  document.insert(document.end(), figure.drawings.begin(), figure.drawings.end());
   if (figure.table) {
     document.push_back(*figure.table);
   }
   if (!figure.problem.empty()) {
-    document.push_back(ReportText{"Incomplete. " + figure.problem});
+    document.push_back(report::Paragraph{"Incomplete. " + figure.problem});
   }
 }
 
@@ -363,21 +357,22 @@ void write_reproduce_report(const std::set<int>& tables,
                             const std::vector<ReproducedCampaign>& campaigns,
                             const std::vector<ReproducedFigure>& figures, bool quick,
                             const fs::path& folder) {
-  ReportDocument document = {ReportHeading{1, "The tables and figures of the paper, reproduced"}};
-  document.push_back(ReportText{
+  report::Document document = {
+      report::Heading{1, "The tables and figures of the paper, reproduced"}};
+  document.push_back(report::Paragraph{
       "J. Rosell, R. Suárez, C. Rosales, A. Pérez: Autonomous motion planning of a hand-arm "
       "robotic "
       "system based on captured human-like hand postures. Autonomous Robots 31 (2011)."});
   if (quick) {
-    document.push_back(
-        ReportText{"Preview: few runs, ended after a few seconds. The numbers are not reliable."});
+    document.push_back(report::Paragraph{
+        "Preview: few runs, ended after a few seconds. The numbers are not reliable."});
   }
   const auto incomplete = std::ranges::find_if(
       campaigns, [](const ReproducedCampaign& part) { return !part.outcome.complete; });
   if (incomplete != campaigns.end() && tables != std::set{3} && !tables.empty()) {
-    document.push_back(ReportText{"Incomplete: the runs were interrupted."});
+    document.push_back(report::Paragraph{"Incomplete: the runs were interrupted."});
   }
-  ReportTable csv = compared_csv();
+  report::Table csv = compared_csv();
   CampaignOutcome all;
   for (const ReproducedCampaign& part : campaigns) {
     all.done += part.outcome.done;
@@ -397,11 +392,10 @@ void write_reproduce_report(const std::set<int>& tables,
   for (const ReproducedFigure& figure : figures) {
     add_figure(document, figure);
   }
-  document.push_back(ReportHeading{2, "Machine"});
+  document.push_back(report::Heading{2, "Machine"});
   document.push_back(machine_table(all));
-  geometric::replace_file(folder / "report.md", to_markdown(document));
-  geometric::replace_file(folder / "report.html", to_html(document));
-  geometric::replace_file(folder / "report.csv", to_csv(csv));
+  report::write_report(document, folder);
+  geometric::replace_file(folder / "report.csv", report::to_csv(csv));
 }
 
 }  // namespace handway::tools

@@ -3,7 +3,7 @@
 #include "campaign_command.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/extensions/plugin.h"
-#include "report_document.h"
+#include "handway/report/document/document.h"
 
 #include <filesystem>
 #include <optional>
@@ -17,10 +17,10 @@ namespace handway::tools {
 struct ReproducedFigure {
   int number = 0;  ///< In the paper.
   std::string caption;
-  std::string text;  ///< Description of its data; may be empty.
-  std::vector<ReportPicture> pictures;
-  std::optional<ReportTable> table;  ///< Published figures beside the measured ones, if any.
-  std::string problem;               ///< Reason of missing parts; may be empty.
+  std::string text;                    ///< Description of its data; may be empty.
+  std::vector<report::Part> drawings;  ///< Figures and pictures.
+  std::optional<report::Table> table;  ///< Published figures beside the measured ones, if any.
+  std::string problem;                 ///< Reason of missing parts; may be empty.
 };
 
 /// Figures available: 7 to 10 of hand postures, 14 and 17 of paths.

@@ -20,6 +20,7 @@ const std::map<std::string, std::set<std::string>, std::less<>> kBelow = {
     {"planning", {"geometric", "sampling"}},
     {"device", {"geometric"}},
     {"execution", {"geometric", "sampling", "planning", "device"}},
+    {"report", {"geometric", "sampling"}},
 };
 
 /// The folders of libraries, lowest first: sources and headers of each, the public ones too, may
@@ -35,6 +36,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolde
       "replanning", "grasps", "tasks", "campaigns"}},
     {"device", {"core", "glove", "retargeting", "tracker", "arm", "hand", "ros", "haptic"}},
     {"execution", {"motion", "guidance"}},
+    {"report", {"document", "plots", "rendering", "studies"}},
 };
 
 /// The folders of the window, lowest first: each may include those before it. Two exceptions:

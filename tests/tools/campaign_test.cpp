@@ -83,7 +83,7 @@ TEST_F(HandwayCampaign, DrawsHeatMapsOfPairsOfParameters) {
   EXPECT_THAT(line_.read("pairs/report.html"), HasSubstr(">n_a</text>"));
   EXPECT_THAT(line_.read("pairs/report.md"), HasSubstr("](drawings/1.svg)"));
   EXPECT_THAT(line_.read("pairs/drawings/1.svg"),
-              AllOf(testing::StartsWith("<svg xmlns"), HasSubstr("svg text{font"),
+              AllOf(testing::StartsWith("<svg xmlns"), HasSubstr("font-family=\"sans-serif\""),
                     HasSubstr(">n_a</text>"), HasSubstr(" ms</text>")));
   const std::string table = line_.read("pairs/heatmaps.csv");
   EXPECT_THAT(table, AllOf(HasSubstr("\nopen,pmd-prm,a n_a=5 k=3,n_a,5,k,3,2,2,"),

@@ -95,10 +95,12 @@ TEST_F(Send, RunsAWholePathOnArmAndHand) {
 TEST_F(Send, WritesALogThatIsComparedWithThePlan) {
   emulate({}, {});
   ASSERT_EQ(line_.run(send("--yes --speed 0.5")).exit_code, 0);
-  const Outcome compared = line_.run("compare log.csv");
+  const Outcome compared = line_.run("compare log.csv --plots");
   ASSERT_EQ(compared.exit_code, 0) << compared.err;
   EXPECT_THAT(compared.out, AllOf(HasSubstr("arm: "), HasSubstr("hand: "), HasSubstr("joint_6"),
                                   HasSubstr("ring_medial"), HasSubstr("RMS [rad]")));
+  EXPECT_THAT(line_.read("log.svg"),
+              AllOf(HasSubstr(">joint_6</text>"), HasSubstr(">error [mrad]</text>")));
   line_.write("broken.csv", "time,device,a,a.measured\n0.1,arm,0.5,x\n");
   const Outcome broken = line_.run("compare broken.csv");
   EXPECT_EQ(broken.exit_code, 3);

@@ -2,68 +2,22 @@
 
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "view3d/scene_pictures.h"
 #include "widgets/plots/figure_file.h"
-#include "widgets/plots/statistics_plots.h"
 
 #include <QImage>
 #include <QPainter>
 #include <QSize>
-#include <qwt_plot.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
-#include <utility>
 #include <vector>
 
 namespace handway::gui {
-namespace {
-
-using geometric::InputError;
-
-constexpr std::size_t kLargestFile = std::size_t{1} << 30;
-
-// The rows of a CSV file whose header is `names`.
-Eigen::MatrixXd read_table(const std::filesystem::path& file,
-                           const std::vector<std::string>& names) {
-  std::istringstream in(geometric::read_text_file(file, "a table of numbers", kLargestFile));
-  std::string line;
-  std::getline(in, line);
-  if (!std::ranges::equal(geometric::cells(line, ','), names)) {
-    throw InputError({file.string() + ":1", "", "another header", "the joints of the basis", ""});
-  }
-  std::vector<double> values;
-  Eigen::Index rows = 0;
-  for (; std::getline(in, line); ++rows) {
-    const std::string where = file.string() + ':' + std::to_string(rows + 2);
-    const std::vector<std::string_view> row = geometric::cells(line, ',');
-    if (row.size() != names.size()) {
-      throw InputError({where, "", std::to_string(row.size()) + " values",
-                        std::to_string(names.size()) + " as in the header", ""});
-    }
-    for (const std::string_view cell : row) {
-      const std::optional<double> value = geometric::parse_number(cell);
-      if (!value) {
-        throw InputError({where, "", '"' + std::string(cell) + '"', "a finite number", ""});
-      }
-      values.push_back(*value);
-    }
-  }
-  if (rows == 0) {
-    throw InputError({file.string(), "", "no rows", "at least one", ""});
-  }
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const RowMajor>(values.data(), rows, static_cast<Eigen::Index>(names.size()));
-}
-
-}  // namespace
 
 geometric::Configuration FigureData::configuration(const Eigen::VectorXd& posture) const {
   geometric::Configuration q = hand->neutral();
@@ -83,89 +37,11 @@ FigureData read_figure_data(const std::filesystem::path& folder) {
       geometric::ResourceKind::kRobot, data.basis.hand, folder, basis.string()));
   for (const std::string& joint : data.basis.joints) {
     if (!data.hand->find_variable(joint)) {
-      throw InputError({basis.string(), "joints", "joint \"" + joint + '"',
-                        "joints of " + data.hand->name(), ""});
+      throw geometric::InputError({basis.string(), "joints", "joint \"" + joint + '"',
+                                   "joints of " + data.hand->name(), ""});
     }
   }
-  data.postures = read_table(folder / "postures.csv", data.basis.joints);
-  data.shares = read_table(folder / "variance.csv", {"share"}).col(0);
   return data;
-}
-
-namespace {
-
-using Pair = std::pair<Eigen::Index, Eigen::Index>;
-
-constexpr std::size_t kPairs = 6;
-constexpr QSize kCorrelationSize{720, 840};
-constexpr QSize kVarianceSize{560, 400};
-
-// Fig. 7, from the top left: joints by name, numbered as in the paper.
-constexpr std::array<std::pair<const char*, const char*>, kPairs> kPaperPairs{
-    {{"middle_proximal", "ring_proximal"},
-     {"index_abduction", "ring_abduction"},
-     {"index_medial", "middle_medial"},
-     {"middle_proximal", "ring_abduction"},
-     {"thumb_base", "index_proximal"},
-     {"thumb_base", "ring_medial"}}};
-
-Eigen::Index index_of(const sampling::PmdBasis& basis, const char* joint) {
-  const auto found = std::ranges::find(basis.joints, joint);
-  return found == basis.joints.end() ? -1 : found - basis.joints.begin();
-}
-
-std::vector<Pair> strongest_pairs(const FigureData& data) {
-  std::vector<std::pair<double, Pair>> all;
-  for (Eigen::Index a = 0; a < data.postures.cols(); ++a) {
-    for (Eigen::Index b = a + 1; b < data.postures.cols(); ++b) {
-      all.push_back({-std::abs(correlation(data.postures.col(a), data.postures.col(b))), {a, b}});
-    }
-  }
-  std::ranges::sort(all);
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < std::min(kPairs, all.size()); ++i) {
-    pairs.push_back(all[i].second);
-  }
-  return pairs;
-}
-
-std::vector<Pair> pairs_of(const FigureData& data) {
-  std::vector<Pair> pairs;
-  for (const auto& [first, second] : kPaperPairs) {
-    const Pair pair{index_of(data.basis, first), index_of(data.basis, second)};
-    if (pair.first < 0 || pair.second < 0) {
-      return strongest_pairs(data);
-    }
-    pairs.push_back(pair);
-  }
-  return pairs;
-}
-
-PlotVariable variable(const FigureData& data, Eigen::Index joint) {
-  QString name = QString::fromStdString(data.basis.joints[static_cast<std::size_t>(joint)]);
-  name.replace('_', ' ');
-  return {QStringLiteral("Joint %1, %2 (%3)").arg(joint).arg(name).arg(QChar(0x00b0)),
-          data.postures.col(joint) / geometric::kDegree};
-}
-
-}  // namespace
-
-void write_correlation_figure(const FigureData& data, const QString& path) {
-  std::vector<std::unique_ptr<QwtPlot>> plots;
-  std::vector<QwtPlot*> drawn;
-  for (const auto& [first, second] : pairs_of(data)) {
-    plots.push_back(make_scatter_plot(variable(data, first), variable(data, second)));
-    drawn.push_back(plots.back().get());
-  }
-  write_figure(path, QStringLiteral("Correlations between joints"), kCorrelationSize,
-               [&](QPainter& painter, const QSize& size) { draw_plots(painter, size, drawn, 2); });
-}
-
-void write_variance_figure(const FigureData& data, const QString& path) {
-  const std::unique_ptr<QwtPlot> plot = make_variance_plot(data.shares);
-  write_figure(
-      path, QStringLiteral("Variance covered by principal motion directions"), kVarianceSize,
-      [&](QPainter& painter, const QSize& size) { draw_plots(painter, size, {plot.get()}, 1); });
 }
 
 namespace {

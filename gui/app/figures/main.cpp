@@ -1,9 +1,8 @@
-/// handway-figures FOLDER: draws the figures of what `handway pca --plots FOLDER` left there.
-/// handway-figures FILE.yaml: draws the film strips of a file that `handway reproduce` wrote,
-/// beside it.
-/// handway-figures FILE.csv: draws the differences of a log that `handway send` wrote, beside it.
+/// handway-figures FOLDER: takes pictures of the hand for the basis that `handway pca --plots
+/// FOLDER` wrote there. handway-figures FILE.yaml: takes the film strips of a file that `handway
+/// reproduce` wrote, beside it.
 #include "app/figures/basis_figures.h"
-#include "app/figures/motion_figures.h"
+#include "app/figures/film_figures.h"
 
 #include <QApplication>
 #include <QTemporaryDir>
@@ -28,18 +27,11 @@ void draw_film(const std::filesystem::path& file) {
   gui::write_film_figure(gui::read_film_data(file), path);
 }
 
-void draw_motion(const std::filesystem::path& file) {
-  const QString path = QString::fromStdString((file.parent_path() / file.stem()).string());
-  gui::write_motion_figure(handway::execution::read_motion_log(file), path);
-}
-
 void draw_basis(const std::filesystem::path& folder) {
   const gui::FigureData data = gui::read_figure_data(folder);
   const auto path = [&](const char* name) {
     return QString::fromStdString((folder / name).string());
   };
-  gui::write_correlation_figure(data, path("correlations"));
-  gui::write_variance_figure(data, path("variance"));
   gui::write_direction_figure(data, path("directions"));
   gui::write_grid_figure(data, path("grid"));
 }
@@ -48,7 +40,7 @@ void draw_basis(const std::filesystem::path& folder) {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fputs("handway-figures: usage: handway-figures FOLDER | FILE.yaml | FILE.csv\n", stderr);
+    std::fputs("handway-figures: usage: handway-figures FOLDER | FILE.yaml\n", stderr);
     return kWrongUsage;
   }
   if (!has_display()) {
@@ -63,12 +55,8 @@ int main(int argc, char** argv) {
     }
     const QApplication application(argc, argv);
     const std::filesystem::path source = argv[1];
-    const bool file = !std::filesystem::is_directory(source);
-    if (file && source.extension() == ".csv") {
-      draw_motion(source);
-    } else {
-      (file && source.extension() == ".yaml" ? draw_film : draw_basis)(source);
-    }
+    const bool is_film = !std::filesystem::is_directory(source) && source.extension() == ".yaml";
+    (is_film ? draw_film : draw_basis)(source);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "handway-figures: %s\n", error.what());
     return kInvalidInput;

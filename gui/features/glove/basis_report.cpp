@@ -1,6 +1,8 @@
 #include "features/glove/basis_report.h"
 
 #include "handway/geometric/math/units.h"
+#include "handway/report/rendering/html.h"
+#include "handway/report/studies/basis_study_document.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/style/color_math.h"
 #include "widgets/style/theme.h"
@@ -8,18 +10,16 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPolygonF>
-#include <QStringList>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace handway::gui {
 namespace {
 
-using geometric::kDegree;
 using geometric::kMillimetre;
 using sampling::BasisStudy;
-using sampling::Interval;
 
 constexpr int kScaleWidth = 30;   // px, left of the plane
 constexpr int kScaleHeight = 16;  // px, below it
@@ -95,99 +95,6 @@ void ReconstructionChart::paintEvent(QPaintEvent*) {
   painter.drawPolyline(mean);
 }
 
-namespace {
-
-QString interval_text(const Interval& interval, double unit) {
-  return QStringLiteral("%1 (%2–%3)")
-      .arg(interval.mean / unit, 0, 'f', 1)
-      .arg(interval.low / unit, 0, 'f', 1)
-      .arg(interval.high / unit, 0, 'f', 1);
-}
-
-QString table(const QStringList& rows) {
-  return QStringLiteral("<table cellspacing=0 cellpadding=2>%1</table>").arg(rows.join(QString()));
-}
-
-QString row(const QStringList& cells) {
-  return QStringLiteral("<tr><td>%1</td></tr>")
-      .arg(cells.join(QStringLiteral("</td><td align=right>&nbsp;")));
-}
-
-QString enough_text(const BasisStudy& study) {
-  QStringList enough;
-  for (const double error : sampling::kReportedErrors) {
-    const int directions = study.enough_for(error);
-    const QString wanted = QString::number(error / kMillimetre);
-    enough << (directions < 0 ? QObject::tr("%1 mm: all PMDs are not enough").arg(wanted)
-                              : QObject::tr("%1 mm: <b>%2 PMDs</b>").arg(wanted).arg(directions));
-  }
-  return QObject::tr("Enough for %1").arg(enough.join(QStringLiteral("; ")));
-}
-
-QString reconstruction_text(const BasisStudy& study) {
-  QStringList rows{row({QObject::tr("PMDs"), QObject::tr("mean, mm"), QObject::tr("95 % below"),
-                        QObject::tr("variance")})};
-  for (const sampling::ReconstructionError& error : study.reconstruction) {
-    rows << row({QString::number(error.directions), interval_text(error.fingertip, kMillimetre),
-                 QString::number(error.most / kMillimetre, 'f', 1),
-                 QStringLiteral("%1 %").arg(100.0 * error.variance, 0, 'f', 1)});
-  }
-  return table(rows);
-}
-
-QString stability_text(const BasisStudy& study) {
-  QStringList head{QObject::tr("s recorded")};
-  for (std::size_t k = 1; k <= study.stability.back().angles.size(); ++k) {
-    head << (k == 1 ? QObject::tr("PMD 1") : QObject::tr("1 to %1").arg(k));
-  }
-  QStringList rows{row(head)};
-  for (const sampling::BasisStability& stability : study.stability) {
-    QStringList cells{QString::number(stability.seconds, 'f', 0)};
-    for (const Interval& angle : stability.angles) {
-      cells << QStringLiteral("%1° (%2–%3)")
-                   .arg(angle.mean / kDegree, 0, 'f', 0)
-                   .arg(angle.low / kDegree, 0, 'f', 0)
-                   .arg(angle.high / kDegree, 0, 'f', 0);
-    }
-    rows << row(cells);
-  }
-  return QObject::tr("<b>Stability</b>: largest angle to the directions of the whole recording") +
-         table(rows);
-}
-
-QString persons_text(const BasisStudy& study) {
-  QStringList rows{row(
-      {QObject::tr("mm at the fingertips"), QObject::tr("own basis"), QObject::tr("the others'")})};
-  for (const sampling::PersonFit& person : study.persons) {
-    rows << row({QString::fromStdString(person.name).toHtmlEscaped(),
-                 interval_text(person.own, kMillimetre),
-                 interval_text(person.others, kMillimetre)});
-  }
-  rows << row(
-      {QObject::tr("a new person (estimate)"), {}, interval_text(study.newcomer, kMillimetre)});
-  return QObject::tr(
-             "<b>Persons</b>: each recording with its own basis and with that of the others") +
-         table(rows);
-}
-
-QString study_text(const BasisStudy& study, double confidence) {
-  QString text = QObject::tr(
-                     "<b>Number of PMDs</b>: fingertip error for postures not used for the basis "
-                     "(%1 % confidence)<br>%2")
-                     .arg(100.0 * confidence, 0, 'f', 0)
-                     .arg(enough_text(study)) +
-                 reconstruction_text(study);
-  if (!study.stability.empty()) {
-    text += QStringLiteral("<br>") + stability_text(study);
-  }
-  if (!study.persons.empty()) {
-    text += QStringLiteral("<br>") + persons_text(study);
-  }
-  return text;
-}
-
-}  // namespace
-
 BasisReportView::BasisReportView(QWidget* parent)
     : QWidget(parent), chart_(new ReconstructionChart), text_(named("basis_report", note())) {
   text_->setWordWrap(true);
@@ -226,9 +133,11 @@ void BasisReportView::make() {
   job_.run([this, input = *input_](const std::stop_token&) {
     const BasisStudy study =
         sampling::study_basis(input.recordings, input.fingertips, input.settings);
-    return [this, study, text = study_text(study, input.settings.confidence)] {
+    const std::string text =
+        report::to_rich_text(report::basis_study_document(study, input.settings.confidence));
+    return [this, study, text] {
       chart_->set_errors(study.reconstruction);
-      text_->setText(text);
+      text_->setText(QString::fromStdString(text));
     };
   });
 }

@@ -272,7 +272,7 @@ void CursorPlot::write(const QString& file, const QString& title) const {
   fill(printed, true);
   write_picture(file, title, kPrintSize, [&printed](QPainter& painter, const QSize& size) {
     printed.replot();
-    draw_plots(painter, size, {&printed}, 1);
+    draw_plot(painter, size, printed);
   });
 }
 

@@ -159,20 +159,11 @@ void write_picture(const QString& file, const QString& title, const QSize& size,
   write_bytes(file, picture_bytes(file, title, size, draw));
 }
 
-void draw_plots(QPainter& painter, const QSize& size, const std::vector<QwtPlot*>& plots,
-                int columns) {
-  const int rows = (static_cast<int>(plots.size()) + columns - 1) / columns;
-  const QSizeF cell(static_cast<double>(size.width()) / columns,
-                    static_cast<double>(size.height()) / rows);
+void draw_plot(QPainter& painter, const QSize& size, QwtPlot& plot) {
   QwtPlotRenderer renderer;
   renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
   renderer.setLayoutFlag(QwtPlotRenderer::FrameWithScales, false);
-  for (std::size_t i = 0; i < plots.size(); ++i) {
-    const int row = static_cast<int>(i) / columns;
-    const int column = static_cast<int>(i) % columns;
-    const QRectF rectangle(column * cell.width(), row * cell.height(), cell.width(), cell.height());
-    renderer.render(plots[i], &painter, rectangle.adjusted(8, 8, -8, -8));
-  }
+  renderer.render(&plot, &painter, QRectF(QPointF(0, 0), size).adjusted(8, 8, -8, -8));
 }
 
 namespace {

@@ -23,7 +23,6 @@ namespace handway::gui {
 
 inline const QColor kPlotInk{0x22, 0x26, 0x2b};
 inline const QColor kPlotGrid{0xdd, 0xe1, 0xe6};
-inline const QColor kPlotBlue{0x1f, 0x5f, 0xa8};
 inline const QColor kPlotOrange{0xd9, 0x6c, 0x1e};
 
 /// Colours of a plot.
@@ -66,9 +65,8 @@ void write_picture(const QString& file, const QString& title, const QSize& size,
 /// Replaces a file whole. @throws geometric::InputError if it can't be written.
 void write_bytes(const QString& file, const QByteArray& bytes);
 
-/// Draws plots side by side, row by row, all of the same size.
-void draw_plots(QPainter& painter, const QSize& size, const std::vector<QwtPlot*>& plots,
-                int columns);
+/// Draws a plot that fills a figure.
+void draw_plot(QPainter& painter, const QSize& size, QwtPlot& plot);
 
 /// Pictures side by side under a label; those of all strips of a figure are as many.
 struct Strip {

@@ -261,7 +261,7 @@ TEST_F(CapturePagesOfAHand, ReportHowGoodABasisOfSeveralPersonsIs) {
                               kPatienceMs));
   EXPECT_THAT(report.text().toStdString(), HasSubstr("anna.csv"));
   EXPECT_THAT(report.text().toStdString(), HasSubstr("a new person (estimate)"));
-  EXPECT_THAT(report.text().toStdString(), HasSubstr("PMDs</b>"));
+  EXPECT_THAT(report.text().toStdString(), HasSubstr(" for 5 mm: "));
   EXPECT_EQ(part<QComboBox>("explorer_source").currentText(), QStringLiteral("anna.csv + ben.csv"));
 }
 

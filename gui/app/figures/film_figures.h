@@ -1,6 +1,5 @@
 #pragma once
 
-#include "handway/execution/motion/motion_log.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/planning_problem.h"
@@ -46,11 +45,5 @@ struct FilmData {
 
 /// The paths as rows of pictures (Figs. 14 and 17 of the paper), as PNG and SVG. Needs a display.
 void write_film_figure(const FilmData& data, const QString& path);
-
-/// Draws how far each joint was from where it should have been, over time, a plot a joint, as
-/// `PATH.png` and `PATH.svg`.
-/// @throws geometric::InputError if one can't be written.
-void write_motion_figure(const std::vector<execution::RecordedDevice>& devices,
-                         const QString& path);
 
 }  // namespace handway::gui

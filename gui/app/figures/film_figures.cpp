@@ -1,4 +1,4 @@
-#include "app/figures/motion_figures.h"
+#include "app/figures/film_figures.h"
 
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/robot/hand_structure.h"
@@ -9,18 +9,13 @@
 #include "model/playback/path_player.h"
 #include "view3d/scene_pictures.h"
 #include "view3d/viewpoints.h"
-#include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/figure_file.h"
 
-#include <QColor>
 #include <QImage>
 #include <QSize>
-#include <qwt_plot.h>
-#include <qwt_text.h>
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <vector>
 
 namespace handway::gui {
@@ -156,44 +151,6 @@ void write_film_figure(const FilmData& data, const QString& path) {
     return Strip{QString::fromStdString(row.label), pictures_of(row, data.frames, data.view)};
   });
   write_figure(path, QString::fromStdString(data.title), strips_size(strips), draw_strips(strips));
-}
-
-namespace {
-
-constexpr int kColumns = 3;
-constexpr QSize kFrame{300, 190};
-constexpr double kTitleSize = 9.0;
-constexpr double kMilli = 1e3;
-constexpr QRgb kBlue = 0x0072b2;
-
-}  // namespace
-
-void write_motion_figure(const std::vector<execution::RecordedDevice>& devices,
-                         const QString& path) {
-  std::vector<std::unique_ptr<TimePlot>> owners;
-  std::vector<QwtPlot*> plots;
-  for (const execution::RecordedDevice& device : devices) {
-    const Eigen::MatrixXd away = kMilli * (device.measured - device.planned);
-    for (Eigen::Index j = 0; j < away.cols(); ++j) {
-      const QString joint = QString::fromStdString(device.joints[static_cast<std::size_t>(j)]);
-      auto plot =
-          std::make_unique<TimePlot>(QStringLiteral("time [s]"), QStringLiteral("off [mrad]"));
-      const Eigen::VectorXd column = away.col(j);
-      plot->set_curve(plot->add_curve(joint, QColor(kBlue)), device.times,
-                      {column.begin(), column.end()});
-      plot->refresh();
-      plots.push_back(plot->findChild<QwtPlot*>());
-      QwtText title(joint, QwtText::PlainText);
-      title.setFont(plot_font(kTitleSize));
-      plots.back()->setTitle(title);
-      owners.push_back(std::move(plot));
-    }
-  }
-  const int rows = (static_cast<int>(plots.size()) + kColumns - 1) / kColumns;
-  write_figure(
-      path, QStringLiteral("Measured minus planned"),
-      {kFrame.width() * kColumns, kFrame.height() * rows},
-      [&](QPainter& painter, const QSize& size) { draw_plots(painter, size, plots, kColumns); });
 }
 
 }  // namespace handway::gui
