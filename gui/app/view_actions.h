@@ -85,7 +85,7 @@ class Document;
 class Preferences;
 
 /// Draws the scene's bodies as they look, or as collision checking has them. Makes what that
-/// takes on a thread of its own.
+/// takes in the background.
 class BodyDisplayTool : public QObject {
   Q_OBJECT
 

@@ -139,7 +139,7 @@ void SceneLoader::run(std::function<planning::SceneState()> read) {
         },
         Qt::QueuedConnection);
   };
-  threads_.run([this, deliver, read = std::move(read)] {
+  jobs_.run([this, deliver, read = std::move(read)] {
     try {
       const planning::SceneState scene = read();
       shade_meshes(*scene.scene);

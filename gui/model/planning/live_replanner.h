@@ -14,7 +14,7 @@ namespace handway::gui {
 /// A replanned path, and the revision that it was planned in.
 using DerivedResult = planning::Derived<planning::PlanResult>;
 
-/// Keeps a path valid while its scene is edited: plans again on a thread of its own
+/// Keeps a path valid while its scene is edited: plans again in the background
 /// with a dynamic roadmap. Only the latest scene counts: those that come faster than
 /// they can be planned are skipped.
 class LiveReplanner : public QObject {
@@ -45,7 +45,7 @@ class LiveReplanner : public QObject {
  private:
   struct Followed;
 
-  std::shared_ptr<Followed> followed_;  ///< For the job's thread; null: there is no path.
+  std::shared_ptr<Followed> followed_;  ///< For the job; null: there is no path.
   LatestJob job_;
 };
 

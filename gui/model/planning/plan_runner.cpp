@@ -116,7 +116,7 @@ void find_motion(const planning::PlanningProblem& problem,
 
 }  // namespace
 
-/// State that the threads share.
+/// State that the jobs share.
 struct SeedRunner::Shared {
   SeedRuns runs;
   std::stop_token stop;
@@ -134,7 +134,7 @@ void SeedRunner::start(SeedRuns runs) {
   shared->runs = std::move(runs);
   shared->stop = stop_.get_token();
   for (const auto& planner : shared->runs.planners) {
-    threads_.run(
+    jobs_.run(
         [this, shared, planner, generation = generation_] { work(shared, planner, generation); });
   }
 }

@@ -20,7 +20,7 @@
 
 namespace handway::gui {
 
-/// Runs a planner on a thread of its own and reports its progress to the GUI thread.
+/// Runs a planner in the background and reports its progress to the GUI thread.
 class PlanRunner : public QObject {
   Q_OBJECT
 
@@ -72,7 +72,7 @@ struct SeedOutcome {
   std::shared_ptr<const MotionCurves> curves;      ///< hand_curves(); null as the motion is.
 };
 
-/// Plans with several seeds, several at a time, on threads of its own, and times what is found.
+/// Plans with several seeds, several at a time, in the background, and times what is found.
 class SeedRunner : public QObject {
   Q_OBJECT
 
@@ -106,7 +106,7 @@ class SeedRunner : public QObject {
   int generation_ = 0;
   int to_come_ = 0;
   std::stop_source stop_{std::nostopstate};
-  BackgroundThreads threads_;
+  BackgroundJobs jobs_;
 };
 
 /// A path that is to be optimised further.
@@ -138,7 +138,7 @@ struct OptimizeOutcome {
   bool repeatable = false;
 };
 
-/// Optimises a path on a thread of its own, and reports how the path gets better.
+/// Optimises a path in the background, and reports how the path gets better.
 ///
 /// The path is that of a number of whole rounds, as `handway plan --optimize` makes them. A run
 /// that takes up the path that the last one left goes on where that ended.
@@ -167,13 +167,13 @@ class OptimizeRunner : public QObject {
  private:
   struct Work;
 
-  /// Runs on the job's thread.
+  /// Part of the job.
   void take_up(const OptimizeTask& task, const PreparedProblem::Problem& problem);
   [[nodiscard]] OptimizeProgress progress(double seconds, double limit_s) const;
   [[nodiscard]] OptimizeOutcome run(const OptimizeTask& task, int generation,
                                     const std::stop_token& stop, const std::stop_token& discarded);
 
-  std::unique_ptr<Work> work_;  ///< For the job's thread alone.
+  std::unique_ptr<Work> work_;  ///< For the job alone.
   std::stop_source stop_;
   int generation_ = 0;
   LatestJob job_;
