@@ -110,6 +110,20 @@ TEST_F(MovingPost, KeepsAPathThatWasPlannedElsewhere) {
   EXPECT_EQ(kept.path.waypoints, planned.path.waypoints);
 }
 
+TEST_F(MovingPost, TakesOverAProblemThatWasMadeElsewhere) {
+  (void)plan();
+  const PlanningProblem before = roadmap_.problem();
+  auto scene = std::make_shared<geometric::Scene>(*before.scene);
+  scene->start = before.start;
+  scene->goal = before.goal;
+  scene->objects.front().X_PO = at(kPostX + 0.003, 0.004);
+  const PlanningProblem next = updated_problem(before, scene, before.basis);
+  ASSERT_TRUE(roadmap_.follow(next));
+  EXPECT_EQ(roadmap_.problem().checker, next.checker) << "no other one is made";
+  expect_valid(roadmap_, plan());
+  EXPECT_NE(source(), ReplanSource::kPlanner);
+}
+
 TEST_F(MovingPost, AsksNothingTwiceWhenNothingChanged) {
   const PlanResult first = plan();
   const PlanResult second = plan();

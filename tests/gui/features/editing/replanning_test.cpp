@@ -52,6 +52,22 @@ TEST_F(ReplanningLive, LeadsThePathAroundWhatIsMoved) {
   expect_free_path();
 }
 
+TEST_F(ReplanningLive, EditsAndPlansOncePerDrop) {
+  plan();
+  select("post");
+  geometric::Pose moved = object("post").X_PO;
+  moved.translation().y() += 0.01;
+  const QSignalSpy edited(&window().document(), &gui::Document::edited);
+  const QSignalSpy replanned(&window().session(), &gui::PlanningSession::replanned);
+  editor().place(moved);
+  wait_for_path();
+  QTest::qWait(100);
+  EXPECT_EQ(edited.count(), 1);
+  EXPECT_EQ(replanned.count(), 1);
+  EXPECT_EQ(window().player().made_from(), window().document().revision());
+  EXPECT_TRUE(object("post").X_PO.isApprox(moved));
+}
+
 TEST_F(ReplanningLive, FollowsADragWithoutHoldingTheWindowUp) {
   plan();
   // The window's own work counts, however many programs share the machine.
