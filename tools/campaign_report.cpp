@@ -2,6 +2,7 @@
 
 #include "campaign_command.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/campaign_statistics.h"
 #include "machine.h"
@@ -62,8 +63,10 @@ constexpr std::array kRunColumns = std::to_array<RunColumn>({
     {"edges_tested", [](const RunRecord& run) { return whole(run.edges_tested); }},
     {"path_nodes", [](const RunRecord& run) { return whole(run.path_nodes); }},
     {"path_length", [](const RunRecord& run) { return number_field(run.path_length); }},
-    {"resolution_mm", [](const RunRecord& run) { return number_field(run.resolution_mm); }},
-    {"min_clearance_mm", [](const RunRecord& run) { return number_field(run.min_clearance_mm); }},
+    {"resolution_mm",
+     [](const RunRecord& run) { return number_field(geometric::millimetres(run.resolution)); }},
+    {"min_clearance_mm",
+     [](const RunRecord& run) { return number_field(geometric::millimetres(run.min_clearance)); }},
     {"certificate_checks", [](const RunRecord& run) { return whole(run.certificate_checks); }},
 });
 

@@ -164,7 +164,7 @@ int plan(PlanOptions options) {
   planning::PlanRequest request;
   request.seed = options.seed;
   request.threads = options.threads;
-  request.margin_mm = options.margin_mm;
+  request.margin = geometric::metres(options.margin_mm);
   request.optimize_s = options.optimize_s;
   request.time_limit_s = options.time_limit_s;
   const PlanResult result = plan_until_interrupted(*planner, problem, request);

@@ -46,7 +46,7 @@ void expect_valid(DynamicRoadmap& roadmap, const PlanResult& result) {
           << "edge " << i;
     }
   }
-  EXPECT_GT(result.certificate.min_clearance_mm, 0.0);
+  EXPECT_GT(result.certificate.min_clearance, 0.0);
 }
 
 std::uint64_t checks_anew(DynamicRoadmap& roadmap) {

@@ -305,7 +305,7 @@ QWidget* DevicesPanel::make_motion() {
   start_here_->hide();
   with_margin_->setToolTip(tr("Plan a path with this clearance"));
   with_margin_->hide();
-  connect(with_margin_, &QPushButton::clicked, this, [this] { emit margin_requested(margin_mm_); });
+  connect(with_margin_, &QPushButton::clicked, this, [this] { emit margin_requested(margin_); });
   connect(speed_, &SliderRow::value_edited, this, &DevicesPanel::speed_changed);
   connect(start_here_, &QPushButton::clicked, this, &DevicesPanel::start_here_requested);
   connect(armed_, &QCheckBox::toggled, this, &DevicesPanel::update_buttons);
@@ -391,8 +391,8 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
 void DevicesPanel::offer_margin(const planning::PreflightReport& report) {
   with_margin_->setVisible(report.is_tight() && report.is_under_way());
   if (report.is_tight()) {
-    margin_mm_ = report.shortfall->suggested_margin_mm();
-    with_margin_->setText(tr("Plan with %1 mm margin").arg(margin_mm_));
+    margin_ = report.shortfall->suggested_margin();
+    with_margin_->setText(tr("Plan with %1 mm margin").arg(geometric::millimetres(margin_)));
   }
 }
 

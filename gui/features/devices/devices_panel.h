@@ -100,8 +100,8 @@ class DevicesPanel : public QWidget {
   void hold_requested(bool held);
   void mirror_changed();
   void start_here_requested();  ///< Let the path start where the robot stands.
-  /// Plan again with that margin.
-  void margin_requested(double millimetres);
+  /// Plan again with that margin, m.
+  void margin_requested(double margin);
 
  private:
   QWidget* make_connection();
@@ -121,7 +121,7 @@ class DevicesPanel : public QWidget {
   QLabel* motion_;
   QPushButton* start_here_;
   QPushButton* with_margin_;
-  double margin_mm_ = 0.0;  ///< Margin that `with_margin_` plans with.
+  double margin_ = 0.0;  ///< m, margin that `with_margin_` plans with.
   QCheckBox* armed_;
   QPushButton* run_;
   QPushButton* hold_;

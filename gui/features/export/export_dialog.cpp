@@ -416,7 +416,7 @@ void export_path(Workbench& workbench) {
   auto* dialog =
       new ExportDialog(workbench.plugins, workbench.document, workbench.player.timeline().path(),
                        workbench.scene_name(), &workbench.window);
-  dialog->set_margin(geometric::metres(workbench.plan_settings.request().margin_mm));
+  dialog->set_margin(workbench.plan_settings.request().margin);
   QObject::connect(dialog, &ExportDialog::exported, &workbench, [&](const QStringList& files) {
     note_exported(workbench, files.join(QStringLiteral(", ")));
   });

@@ -42,8 +42,8 @@ RunRecord record_of(const RunSpec& spec, const PlanResult& result,
   record.reason = result.reason;
   record.time_s = result.time_s;
   record.smoothing_s = result.smoothing_s;
-  record.resolution_mm = result.certificate.resolution_mm;
-  record.min_clearance_mm = result.certificate.min_clearance_mm;
+  record.resolution = result.certificate.resolution;
+  record.min_clearance = result.certificate.min_clearance;
   record.certificate_checks = result.certificate.checks;
   if (result.solved()) {
     record.path_nodes = result.path.waypoints.size();
