@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/safety_clearance.h"

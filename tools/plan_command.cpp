@@ -6,6 +6,7 @@
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/carried_objects.h"
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
 #include "handway/planning/queries/collision_remedy.h"

@@ -3,6 +3,7 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/robot/joint_selection.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
 #include "model/document/document.h"

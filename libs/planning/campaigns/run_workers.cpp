@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/paths/path_file.h"
 
 #include <boost/dll/runtime_symbol_info.hpp>

@@ -1,6 +1,7 @@
 #include "features/editing/editing_test.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/planning/edits/scene_edits.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway_test/resource_use.h"
 
 #include <QSignalSpy>
