@@ -7,7 +7,7 @@
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
 #include "model/document/document.h"
-#include "model/playback/path_player.h"
+#include "model/playback/path_timeline.h"
 #include "view3d/scene_pictures.h"
 #include "view3d/viewpoints.h"
 #include "widgets/plots/cursor_plot.h"

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "model/devices/executed_motion.h"
 #include "model/devices/motion_driver.h"
 #include "model/devices/stop_key_listener.h"
-#include "model/planning/plan_runner.h"
+#include "model/planning/timing_runner.h"
 
 #include <QList>
 #include <QObject>

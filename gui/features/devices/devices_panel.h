@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/planning/timing/time_path.h"
+#include "model/devices/executed_motion.h"
 #include "model/devices/motion_driver.h"
 
 #include <QComboBox>

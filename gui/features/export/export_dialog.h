@@ -5,7 +5,7 @@
 #include "handway/planning/timing/time_path.h"
 #include "handway/planning/timing/timing_settings.h"
 #include "model/jobs/background.h"
-#include "model/planning/plan_runner.h"
+#include "model/planning/timing_runner.h"
 
 #include <QDialog>
 #include <QObject>

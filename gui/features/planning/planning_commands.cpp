@@ -9,7 +9,7 @@
 #include "features/planning/roadmap_display.h"
 #include "features/workbench.h"
 #include "model/planning/plan_settings.h"
-#include "model/playback/path_player.h"
+#include "model/playback/path_timeline.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/style/actions.h"
