@@ -2,7 +2,7 @@
 
 #include "model/jobs/background.h"
 #include "model/settings/preferences.h"
-#include "view3d/scene_bodies.h"
+#include "view3d/body_meshes.h"
 
 #include <QAction>
 #include <QElapsedTimer>
