@@ -9,6 +9,7 @@
 #include "handway/sampling/postures/pmd_basis.h"
 #include "view3d/scene_pictures.h"
 #include "widgets/plots/figure_file.h"
+#include "widgets/plots/plot_style.h"
 #include "widgets/plots/statistics_plots.h"
 
 #include <QImage>

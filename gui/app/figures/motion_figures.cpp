@@ -12,6 +12,7 @@
 #include "view3d/viewpoints.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/figure_file.h"
+#include "widgets/plots/plot_style.h"
 
 #include <QColor>
 #include <QImage>

@@ -9,8 +9,8 @@
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/panels/run_view.h"
+#include "widgets/plots/ecdf_plot.h"
 #include "widgets/plots/screen_colors.h"
-#include "widgets/plots/statistics_plots.h"
 #include "widgets/style/color_math.h"
 #include "widgets/style/rich_text.h"
 
