@@ -1,5 +1,6 @@
 #include "bench_report.h"
 #include "campaign_command.h"
+#include "collision_bench.h"
 #include "commands.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/formats/scene_file.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "collision_bench.h"
 #include "plan_bench.h"
 
 #include <cstddef>

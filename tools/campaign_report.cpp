@@ -1,6 +1,7 @@
 #include "campaign_report.h"
 
 #include "campaign_command.h"
+#include "campaign_progress.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/campaigns/campaign.h"

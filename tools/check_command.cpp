@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "goal_pose_options.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "goal_pose_options.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
