@@ -121,22 +121,19 @@ std::unique_ptr<SceneModel> with_objects(const SceneModel& model, const py::obje
   return changed(model, std::move(scene));
 }
 
-geometric::SceneObject& needed_object(Scene& scene, const std::string& name) {
-  planning::need_objects(scene, {name});
-  return *std::ranges::find(scene.objects, name, &geometric::SceneObject::name);
-}
-
 std::unique_ptr<SceneModel> without_object(const SceneModel& model, const std::string& name) {
+  planning::need_object(model.scene(), name);
   auto scene = std::make_shared<Scene>(model.scene());
-  static_cast<void>(needed_object(*scene, name));
   geometric::remove_objects(*scene, {name});
   return changed(model, std::move(scene));
 }
 
 std::unique_ptr<SceneModel> with_object_at(const SceneModel& model, const std::string& name,
                                            const Array& X_PO) {
+  planning::need_object(model.scene(), name);
   auto scene = std::make_shared<Scene>(model.scene());
-  needed_object(*scene, name).X_PO = pose_from(X_PO, "X_PO");
+  std::ranges::find(scene->objects, name, &geometric::SceneObject::name)->X_PO =
+      pose_from(X_PO, "X_PO");
   return changed(model, std::move(scene));
 }
 
@@ -249,12 +246,12 @@ planning::AlignTo side_from(const std::string& name) {
 
 py::array_t<double> object_pose_of(const SceneModel& model, const std::string& name,
                                    const py::object& q) {
-  planning::need_objects(model.scene(), {name});
+  const geometric::SceneObject& object = planning::need_object(model.scene(), name);
   const geometric::Configuration at =
       q.is_none() ? posture_of(model)
                   : vector_from(py::cast<Array>(q), model.robot().variable_count(), "q");
   const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> X_WO =
-      object_pose(model.scene(), at, *geometric::find_object(model.scene(), name)).matrix();
+      object_pose(model.scene(), at, object).matrix();
   return py::array_t<double>({4, 4}, X_WO.data());
 }
 

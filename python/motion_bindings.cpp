@@ -1,6 +1,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/timing/time_path.h"
@@ -224,7 +225,8 @@ void bind_motion(py::module_& module) {
       .def_property_readonly(
           "duration", [](const TimedPath& t) { return t.preflight.duration; }, "Duration, s.")
       .def_property_readonly(
-          "min_clearance_mm", [](const TimedPath& t) { return t.preflight.min_clearance_mm; },
+          "min_clearance_mm",
+          [](const TimedPath& t) { return geometric::millimetres(t.preflight.min_clearance); },
           "Smallest clearance, mm; 50 means 50 or more.")
       .def_property_readonly(
           "warning",

@@ -1,7 +1,6 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/math/units.h"
 #include "planner_model.h"
 #include "scene_questions.h"
 
@@ -57,8 +56,8 @@ planning::PlanRequest request_of(std::uint64_t seed, int threads, double time_li
   request.seed = seed;
   request.threads = threads;
   request.time_limit_s = time_limit;
-  request.resolution_mm = geometric::millimetres(resolution);
-  request.margin_mm = geometric::millimetres(margin);
+  request.resolution = resolution;
+  request.margin = margin;
   return request;
 }
 

@@ -1,5 +1,6 @@
 #include "arrays.h"
 #include "bindings.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/paths/path_check.h"
 #include "planner_model.h"
 
@@ -47,20 +48,27 @@ std::string text_of(const PlanOutcome& outcome) {
          std::to_string(outcome.result.path.waypoints.size()) + " waypoints>";
 }
 
+// Returns a getter of a distance in mm.
+template <typename Result>
+auto in_millimetres(double Result::*distance) {
+  return [distance](const Result& result) { return geometric::millimetres(result.*distance); };
+}
+
 void bind_certificate(py::module_& module) {
   py::class_<Certificate>(
       module, "Certificate",
       "Certificate of a path: it holds for every configuration on it and every checked pair.")
-      .def_readonly("resolution_mm", &Certificate::resolution_mm,
-                    "Distance that moving pairs keep at least along edges, mm.")
-      .def_readonly(
-          "resolution_at_start_mm", &Certificate::resolution_at_start_mm,
+      .def_property_readonly("resolution_mm", in_millimetres(&Certificate::resolution),
+                             "Distance that moving pairs keep at least along edges, mm.")
+      .def_property_readonly(
+          "resolution_at_start_mm", in_millimetres(&Certificate::resolution_at_start),
           "Resolution next to the start, mm; finer than elsewhere if the start itself has less\n"
           "than twice the resolution.")
-      .def_readonly("resolution_at_goal_mm", &Certificate::resolution_at_goal_mm,
-                    "Resolution next to the goal, mm.")
-      .def_readonly(
-          "min_clearance_mm", &Certificate::min_clearance_mm,
+      .def_property_readonly("resolution_at_goal_mm",
+                             in_millimetres(&Certificate::resolution_at_goal),
+                             "Resolution next to the goal, mm.")
+      .def_property_readonly(
+          "min_clearance_mm", in_millimetres(&Certificate::min_clearance),
           "Lower bound of the clearance over the whole path, mm; at most a fifth too low, and\n"
           "not more than 50 mm.")
       .def_readonly("checks", &Certificate::checks, "Number of configurations checked.");
@@ -115,8 +123,9 @@ void bind_check(py::module_& module) {
                     "Number of configurations checked.")
       .def_readonly("collisions", &PathCheckResult::collisions,
                     "Number of configurations in collision or violating a constraint.")
-      .def_readonly("min_clearance_mm", &PathCheckResult::min_clearance_mm,
-                    "Smallest clearance at the checked configurations, mm; 0 if one collides.")
+      .def_property_readonly(
+          "min_clearance_mm", in_millimetres(&PathCheckResult::min_clearance),
+          "Smallest clearance at the checked configurations, mm; 0 if one collides.")
       .def_readonly("closest_pair", &PathCheckResult::closest_pair,
                     "Pair with the smallest clearance, as \"A with B\".")
       .def("__repr__", [](const PathCheckResult& check) {

@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "planner_model.h"
 

@@ -51,19 +51,20 @@ Json runs_of(const PlanBench& bench) {
   Json runs = Json::array();
   for (std::size_t i = 0; i < bench.results.size(); ++i) {
     const planning::PlanResult& result = bench.results[i];
-    runs.push_back({{"seed", bench.seeds[i]},
-                    {"solved", result.solved()},
-                    {"status", to_string(result.status)},
-                    {"reason", result.reason},
-                    {"time_s", result.time_s},
-                    {"smoothing_s", result.smoothing_s},
-                    {"samples", result.statistics.samples},
-                    {"node_checks", result.statistics.node_checks},
-                    {"edge_checks", result.statistics.edge_checks},
-                    {"path_nodes", bench.path_nodes[i]},
-                    {"objective", path_quality_json(bench.qualities[i])},
-                    {"path_faults", bench.path_faults[i]},
-                    {"min_clearance_mm", result.certificate.min_clearance_mm}});
+    runs.push_back(
+        {{"seed", bench.seeds[i]},
+         {"solved", result.solved()},
+         {"status", to_string(result.status)},
+         {"reason", result.reason},
+         {"time_s", result.time_s},
+         {"smoothing_s", result.smoothing_s},
+         {"samples", result.statistics.samples},
+         {"node_checks", result.statistics.node_checks},
+         {"edge_checks", result.statistics.edge_checks},
+         {"path_nodes", bench.path_nodes[i]},
+         {"objective", path_quality_json(bench.qualities[i])},
+         {"path_faults", bench.path_faults[i]},
+         {"min_clearance_mm", geometric::millimetres(result.certificate.min_clearance)}});
   }
   return runs;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "collision_bench.h"
 #include "handway/report/rendering/text.h"
 #include "plan_bench.h"
 

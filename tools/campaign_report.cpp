@@ -1,7 +1,9 @@
 #include "campaign_report.h"
 
 #include "campaign_command.h"
+#include "campaign_progress.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/campaign_statistics.h"
 #include "handway/report/rendering/csv.h"
@@ -66,8 +68,8 @@ constexpr std::array kRunColumns = std::to_array<RunColumn>({
     {"edges_tested", [](const RunRecord& run) { return report::Cell(run.edges_tested); }},
     {"path_nodes", [](const RunRecord& run) { return report::Cell(run.path_nodes); }},
     {"path_length", [](const RunRecord& run) { return report::Cell(run.path_length); }},
-    {"resolution_mm", [](const RunRecord& run) { return report::Cell(run.resolution_mm); }},
-    {"min_clearance_mm", [](const RunRecord& run) { return report::Cell(run.min_clearance_mm); }},
+    {"resolution_mm", [](const RunRecord& run) { return report::Cell(geometric::millimetres(run.resolution)); }},
+    {"min_clearance_mm", [](const RunRecord& run) { return report::Cell(geometric::millimetres(run.min_clearance)); }},
     {"certificate_checks",
      [](const RunRecord& run) { return report::Cell(run.certificate_checks); }},
 });

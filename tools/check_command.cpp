@@ -1,5 +1,7 @@
 #include "commands.h"
+#include "goal_pose_options.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/safety_clearance.h"
@@ -48,7 +50,8 @@ void print_shortfall(const planning::PlanningProblem& problem, const planning::P
   if (const auto shortfall =
           planning::path_shortfall(problem, path, geometric::metres(margin_mm))) {
     print_out("warning: after waypoint {:.0f}: {}; plan again with --margin {:g}\n",
-              shortfall->place, planning::to_string(*shortfall), shortfall->suggested_margin_mm());
+              shortfall->place, planning::to_string(*shortfall),
+              geometric::millimetres(shortfall->suggested_margin()));
   }
 }
 
@@ -76,7 +79,8 @@ int check(const CheckOptions& options) {
             options.resolution_mm, result.collisions,
             loaded.scene->constraints.empty() ? "" : " or violating a constraint");
   if (result.collisions == 0 && !result.closest_pair.empty()) {
-    print_out(", smallest clearance {:.3f} mm ({})", result.min_clearance_mm, result.closest_pair);
+    print_out(", smallest clearance {:.3f} mm ({})", geometric::millimetres(result.min_clearance),
+              result.closest_pair);
   }
   print_out("\n");
   if (result.valid()) {

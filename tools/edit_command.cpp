@@ -5,6 +5,7 @@
 #include "handway/planning/edits/arranging.h"
 #include "handway/planning/edits/robot_edits.h"
 #include "handway/planning/edits/scene_edits.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "numbers.h"
 #include "printing.h"

@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "handway/execution/motion/motion_target.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "numbers.h"
 #include "parameter_options.h"

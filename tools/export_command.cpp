@@ -1,4 +1,6 @@
 #include "commands.h"
+#include "handway/planning/extensions/load_scene.h"
+#include "handway/planning/extensions/plugin.h"
 #include "printing.h"
 #include "scene_options.h"
 #include "timing_options.h"

@@ -6,6 +6,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/pose_goals.h"
 #include "handway/planning/core/select_joints.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "printing.h"
 #include "robot_report.h"

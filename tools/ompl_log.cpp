@@ -55,7 +55,7 @@ constexpr std::array<Property, 12> kProperties = {{
     {"motions checked INTEGER", [](const RunRecord& r) { return real(r.edges_tested); }},
     {"solution segments INTEGER", [](const RunRecord& r) { return real(r.path_nodes) - 1.0; }},
     {"solution length REAL", [](const RunRecord& r) { return r.path_length; }},
-    {"solution clearance REAL", [](const RunRecord& r) { return r.min_clearance_mm / 1000.0; }},
+    {"solution clearance REAL", [](const RunRecord& r) { return r.min_clearance; }},
 }};
 
 bool of_solution(const Property& property) {

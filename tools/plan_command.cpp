@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "goal_pose_options.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
@@ -6,6 +7,7 @@
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/carried_objects.h"
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
 #include "handway/planning/queries/collision_remedy.h"
@@ -164,7 +166,7 @@ int plan(PlanOptions options) {
   planning::PlanRequest request;
   request.seed = options.seed;
   request.threads = options.threads;
-  request.margin_mm = options.margin_mm;
+  request.margin = geometric::metres(options.margin_mm);
   request.optimize_s = options.optimize_s;
   request.time_limit_s = options.time_limit_s;
   const PlanResult result = plan_until_interrupted(*planner, problem, request);

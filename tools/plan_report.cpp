@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace handway::tools {
@@ -25,6 +26,12 @@ Json value_of(const geometric::Parameter& parameter) {
         }
       },
       parameter.value);
+}
+
+// Returns a length in mm, such as 15.7, without the rounding errors of its conversion to metres.
+double as_given(double millimetres) {
+  constexpr double kDigits = 1e9;
+  return std::round(millimetres * kDigits) / kDigits;
 }
 
 Json statistics_of(const planning::PlanStatistics& statistics) {
@@ -120,12 +127,12 @@ std::string plan_report(planning::Planner& planner, const planning::PlanningProb
       {"moving", names_of(problem.model(), problem.joints.moving)},
       {"path_nodes", result.path.waypoints.size()},
       {"certificate",
-       {{"resolution_mm", result.certificate.resolution_mm},
-        {"resolution_at_start_mm", result.certificate.resolution_at_start_mm},
-        {"resolution_at_goal_mm", result.certificate.resolution_at_goal_mm},
-        {"min_clearance_mm", result.certificate.min_clearance_mm},
+       {{"resolution_mm", geometric::millimetres(result.certificate.resolution)},
+        {"resolution_at_start_mm", geometric::millimetres(result.certificate.resolution_at_start)},
+        {"resolution_at_goal_mm", geometric::millimetres(result.certificate.resolution_at_goal)},
+        {"min_clearance_mm", geometric::millimetres(result.certificate.min_clearance)},
         {"checks", result.certificate.checks}}},
-      {"margin_mm", request.margin_mm},
+      {"margin_mm", as_given(geometric::millimetres(request.margin))},
       {"out_of_margin", out_of_margin},
       {"objective", path_quality_json(quality)},
       {"human_likeness", likeness_of(likeness)},

@@ -5,6 +5,7 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
 #include "handway/report/rendering/csv.h"

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/extensions/plugin.h"
+#include "handway/planning/edits/scene_state.h"
 #include "handway/planning/planners/planner.h"
 
 #include <CLI/CLI.hpp>
@@ -55,20 +55,5 @@ void add_group_option(CLI::App& command, std::vector<std::string>& group);
 /// Replaces the scene's group (geometric::set_moving_group()); does nothing without names. @throws
 /// InputError for a name that no robot of the scene has.
 void set_group(const std::vector<std::string>& group, planning::SceneState& scene);
-
-/// Goals as poses of a link, from the command line.
-struct GoalPoseOptions {
-  std::vector<std::string> poses;  ///< "[LINK:]X,Y,Z[,ROLL,PITCH,YAW]", m and degrees.
-  std::string link;                ///< Link of poses that name none; empty: hand or tool.
-  std::vector<double> tolerance;   ///< mm and degrees; empty: as a scene's.
-};
-
-/// Adds `--goal-pose`, which is repeatable, `--goal-link` and `--goal-tolerance`.
-void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options);
-
-/// Replaces the scene's goal by the goal poses; its values remain for joints that don't move their
-/// links. Does nothing without poses. @throws InputError for a link that the robot lacks or that no
-/// joint moves.
-void set_goal_poses(const GoalPoseOptions& options, planning::SceneState& scene);
 
 }  // namespace handway::tools

@@ -5,6 +5,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/robot_description.h"
 #include "handway/geometric/setup/robot_setup.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "printing.h"
 #include "robot_report.h"

@@ -2,6 +2,8 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/extensions/load_scene.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/paths/path_file.h"
 #include "handway/planning/tasks/carried_object.h"

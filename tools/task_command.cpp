@@ -107,7 +107,7 @@ Json json_of(const TimedStage& stage) {
                {"deviation_mm", geometric::millimetres(stage.stage.deviation)},
                {"cleared", stage.timed.cleared()},
                {"duration_s", checked.duration},
-               {"min_clearance_mm", checked.min_clearance_mm},
+               {"min_clearance_mm", geometric::millimetres(checked.min_clearance)},
                {"closest_pair", checked.closest_pair}};
   if (stage.stage.squeezed.size() > 0) {
     json["squeeze"] = list_of(stage.stage.squeezed);
@@ -151,7 +151,7 @@ void print_stages(const planning::Task& task, const std::vector<TimedStage>& sta
     const planning::PreflightReport& checked = stage.timed.preflight;
     print_out("{:<24} {:<9} {:>9} {:>8.2f} {:>10.2f}  {}\n", to_string(task[stage.stage.step]),
               to_string(stage.stage.kind), stage.stage.path.waypoints.size(), checked.duration,
-              checked.min_clearance_mm, checked.closest_pair);
+              geometric::millimetres(checked.min_clearance), checked.closest_pair);
   }
 }
 

@@ -3,6 +3,8 @@
 #include "commands.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/extensions/load_scene.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/tasks/task_file.h"
 #include "numbers.h"
 #include "parameter_options.h"

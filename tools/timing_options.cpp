@@ -2,6 +2,8 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/planning/extensions/load_scene.h"
+#include "handway/planning/extensions/plugin.h"
 #include "parameter_options.h"
 #include "printing.h"
 #include "scene_options.h"

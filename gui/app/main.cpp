@@ -1,7 +1,7 @@
 #include "app/main_window.h"
 #include "app/snapshot.h"
 #include "features/workbench.h"
-#include "model/devices/motion_driver.h"
+#include "model/devices/program_end.h"
 #include "model/settings/options.h"
 #include "model/settings/preferences.h"
 #include "view3d/scene_view.h"

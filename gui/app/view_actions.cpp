@@ -3,7 +3,7 @@
 #include "features/workbench.h"
 #include "model/document/document.h"
 #include "model/settings/preferences.h"
-#include "view3d/scene_bodies.h"
+#include "view3d/body_meshes.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"

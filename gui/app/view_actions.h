@@ -2,7 +2,7 @@
 
 #include "model/jobs/background.h"
 #include "model/settings/preferences.h"
-#include "view3d/scene_bodies.h"
+#include "view3d/body_meshes.h"
 
 #include <QAction>
 #include <QElapsedTimer>
@@ -85,7 +85,7 @@ class Document;
 class Preferences;
 
 /// Draws the scene's bodies as they look, or as collision checking has them. Makes what that
-/// takes on a thread of its own.
+/// takes in the background.
 class BodyDisplayTool : public QObject {
   Q_OBJECT
 

@@ -3,7 +3,7 @@
 #include "handway/geometric/mesh/shape.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/drawing_parts.h"
-#include "view3d/robot_node.h"
+#include "view3d/shape_node.h"
 #include "view3d/unlit_nodes.h"
 
 #include <Inventor/nodes/SoMaterial.h>

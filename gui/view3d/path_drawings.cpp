@@ -3,7 +3,9 @@
 #include "model/settings/options.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/drawing_parts.h"
+#include "view3d/ghost.h"
 #include "view3d/robot_node.h"
+#include "view3d/shape_node.h"
 #include "view3d/unlit_nodes.h"
 
 #include <Inventor/nodes/SoMaterial.h>

@@ -2,7 +2,7 @@
 
 #include "view3d/coin_conversions.h"
 #include "view3d/drawing_parts.h"
-#include "view3d/robot_node.h"
+#include "view3d/shape_node.h"
 #include "view3d/unlit_nodes.h"
 
 #include <Inventor/nodes/SoAnnotation.h>

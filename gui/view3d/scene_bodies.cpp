@@ -1,12 +1,10 @@
 #include "view3d/scene_bodies.h"
 
-#include "handway/geometric/collision/cache/bounding_volumes.h"
-#include "handway/geometric/collision/collision_world.h"
-#include "handway/geometric/mesh/convex_hull.h"
 #include "handway/geometric/scene/scene_difference.h"
-#include "model/meshes/shaded_meshes.h"
+#include "view3d/body_meshes.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/robot_node.h"
+#include "view3d/shape_node.h"
 
 #include <Inventor/SbPlane.h>
 #include <Inventor/SoPath.h>
@@ -18,123 +16,45 @@
 #include <Inventor/nodes/SoSwitch.h>
 
 #include <algorithm>
-#include <cmath>
-#include <mutex>
-#include <numbers>
 #include <utility>
 
 namespace handway::gui {
+
+using geometric::Configuration;
+using geometric::Pose;
+
 namespace {
 
-constexpr double kLargestSphere = 0.12;  // m: larger ones hide what they are of
-
-using geometric::TriangleMesh;
-using SharedMesh = std::shared_ptr<const TriangleMesh>;
-using SharedModel = std::shared_ptr<const geometric::RobotModel>;
-
-// A ball of radius 1 with few faces: points on a golden spiral.
-const TriangleMesh& plain_ball() {
-  constexpr int kPoints = 72;
-  static const TriangleMesh kBall = [] {
-    std::vector<Eigen::Vector3d> points;
-    for (int i = 0; i < kPoints; ++i) {
-      const double height = 1.0 - (2.0 * i + 1.0) / kPoints;
-      const double angle = 2.0 * std::numbers::pi * i / std::numbers::phi;
-      const double radius = std::sqrt(1.0 - height * height);
-      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
-    }
-    return geometric::convex_hull(points);
-  }();
-  return kBall;
+CoinRef<SoSeparator> make_looks(const geometric::SceneObject& object) {
+  auto looks = make_coin<SoSeparator>();
+  looks->renderCaching = SoSeparator::OFF;
+  looks->addChild(make_material(object.color).get());
+  looks->addChild(make_shape_node(object.shape).get());
+  return looks;
 }
 
-TriangleMesh balls(const std::vector<geometric::CoveringSphere>& spheres) {
-  TriangleMesh all;
-  for (const geometric::CoveringSphere& sphere : spheres) {
-    append(all, transformed(plain_ball(), geometric::Pose(Eigen::Translation3d(sphere.centre)),
-                            Eigen::Vector3d::Constant(sphere.radius)));
-  }
-  return all;
+// Makes a section plane, off at first. Cut objects are seen from inside.
+CoinRef<SoSwitch> make_section() {
+  auto section = make_coin<SoSwitch>();
+  section->addChild(new SoClipPlane);
+  auto* hints = new SoShapeHints;
+  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
+  hints->shapeType = SoShapeHints::UNKNOWN_SHAPE_TYPE;
+  hints->setOverride(TRUE);
+  section->addChild(hints);
+  return section;
 }
 
-// Returns the mesh that is drawn for a body with these triangles; null if it has none.
-SharedMesh drawn(const SharedMesh& mesh, BodyDisplay display) {
-  if (!mesh || mesh->empty()) {
-    return nullptr;
+// The root link of a robot, or of a part that is mounted on it.
+std::optional<int> base_link(const geometric::RobotInstance& robot, const std::string& name) {
+  const auto part = std::ranges::find(robot.parts, name, &geometric::RobotPart::name);
+  if (part != robot.parts.end()) {
+    return robot.model->find_link(part->links.at(part->model->link(0).name));
   }
-  SharedMesh made = mesh;
-  if (display != BodyDisplay::kCollision) {
-    geometric::BoundingVolumes volumes =
-        geometric::bounding_volumes({mesh}, kLargestSphere).front();
-    made = std::make_shared<const TriangleMesh>(
-        display == BodyDisplay::kHulls ? std::move(volumes.hull) : balls(volumes.spheres));
-  }
-  static_cast<void>(shaded(made));
-  return made;
-}
-
-/// Drawings that were made for the links of existing robots.
-class LinkShop {
- public:
-  std::vector<SharedMesh> meshes(const SharedModel& model, BodyDisplay display,
-                                 const std::stop_token& stop) {
-    const std::lock_guard lock(mutex_);
-    std::erase_if(made_, [](const auto& entry) { return entry.first.first.expired(); });
-    const auto found = made_.find(std::pair(std::weak_ptr(model), display));
-    if (found != made_.end()) {
-      return found->second;
-    }
-    std::vector<SharedMesh> meshes;
-    for (int link = 0; link < model->link_count(); ++link) {
-      if (stop.stop_requested()) {
-        return {};
-      }
-      meshes.push_back(
-          drawn(std::make_shared<const TriangleMesh>(collision_mesh(model->link(link))), display));
-    }
-    made_.emplace(std::pair(std::weak_ptr(model), display), meshes);
-    return meshes;
-  }
-
- private:
-  using Key = std::pair<std::weak_ptr<const geometric::RobotModel>, BodyDisplay>;
-  struct Less {
-    bool operator()(const Key& a, const Key& b) const {
-      const std::owner_less<> less;
-      return less(a.first, b.first) || (!less(b.first, a.first) && a.second < b.second);
-    }
-  };
-
-  std::mutex mutex_;
-  std::map<Key, std::vector<SharedMesh>, Less> made_;
-};
-
-LinkShop& link_shop() {
-  static LinkShop shop;
-  return shop;
+  return robot.name == name ? std::optional(0) : std::nullopt;
 }
 
 }  // namespace
-
-BodyMeshes body_meshes(const geometric::Scene& scene, BodyDisplay display,
-                       const std::stop_token& stop) {
-  BodyMeshes meshes;
-  if (display == BodyDisplay::kVisual) {
-    return meshes;
-  }
-  for (const geometric::RobotInstance& robot : scene.robots) {
-    meshes.links.push_back(link_shop().meshes(robot.model, display, stop));
-  }
-  for (const geometric::SceneObject& object : scene.objects) {
-    if (stop.stop_requested()) {
-      break;
-    }
-    if (auto mesh = drawn(geometric::tessellate(object.shape), display)) {
-      meshes.objects.emplace(object.name, std::move(mesh));
-    }
-  }
-  return meshes;
-}
 
 StillSplit::StillSplit(CoinRef<SoSeparator> still, CoinRef<SoSeparator> moving)
     : still_(std::move(still)), moving_(std::move(moving)), first_(still_->getNumChildren()) {}
@@ -184,18 +104,6 @@ void StillSplit::list(const RobotNode* robot, std::span<SoNode* const> still,
   }
 }
 
-namespace {
-
-CoinRef<SoSeparator> make_looks(const geometric::SceneObject& object) {
-  auto looks = make_coin<SoSeparator>();
-  looks->renderCaching = SoSeparator::OFF;
-  looks->addChild(make_material(object.color).get());
-  looks->addChild(make_shape_node(object.shape).get());
-  return looks;
-}
-
-}  // namespace
-
 ObjectNode::ObjectNode(const geometric::SceneObject& object)
     : name_(object.name),
       shape_(object.shape),
@@ -237,34 +145,6 @@ void ObjectNode::cut_by(SoNode* section) {
     section_->addChild(section);
   }
 }
-
-using geometric::Configuration;
-using geometric::Pose;
-
-namespace {
-
-// Makes a section plane, off at first. Cut objects are seen from inside.
-CoinRef<SoSwitch> make_section() {
-  auto section = make_coin<SoSwitch>();
-  section->addChild(new SoClipPlane);
-  auto* hints = new SoShapeHints;
-  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
-  hints->shapeType = SoShapeHints::UNKNOWN_SHAPE_TYPE;
-  hints->setOverride(TRUE);
-  section->addChild(hints);
-  return section;
-}
-
-// The root link of a robot, or of a part that is mounted on it.
-std::optional<int> base_link(const geometric::RobotInstance& robot, const std::string& name) {
-  const auto part = std::ranges::find(robot.parts, name, &geometric::RobotPart::name);
-  if (part != robot.parts.end()) {
-    return robot.model->find_link(part->links.at(part->model->link(0).name));
-  }
-  return robot.name == name ? std::optional(0) : std::nullopt;
-}
-
-}  // namespace
 
 SceneBodies::SceneBodies() : section_(make_section()) {}
 SceneBodies::~SceneBodies() = default;

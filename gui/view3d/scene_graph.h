@@ -5,14 +5,16 @@
 #include "model/document/selection.h"
 #include "model/settings/options.h"
 #include "model/settings/orbit_camera.h"
+#include "view3d/body_meshes.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/drawing.h"
 #include "view3d/frontier.h"
+#include "view3d/ghost.h"
 #include "view3d/gizmo_node.h"
 #include "view3d/overlay.h"
-#include "view3d/robot_node.h"
 #include "view3d/scene_bodies.h"
 #include "view3d/scene_passes.h"
+#include "view3d/selection_outline.h"
 #include "view3d/viewpoints.h"
 
 #include <Eigen/Core>
@@ -24,12 +26,11 @@
 #include <string>
 #include <vector>
 
-class SoSeparator;
-
 class SbVec2s;
 class SoGLRenderAction;
 class SoOrthographicCamera;
 class SoPerspectiveCamera;
+class SoSeparator;
 
 namespace handway::gui {
 

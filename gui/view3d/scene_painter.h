@@ -1,11 +1,10 @@
 #pragma once
 
-#include "handway/geometric/mesh/shape.h"
 #include "model/settings/options.h"
 #include "model/settings/orbit_camera.h"
+#include "view3d/picture_layer.h"
 #include "view3d/scene_graph.h"
 
-#include <QOpenGLExtraFunctions>
 #include <QRect>
 #include <QSize>
 
@@ -19,43 +18,6 @@ class SoGLRenderAction;
 class SoNode;
 
 namespace handway::gui {
-
-/// A picture with its depth, kept by the graphics card to be laid into others. All functions but
-/// the constructor need the context current in which it is used.
-class PictureLayer : protected QOpenGLExtraFunctions {
- public:
-  PictureLayer() = default;
-  ~PictureLayer();
-  PictureLayer(const PictureLayer&) = delete;
-  PictureLayer& operator=(const PictureLayer&) = delete;
-
-  /// Makes it what is drawn into, of that size, px. @returns false if the card can't.
-  bool bind(const QSize& size);
-  void destroy();
-
-  /// Copies a part of it, with its depth, to the same place in what is drawn into.
-  /// @param target that frame buffer. @param part px from the lower left.
-  /// @returns false if the card can't, as their kinds of depth differ.
-  [[nodiscard]] bool copy(unsigned target, const QRect& part);
-  /// Draws it over the whole viewport, with its depth.
-  /// @param opacity below 1: only where something is, and blended.
-  void draw(QOpenGLShaderProgram& program, float opacity);
-
-  /// The program that draw() needs; nullptr if the card can't have it.
-  [[nodiscard]] static std::unique_ptr<QOpenGLShaderProgram> make_program();
-
- private:
-  bool create(const QSize& size);
-
-  QSize size_;
-  unsigned frame_ = 0;
-  unsigned color_ = 0;
-  unsigned depth_ = 0;
-};
-
-/// Fills the current viewport with a vertical gradient. Needs a current OpenGL
-/// context of the compatibility profile; leaves its state as it was.
-void draw_backdrop(const geometric::Color& top, const geometric::Color& bottom);
 
 /// The part of a picture that a drawing may cover, px from the lower left; a box around the
 /// drawing's box, all of the picture if that comes behind the camera, empty if there is nothing.

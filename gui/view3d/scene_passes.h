@@ -13,10 +13,7 @@
 
 #include <map>
 #include <optional>
-#include <vector>
 
-class SoDrawStyle;
-class SoGLRenderAction;
 class SoGroup;
 
 namespace handway::gui {
@@ -98,32 +95,6 @@ struct ScenePasses {
     root->addChild(sky_light.get());
     root->addChild(detail.get());
   }
-};
-
-/// A line around each thing that is selected, seen through everything: the parts' edges
-/// drawn wide wherever the part itself is not.
-class SelectionOutline {
- public:
-  SelectionOutline();
-  ~SelectionOutline();
-  SelectionOutline(const SelectionOutline&) = delete;
-  SelectionOutline& operator=(const SelectionOutline&) = delete;
-
-  /// The root that a camera goes into, once.
-  [[nodiscard]] SoSeparator* root() const { return root_.get(); }
-  /// @param parts drawings in the world.
-  void set_parts(const std::vector<SoSeparator*>& parts);
-  [[nodiscard]] bool is_shown() const;
-  /// @pre the target has a stencil buffer. @param width of the line, pixels.
-  void render(SoGLRenderAction& action, float width) const;
-
- private:
-  void draw(SoGLRenderAction& action, float width) const;
-
-  CoinRef<SoSeparator> root_;
-  CoinRef<SoDrawStyle> style_;
-  CoinRef<SoSeparator> looks_;
-  CoinRef<SoSwitch> parts_;
 };
 
 }  // namespace handway::gui

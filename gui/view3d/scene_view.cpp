@@ -1,9 +1,9 @@
 #include "view3d/scene_view.h"
 
+#include "view3d/body_meshes.h"
 #include "view3d/grasp_drawings.h"
 #include "view3d/orientation_cube.h"
 #include "view3d/path_drawings.h"
-#include "view3d/scene_bodies.h"
 #include "view3d/scene_graph.h"
 #include "view3d/scene_painter.h"
 

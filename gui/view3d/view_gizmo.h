@@ -2,7 +2,7 @@
 
 #include "model/document/selection.h"
 #include "model/settings/orbit_camera.h"
-#include "view3d/gizmo_node.h"
+#include "view3d/gizmo_drag.h"
 
 #include <QPointF>
 #include <QSize>

@@ -75,64 +75,6 @@ Points robot_points(const geometric::Scene& scene) {
   return points;
 }
 
-}  // namespace
-
-Points points_of_interest(const geometric::Scene& scene) {
-  Points points = robot_points(scene);
-  const bool has_robot = !points.empty();
-  Aabb near = box_around(points);
-  near.lower.array() -= kAround;
-  near.upper.array() += kAround;
-  for (const geometric::SceneObject& object : scene.objects) {
-    Points corners;
-    if (!object.attachment) {
-      add_shape(corners, object.shape, object.X_PO);
-    }
-    if (has_robot && !corners.empty()) {
-      const Aabb box = box_around(corners);
-      const Aabb part{box.lower.cwiseMax(near.lower), box.upper.cwiseMin(near.upper)};
-      corners.clear();
-      if ((part.lower.array() <= part.upper.array()).all()) {
-        add_corners(corners, part, Pose::Identity());
-      }
-    }
-    points.insert(points.end(), corners.begin(), corners.end());
-  }
-  return points;
-}
-
-double lowest_point(const geometric::Scene& scene) {
-  Points points = robot_points(scene);
-  for (const geometric::SceneObject& object : scene.objects) {
-    if (!object.attachment) {
-      add_shape(points, object.shape, object.X_PO);
-    }
-  }
-  return points.empty() ? 0.0 : box_around(points).lower.z();
-}
-
-double task_azimuth(const geometric::Scene& scene) {
-  if (scene.robots.empty()) {
-    return 0.0;
-  }
-  const geometric::RobotInstance& robot = scene.robots.front();
-  const std::vector<Pose> X_WL = link_poses(robot, scene.goal.value_or(robot.configuration));
-  const Eigen::Vector3d reach = X_WL.back().translation() - robot.X_WB.translation();
-  return reach.head<2>().norm() > 0.05 ? std::atan2(reach.y(), reach.x()) : 0.0;
-}
-
-Points all_points(const geometric::Scene& scene) {
-  Points points = robot_points(scene);
-  for (const geometric::SceneObject& object : scene.objects) {
-    if (!object.attachment) {
-      add_shape(points, object.shape, object.X_PO);
-    }
-  }
-  return points;
-}
-
-namespace {
-
 constexpr std::size_t kMostParts = 40;  // of the robots
 constexpr double kAtGoal = 0.4;         // counts so much less than where they stand
 constexpr double kEnoughSeen = 0.8;     // of them
@@ -209,10 +151,6 @@ class Obstacles {
 
   std::vector<Body> bodies_;
 };
-
-}  // namespace
-
-namespace {
 
 /// A part of a robot to be seen.
 struct Part {
@@ -353,6 +291,60 @@ class ViewSearch {
 };
 
 }  // namespace
+
+Points points_of_interest(const geometric::Scene& scene) {
+  Points points = robot_points(scene);
+  const bool has_robot = !points.empty();
+  Aabb near = box_around(points);
+  near.lower.array() -= kAround;
+  near.upper.array() += kAround;
+  for (const geometric::SceneObject& object : scene.objects) {
+    Points corners;
+    if (!object.attachment) {
+      add_shape(corners, object.shape, object.X_PO);
+    }
+    if (has_robot && !corners.empty()) {
+      const Aabb box = box_around(corners);
+      const Aabb part{box.lower.cwiseMax(near.lower), box.upper.cwiseMin(near.upper)};
+      corners.clear();
+      if ((part.lower.array() <= part.upper.array()).all()) {
+        add_corners(corners, part, Pose::Identity());
+      }
+    }
+    points.insert(points.end(), corners.begin(), corners.end());
+  }
+  return points;
+}
+
+double lowest_point(const geometric::Scene& scene) {
+  Points points = robot_points(scene);
+  for (const geometric::SceneObject& object : scene.objects) {
+    if (!object.attachment) {
+      add_shape(points, object.shape, object.X_PO);
+    }
+  }
+  return points.empty() ? 0.0 : box_around(points).lower.z();
+}
+
+double task_azimuth(const geometric::Scene& scene) {
+  if (scene.robots.empty()) {
+    return 0.0;
+  }
+  const geometric::RobotInstance& robot = scene.robots.front();
+  const std::vector<Pose> X_WL = link_poses(robot, scene.goal.value_or(robot.configuration));
+  const Eigen::Vector3d reach = X_WL.back().translation() - robot.X_WB.translation();
+  return reach.head<2>().norm() > 0.05 ? std::atan2(reach.y(), reach.x()) : 0.0;
+}
+
+Points all_points(const geometric::Scene& scene) {
+  Points points = robot_points(scene);
+  for (const geometric::SceneObject& object : scene.objects) {
+    if (!object.attachment) {
+      add_shape(points, object.shape, object.X_PO);
+    }
+  }
+  return points;
+}
 
 OpeningView open_view(const geometric::Scene& scene, const OrbitCamera& camera, double aspect) {
   const ViewSearch search(scene, camera, aspect);

@@ -32,7 +32,7 @@ void serialize(Archive& archive, handway::planning::RunRecord& run, unsigned /*v
   archive& run.time_s& run.smoothing_s& run.sampling_s& run.connection_s;
   archive& run.samples& run.nodes& run.edges& run.passes& run.max_trials& run.final_rho_a;
   archive& run.nodes_per_pmds& run.node_checks& run.edge_checks& run.edges_tested;
-  archive& run.path_nodes& run.path_length& run.resolution_mm& run.min_clearance_mm;
+  archive& run.path_nodes& run.path_length& run.resolution& run.min_clearance;
   archive& run.certificate_checks& run.path;
 }
 

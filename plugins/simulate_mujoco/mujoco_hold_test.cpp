@@ -1,6 +1,5 @@
 #include "mujoco_hold_test.h"
 
-#include "handway/geometric/io/input_error.h"
 #include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/extensions/plugin.h"
 
@@ -370,16 +369,6 @@ class Simulation {
   Pose squeezed_pose_;
 };
 
-const geometric::SceneObject& object_of(const planning::PlanningProblem& problem,
-                                        std::string_view object) {
-  const geometric::SceneObject* found = geometric::find_object(*problem.scene, object);
-  if (found == nullptr) {
-    throw geometric::InputError({planning::source_of(*problem.scene), "",
-                                 "\"" + std::string(object) + "\"", "an object of the scene", ""});
-  }
-  return *found;
-}
-
 }  // namespace
 
 MujocoHoldTest::MujocoHoldTest(const planning::PlanningProblem& problem, std::string_view object,
@@ -387,8 +376,8 @@ MujocoHoldTest::MujocoHoldTest(const planning::PlanningProblem& problem, std::st
     : robot_(problem.scene->robots.front().model),
       palm_(palm),
       X_WB_(problem.scene->robots.front().X_WB),
-      X_WO_(object_of(problem, object).X_PO),
-      hand_(hand_model(problem.model(), palm, object_of(problem, object))) {}
+      X_WO_(planning::need_object(*problem.scene, object).X_PO),
+      hand_(hand_model(problem.model(), palm, planning::need_object(*problem.scene, object))) {}
 
 HoldResult MujocoHoldTest::test(const planning::Pregrasp& grasp, const HoldConditions& conditions,
                                 const std::stop_token& stop,

@@ -1,4 +1,5 @@
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 

@@ -104,9 +104,9 @@ TEST_P(SolvableProblem, IsSolvedWithAPathThatHolds) {
   const PathCheckResult check = check_path(problem_, result.path, 0.001);
   EXPECT_THAT(check.faults, IsEmpty());
   EXPECT_GT(check.configurations, 100U);
-  EXPECT_GT(result.certificate.min_clearance_mm, 0.0);
-  EXPECT_LE(result.certificate.min_clearance_mm, check.min_clearance_mm + 1e-6);
-  EXPECT_EQ(result.certificate.resolution_mm, PlanRequest{}.resolution_mm);
+  EXPECT_GT(result.certificate.min_clearance, 0.0);
+  EXPECT_LE(result.certificate.min_clearance, check.min_clearance + 1e-9);
+  EXPECT_EQ(result.certificate.resolution, PlanRequest{}.resolution);
   EXPECT_GT(result.certificate.checks, 0U);
 }
 
@@ -139,7 +139,7 @@ TEST_P(SolvableProblem, IsSolvedAlikeOnEveryRunAndForAnyThreads) {
     EXPECT_EQ(again.statistics.node_checks, first.statistics.node_checks);
     EXPECT_EQ(again.statistics.edges_tested, first.statistics.edges_tested);
     EXPECT_EQ(again.statistics.rejections, first.statistics.rejections) << threads << " threads";
-    EXPECT_EQ(again.certificate.min_clearance_mm, first.certificate.min_clearance_mm);
+    EXPECT_EQ(again.certificate.min_clearance, first.certificate.min_clearance);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "handway/planning/core/carried_objects.h"
 
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway_test/paths.h"

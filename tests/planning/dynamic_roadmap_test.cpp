@@ -46,7 +46,7 @@ void expect_valid(DynamicRoadmap& roadmap, const PlanResult& result) {
           << "edge " << i;
     }
   }
-  EXPECT_GT(result.certificate.min_clearance_mm, 0.0);
+  EXPECT_GT(result.certificate.min_clearance, 0.0);
 }
 
 std::uint64_t checks_anew(DynamicRoadmap& roadmap) {
@@ -108,6 +108,20 @@ TEST_F(MovingPost, KeepsAPathThatWasPlannedElsewhere) {
   expect_valid(roadmap_, kept);
   EXPECT_EQ(roadmap_.source(), ReplanSource::kLastPath);
   EXPECT_EQ(kept.path.waypoints, planned.path.waypoints);
+}
+
+TEST_F(MovingPost, TakesOverAProblemThatWasMadeElsewhere) {
+  (void)plan();
+  const PlanningProblem before = roadmap_.problem();
+  auto scene = std::make_shared<geometric::Scene>(*before.scene);
+  scene->start = before.start;
+  scene->goal = before.goal;
+  scene->objects.front().X_PO = at(kPostX + 0.003, 0.004);
+  const PlanningProblem next = updated_problem(before, scene, before.basis);
+  ASSERT_TRUE(roadmap_.follow(next));
+  EXPECT_EQ(roadmap_.problem().checker, next.checker) << "no other one is made";
+  expect_valid(roadmap_, plan());
+  EXPECT_NE(source(), ReplanSource::kPlanner);
 }
 
 TEST_F(MovingPost, AsksNothingTwiceWhenNothingChanged) {

@@ -1,6 +1,5 @@
 /// Paths that keep a margin from obstacles, measured by FCL on the meshes.
 #include "handway/geometric/collision/checkers/fcl_checker.h"
-#include "handway/geometric/math/units.h"
 #include "handway/planning/planners/planner.h"
 #include "handway_test/known_problems.h"
 
@@ -14,14 +13,12 @@
 namespace handway::planning {
 namespace {
 
-using geometric::metres;
-
-constexpr double kMargin = 10.0;  // mm
+constexpr double kMargin = 0.01;  // m
 constexpr double kLookSpacing = 0.02;
 
-PlanResult planned_with_margin(const PlanningProblem& problem, double margin_mm) {
+PlanResult planned_with_margin(const PlanningProblem& problem, double margin) {
   PlanRequest request;
-  request.margin_mm = margin_mm;
+  request.margin = margin;
   request.time_limit_s = 60.0;
   return PlannerRegistry().create("auto")->plan(problem, request);
 }
@@ -55,11 +52,11 @@ TEST_P(Margin, IsKeptByAllPairsThatAreNotNamed) {
   std::set<std::pair<std::string, std::string>> named;
   for (const OutOfMargin& near : result.out_of_margin) {
     named.emplace(near.pair.a, near.pair.b);
-    EXPECT_LT(near.pair.distance, metres(kMargin + 0.2));
+    EXPECT_LT(near.pair.distance, kMargin + 2e-4);
   }
   const geometric::CollisionWorld& world = asked.checker->world();
   geometric::FclChecker reference(asked.checker->shared_world());
-  double least = metres(2.0 * kMargin);
+  double least = 2.0 * kMargin;
   for (const Configuration& q : along(result.path)) {
     reference.place(q);
     for (int pair = 0; pair < static_cast<int>(world.pairs().size()); ++pair) {
@@ -67,11 +64,11 @@ TEST_P(Margin, IsKeptByAllPairsThatAreNotNamed) {
       const bool moves = asked.motion->bound(pair, Eigen::VectorXd::Ones(q.size())) > 0.0;
       if (moves && !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]) &&
           !named.contains({bodies.a, bodies.b})) {
-        least = std::min(least, reference.pair_distance(pair, metres(2.0 * kMargin)));
+        least = std::min(least, reference.pair_distance(pair, 2.0 * kMargin));
       }
     }
   }
-  EXPECT_GE(least, metres(kMargin) - 1e-6);
+  EXPECT_GE(least, kMargin - 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Margin, testing::Values("can_in_box", "can_on_table", "t_shape"),

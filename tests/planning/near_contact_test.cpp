@@ -122,10 +122,10 @@ TEST(NearContact, GoalsAreReachedOrRefusedAtOnce) {
     }
     ++solved;
     EXPECT_TRUE(check_path(problem, result.path, 1e-3).valid());
-    EXPECT_NEAR(metres(result.certificate.resolution_at_goal_mm), 0.5 * at_goal, 1e-9);
-    EXPECT_EQ(result.certificate.resolution_at_start_mm, result.certificate.resolution_mm);
-    EXPECT_GT(result.certificate.min_clearance_mm, 0.0);
-    EXPECT_LE(metres(result.certificate.min_clearance_mm), at_goal + 1e-9);
+    EXPECT_NEAR(result.certificate.resolution_at_goal, 0.5 * at_goal, 1e-9);
+    EXPECT_EQ(result.certificate.resolution_at_start, result.certificate.resolution);
+    EXPECT_GT(result.certificate.min_clearance, 0.0);
+    EXPECT_LE(result.certificate.min_clearance, at_goal + 1e-9);
   }
   std::cout << solved << " of " << count << " goals reached\n";
   EXPECT_GE(solved, 0.9 * count);

@@ -30,7 +30,7 @@ TEST(PathCheck, PassesAFreePath) {
   EXPECT_TRUE(result.valid());
   EXPECT_THAT(result.faults, IsEmpty());
   EXPECT_EQ(result.collisions, 0U);
-  EXPECT_GT(result.min_clearance_mm, 0.0);
+  EXPECT_GT(result.min_clearance, 0.0);
   EXPECT_FALSE(result.closest_pair.empty());
   // 1.1 rad at more than 0.6 m are at least 660 mm.
   EXPECT_GT(result.configurations, 660U);
@@ -41,7 +41,7 @@ TEST(PathCheck, FindsACollisionInTheMiddle) {
   const PathCheckResult result = check_path(problem, straight(problem), kMillimetre);
   EXPECT_FALSE(result.valid());
   EXPECT_GT(result.collisions, 10U);
-  EXPECT_EQ(result.min_clearance_mm, 0.0);
+  EXPECT_EQ(result.min_clearance, 0.0);
   EXPECT_THAT(result.faults,
               ElementsAre(AllOf(HasSubstr("with post"), HasSubstr("after waypoint 1"))));
 }
@@ -91,7 +91,7 @@ TEST(PathCheck, LooksMoreCloselyWhenAsked) {
   const auto fine = check_path(problem, straight(problem), 0.001);
   EXPECT_NEAR(static_cast<double>(fine.configurations) / static_cast<double>(coarse.configurations),
               10.0, 0.5);
-  EXPECT_LE(fine.min_clearance_mm, coarse.min_clearance_mm + 1e-9);
+  EXPECT_LE(fine.min_clearance, coarse.min_clearance + 1e-12);
 }
 
 TEST(PathCheck, RefusesAPathWithoutWaypoints) {

@@ -414,9 +414,9 @@ TEST(PlanningRequest, RefusesThreadsAndResolutionsThatMakeNoSense) {
   PlanRequest no_thread;
   no_thread.threads = 0;
   PlanRequest too_exact;
-  too_exact.resolution_mm = 0.0;
+  too_exact.resolution = 0.0;
   PlanRequest not_a_number;
-  not_a_number.resolution_mm = std::nan("");
+  not_a_number.resolution = std::nan("");
   for (const PlanRequest& request : {no_thread, too_exact, not_a_number}) {
     EXPECT_THROW(static_cast<void>(planner->plan(problem, request)), std::invalid_argument);
   }

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/formats/scene_file.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner.h"

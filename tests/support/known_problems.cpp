@@ -1,5 +1,6 @@
 #include "handway_test/known_problems.h"
 
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 #include "kautham_importer.h"

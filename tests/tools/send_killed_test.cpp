@@ -6,6 +6,7 @@
 #include "handway/device/hand/hand_emulator.h"
 #include "handway/device/ros/ros_emulator.h"
 #include "handway/execution/motion/motion_target.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "sent_path.h"
 

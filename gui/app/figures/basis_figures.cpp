@@ -7,6 +7,7 @@
 #include "handway/sampling/postures/pmd_basis.h"
 #include "view3d/scene_pictures.h"
 #include "widgets/plots/figure_file.h"
+#include "widgets/plots/plot_style.h"
 
 #include <QImage>
 #include <QPainter>

@@ -3,13 +3,15 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/robot/joint_selection.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
 #include "model/document/document.h"
-#include "model/playback/path_player.h"
+#include "model/playback/path_timeline.h"
 #include "view3d/scene_pictures.h"
 #include "view3d/viewpoints.h"
 #include "widgets/plots/figure_file.h"
+#include "widgets/plots/plot_style.h"
 
 #include <QImage>
 #include <QSize>

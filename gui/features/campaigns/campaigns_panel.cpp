@@ -1,6 +1,7 @@
 #include "features/campaigns/campaigns_panel.h"
 
 #include "features/workbench.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/campaigns/run_workers.h"
@@ -8,8 +9,8 @@
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/panels/run_view.h"
+#include "widgets/plots/ecdf_plot.h"
 #include "widgets/plots/screen_colors.h"
-#include "widgets/plots/statistics_plots.h"
 #include "widgets/style/color_math.h"
 #include "widgets/style/rich_text.h"
 
@@ -149,7 +150,7 @@ RunRow row_of(const planning::ArchivedRun& run) {
   row.samples = run.record.samples;
   if (run.record.solved) {
     row.nodes = run.record.path_nodes;
-    row.clearance = run.record.min_clearance_mm;
+    row.clearance = geometric::millimetres(run.record.min_clearance);
   }
   row.tip = QObject::tr("Open the scene of the run and plan again with its seed");
   return row;

@@ -29,7 +29,7 @@ class EcdfPlot;
 class RunView;
 class Workbench;
 
-/// Carries out a campaign, or reads the runs of one, on a thread of its own. Runs go to
+/// Carries out a campaign, or reads the runs of one, in the background. Runs go to
 /// `runs.sqlite` in a folder beside the campaign's file, named after it, as `handway bench` does;
 /// those that are there already are kept.
 class CampaignRunner : public QObject {

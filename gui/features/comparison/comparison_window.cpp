@@ -4,6 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/paths/path_file.h"
 #include "model/playback/path_player.h"
+#include "model/playback/path_timeline.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/playback_bar.h"

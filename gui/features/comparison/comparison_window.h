@@ -4,6 +4,7 @@
 #include "model/jobs/background.h"
 #include "model/planning/path_history.h"
 #include "model/playback/path_player.h"
+#include "model/playback/path_timeline.h"
 
 #include <QDialog>
 #include <QTableWidget>

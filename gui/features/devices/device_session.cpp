@@ -415,12 +415,10 @@ void add_devices(Workbench& workbench) {
                      workbench.session.start();
                    });
   PlanSettings& settings = workbench.plan_settings;
-  const auto take_margin = [&] {
-    devices.set_margin(geometric::metres(settings.request().margin_mm));
-  };
+  const auto take_margin = [&] { devices.set_margin(settings.request().margin); };
   QObject::connect(&settings, &PlanSettings::request_changed, &devices, take_margin);
-  QObject::connect(&devices, &DeviceSession::margin_requested, &workbench, [&](double millimetres) {
-    settings.set_margin(millimetres);
+  QObject::connect(&devices, &DeviceSession::margin_requested, &workbench, [&](double margin) {
+    settings.set_margin(margin);
     workbench.session.start();
   });
   take_margin();

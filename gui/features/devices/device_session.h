@@ -1,8 +1,9 @@
 #pragma once
 
+#include "model/devices/executed_motion.h"
 #include "model/devices/motion_driver.h"
 #include "model/devices/stop_key_listener.h"
-#include "model/planning/plan_runner.h"
+#include "model/planning/timing_runner.h"
 
 #include <QList>
 #include <QObject>
@@ -92,8 +93,8 @@ class DeviceSession : public QObject {
   void executed_changed(const std::vector<Eigen::Vector3d>& curve);
   /// Let the start be where the robot stands, and plan.
   void start_here_requested(const Eigen::VectorXd& q);
-  /// Plan again with that margin.
-  void margin_requested(double millimetres);
+  /// Plan again with that margin, m.
+  void margin_requested(double margin);
   /// Emitted with a message for the log.
   void reported(bool good, const QString& message);
 

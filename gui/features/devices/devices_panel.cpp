@@ -1,5 +1,7 @@
 #include "features/devices/devices_panel.h"
 
+#include "features/devices/following_plot.h"
+#include "features/devices/motion_device_field.h"
 #include "handway/device/arm/val3_arm.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/geometric/math/units.h"
@@ -7,21 +9,15 @@
 #include "widgets/forms/slider_row.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/motion_text.h"
-#include "widgets/plots/cursor_plot.h"
-#include "widgets/plots/screen_colors.h"
 #include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFormLayout>
 #include <QFrame>
 #include <QLabel>
-#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
-#include <QSignalBlocker>
 #include <QVariant>
 
 #include <algorithm>
@@ -29,155 +25,6 @@
 #include <utility>
 
 namespace handway::gui {
-namespace {
-
-constexpr int kAnglesHeight = 150;
-constexpr int kDifferenceHeight = 120;
-
-const QColor kPlannedColor{0x3b, 0x82, 0xd0};  // seen on white and on black
-
-enum AngleCurve : int { kPlanned, kMeasured };
-
-std::vector<double> in_degrees(std::vector<double> angles) {
-  for (double& angle : angles) {
-    angle = geometric::degrees(angle);
-  }
-  return angles;
-}
-
-}  // namespace
-
-FollowingPlot::FollowingPlot(QWidget* parent)
-    : QWidget(parent),
-      joints_(named("following_joint", new QComboBox)),
-      angles_(new TimePlot({}, tr("angle, °"))),
-      difference_(new TimePlot(tr("time, s"), tr("error, °"))) {
-  angles_->setFixedHeight(kAnglesHeight);
-  angles_->add_curve(tr("planned"), kPlannedColor);
-  angles_->add_curve(tr("measured"), kPlotOrange, true);
-  angles_->show_legend();
-  difference_->setFixedHeight(kDifferenceHeight);
-  difference_->add_curve(tr("measured − planned"), kPlotOrange);
-  for (QWidget* plot : {angles_, difference_}) {  // Qwt asks for room for every label of the axis
-    plot->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  }
-  lay_out(*this, in_column({joints_, angles_, difference_}, 4));
-  connect(joints_, qOverload<int>(&QComboBox::currentIndexChanged), this,
-          &FollowingPlot::show_joint);
-  follow_theme(*this, [this] {
-    angles_->set_colors(screen_colors());
-    difference_->set_colors(screen_colors());
-  });
-  clear();
-}
-
-void FollowingPlot::show_motion(std::shared_ptr<const ExecutedMotion> motion,
-                                const geometric::RobotModel& model) {
-  motion_ = nullptr;  // the joints come one by one
-  joints_->clear();
-  for (const ExecutedMotion::Device& device : motion->devices) {
-    for (const int variable : device.variables) {
-      joints_->addItem(QString::fromStdString(model.variable(variable).name), variable);
-    }
-  }
-  joints_->setCurrentIndex(joints_->findData(motion->worst_variable()));
-  motion_ = std::move(motion);
-  show_joint();
-  show();
-}
-
-void FollowingPlot::clear() {
-  motion_ = nullptr;
-  hide();
-}
-
-void FollowingPlot::show_joint() {
-  if (!motion_ || joints_->currentIndex() < 0) {
-    return;
-  }
-  ExecutedMotion::JointCurve curve = motion_->curve(joints_->currentData().toInt());
-  // The first sample may be from just before the start: the axis would begin a whole step before
-  // it.
-  std::ranges::transform(curve.times, curve.times.begin(),
-                         [](double t) { return std::max(t, 0.0); });
-  std::vector<double> error = curve.measured;
-  for (std::size_t i = 0; i < error.size(); ++i) {
-    error[i] -= curve.planned[i];
-  }
-  angles_->set_curve(kPlanned, curve.times, in_degrees(curve.planned));
-  angles_->set_curve(kMeasured, curve.times, in_degrees(curve.measured));
-  difference_->set_curve(0, curve.times, in_degrees(std::move(error)));
-  angles_->refresh();
-  difference_->refresh();
-}
-
-namespace {
-
-constexpr int kMostRecent = 5;
-
-}  // namespace
-
-MotionDeviceField::MotionDeviceField(QString kind, int port, QWidget* parent)
-    : QComboBox(parent), kind_(std::move(kind)) {
-  setObjectName(kind_ + QStringLiteral("_device"));
-  setEditable(true);
-  setInsertPolicy(QComboBox::NoInsert);
-  setCompleter(nullptr);
-  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  setMinimumContentsLength(12);
-  lineEdit()->setPlaceholderText(tr("host or host:port"));
-  setToolTip(tr("Address of the controller, such as 192.168.0.254 (default port %1), or the "
-                "built-in emulator, which starts in the robot's present configuration")
-                 .arg(port));
-  addItem(tr("Emulator"), QStringLiteral("emulator"));
-  addItem(tr("None"), QStringLiteral("none"));
-  for (const QString& address : QSettings().value(key()).toStringList()) {
-    addItem(address);
-  }
-  setCurrentIndex(0);
-}
-
-bool MotionDeviceField::is_emulator() const {
-  return currentText() == itemText(0) || currentText() == QStringLiteral("emulator");
-}
-
-QString MotionDeviceField::address() const {
-  const QString text = currentText().trimmed();
-  if (is_emulator() || text.isEmpty() || text == itemText(1)) {
-    return {};
-  }
-  return text.contains(QStringLiteral("://")) ? text : kind_ + QStringLiteral("://") + text;
-}
-
-void MotionDeviceField::choose(const QString& device) {
-  const int known = findData(device);
-  if (known >= 0) {
-    setCurrentIndex(known);
-  } else {
-    setCurrentIndex(-1);
-    setEditText(device);
-  }
-}
-
-void MotionDeviceField::remember() {
-  if (address().isEmpty()) {
-    return;
-  }
-  const QString text = currentText().trimmed();
-  QStringList recent = QSettings().value(key()).toStringList();
-  recent.removeAll(text);
-  recent.prepend(text);
-  recent = recent.mid(0, kMostRecent);
-  QSettings().setValue(key(), recent);
-  if (findText(text) < 0) {
-    const QSignalBlocker quiet(this);
-    addItem(text);
-    setEditText(text);
-  }
-}
-
-QString MotionDeviceField::key() const { return QStringLiteral("devices/") + kind_; }
-
 namespace {
 
 using State = MotionDriver::State;
@@ -305,7 +152,7 @@ QWidget* DevicesPanel::make_motion() {
   start_here_->hide();
   with_margin_->setToolTip(tr("Plan a path with this clearance"));
   with_margin_->hide();
-  connect(with_margin_, &QPushButton::clicked, this, [this] { emit margin_requested(margin_mm_); });
+  connect(with_margin_, &QPushButton::clicked, this, [this] { emit margin_requested(margin_); });
   connect(speed_, &SliderRow::value_edited, this, &DevicesPanel::speed_changed);
   connect(start_here_, &QPushButton::clicked, this, &DevicesPanel::start_here_requested);
   connect(armed_, &QCheckBox::toggled, this, &DevicesPanel::update_buttons);
@@ -391,8 +238,8 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
 void DevicesPanel::offer_margin(const planning::PreflightReport& report) {
   with_margin_->setVisible(report.is_tight() && report.is_under_way());
   if (report.is_tight()) {
-    margin_mm_ = report.shortfall->suggested_margin_mm();
-    with_margin_->setText(tr("Plan with %1 mm margin").arg(margin_mm_));
+    margin_ = report.shortfall->suggested_margin();
+    with_margin_->setText(tr("Plan with %1 mm margin").arg(geometric::millimetres(margin_)));
   }
 }
 

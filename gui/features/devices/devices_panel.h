@@ -1,13 +1,12 @@
 #pragma once
 
 #include "handway/planning/timing/time_path.h"
+#include "model/devices/executed_motion.h"
 #include "model/devices/motion_driver.h"
 
-#include <QComboBox>
 #include <QWidget>
 
 class QCheckBox;
-class QComboBox;
 class QFrame;
 class QLabel;
 class QProgressBar;
@@ -15,51 +14,9 @@ class QPushButton;
 
 namespace handway::gui {
 
+class FollowingPlot;
+class MotionDeviceField;
 class SliderRow;
-class TimePlot;
-
-/// One joint as planned and as measured, and below how far it was off; the joint can be chosen.
-class FollowingPlot : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit FollowingPlot(QWidget* parent = nullptr);
-
-  /// Shows the joint that was farthest off first.
-  void show_motion(std::shared_ptr<const ExecutedMotion> motion,
-                   const geometric::RobotModel& model);
-  void clear();
-
- private:
-  void show_joint();
-
-  std::shared_ptr<const ExecutedMotion> motion_;
-  QComboBox* joints_;
-  TimePlot* angles_;
-  TimePlot* difference_;
-};
-
-/// Field to choose the device of an arm or a hand: none, the built-in emulator, or an address.
-class MotionDeviceField : public QComboBox {
-  Q_OBJECT
-
- public:
-  /// @param kind "arm" or "hand". @param port that it usually listens on.
-  MotionDeviceField(QString kind, int port, QWidget* parent = nullptr);
-
-  [[nodiscard]] bool is_emulator() const;
-  /// "arm://HOST:PORT"; empty for none and the emulator.
-  [[nodiscard]] QString address() const;
-  /// "none", "emulator" or an address. For tests and options.
-  void choose(const QString& device);
-  /// Adds an address that worked to the choices, also for the next start.
-  void remember();
-
- private:
-  [[nodiscard]] QString key() const;
-
-  QString kind_;
-};
 
 /// Panel to connect to an arm and a hand, preview a motion on them, run it, and show its result.
 /// The session carries out the commands of the buttons.
@@ -100,8 +57,8 @@ class DevicesPanel : public QWidget {
   void hold_requested(bool held);
   void mirror_changed();
   void start_here_requested();  ///< Let the path start where the robot stands.
-  /// Plan again with that margin.
-  void margin_requested(double millimetres);
+  /// Plan again with that margin, m.
+  void margin_requested(double margin);
 
  private:
   QWidget* make_connection();
@@ -121,7 +78,7 @@ class DevicesPanel : public QWidget {
   QLabel* motion_;
   QPushButton* start_here_;
   QPushButton* with_margin_;
-  double margin_mm_ = 0.0;  ///< Margin that `with_margin_` plans with.
+  double margin_ = 0.0;  ///< m, margin that `with_margin_` plans with.
   QCheckBox* armed_;
   QPushButton* run_;
   QPushButton* hold_;

@@ -6,6 +6,7 @@
 #include "handway/planning/edits/robot_edits.h"
 #include "handway/planning/edits/scene_edits.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/constraint_form.h"
 #include "widgets/forms/pose_form.h"
 #include "widgets/forms/shape_form.h"
 #include "widgets/forms/typed_input.h"

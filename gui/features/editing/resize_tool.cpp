@@ -5,6 +5,7 @@
 #include "handway/planning/edits/resizing.h"
 #include "handway/planning/edits/scene_edits.h"
 #include "model/document/scene_editor.h"
+#include "view3d/gizmo_drag.h"
 #include "view3d/gizmo_node.h"
 #include "view3d/scene_view.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/planning/edits/resizing.h"
-#include "view3d/gizmo_node.h"
+#include "view3d/gizmo_drag.h"
 
 #include <QObject>
 #include <QPoint>

@@ -1,36 +1,27 @@
 #include "features/export/export_dialog.h"
 
+#include "features/export/motion_preview.h"
 #include "features/export/pictures_dialog.h"
 #include "features/workbench.h"
-#include "handway/geometric/math/units.h"
 #include "model/document/document.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/parameter_form.h"
 #include "widgets/panels/log_panel.h"
-#include "widgets/panels/motion_text.h"
-#include "widgets/plots/cursor_plot.h"
-#include "widgets/plots/screen_colors.h"
 #include "widgets/style/actions.h"
-#include "widgets/style/color_math.h"
 #include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
 #include <QDir>
 #include <QFileDialog>
-#include <QFontDatabase>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSplitter>
 #include <QStringList>
-#include <QTabBar>
-#include <QTabWidget>
 #include <QVariant>
 
 #include <algorithm>
@@ -39,6 +30,46 @@
 #include <vector>
 
 namespace handway::gui {
+namespace {
+
+constexpr int kSettleMs = 250;
+constexpr int kSettingsWidth = 300;
+/// The settings that the dialog shows; those of the required clearance are preferences.
+std::vector<geometric::BoundParameter> shown_parameters(planning::TimingSettings& settings) {
+  std::vector<geometric::BoundParameter> list = parameters_of(settings);
+  std::erase_if(list, [](const geometric::BoundParameter& parameter) {
+    return parameter.key == "margin" || parameter.key == "following_error";
+  });
+  return list;
+}
+
+void note_exported(Workbench& workbench, const QString& files) {
+  workbench.log.add(LogPanel::Level::kNote, QObject::tr("Exported %1").arg(files));
+}
+
+void export_path(Workbench& workbench) {
+  auto* dialog =
+      new ExportDialog(workbench.plugins, workbench.document, workbench.player.timeline().path(),
+                       workbench.scene_name(), &workbench.window);
+  dialog->set_margin(workbench.plan_settings.request().margin);
+  QObject::connect(dialog, &ExportDialog::exported, &workbench, [&](const QStringList& files) {
+    note_exported(workbench, files.join(QStringLiteral(", ")));
+  });
+  dialog->open();
+}
+
+void export_pictures(Workbench& workbench) {
+  const auto& scene = workbench.document.scene();
+  auto* dialog = new PicturesDialog(
+      scene, workbench.player.timeline(), workbench.view.camera(),
+      scene->name.empty() ? QObject::tr("path") : QString::fromStdString(scene->name),
+      &workbench.window);
+  QObject::connect(dialog, &PicturesDialog::exported, &workbench,
+                   [&](const QString& file) { note_exported(workbench, file); });
+  dialog->open();
+}
+
+}  // namespace
 
 ExportRunner::ExportRunner(std::shared_ptr<const planning::PluginManager> plugins, QObject* parent)
     : QObject(parent), plugins_(std::move(plugins)) {
@@ -67,128 +98,6 @@ void ExportRunner::write(const std::string& format,
     return [this, files] { emit written(files); };
   });
 }
-
-namespace {
-
-constexpr std::size_t kMostShown = 60000;  // characters of a file
-constexpr int kNamesWidth = 170;
-
-QColor hue_of(std::size_t index, std::size_t count) {
-  constexpr int kWheel = 360;
-  return seen_on(screen_colors().paper,
-                 QColor::fromHsv(static_cast<int>(kWheel * index / count), 190, 190));
-}
-
-// The velocities of some of the joints as curves.
-void draw(TimePlot& plot, const planning::Motion& motion, const std::vector<int>& variables) {
-  plot.clear();
-  std::vector<double> times;
-  for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
-    times.push_back(point.time);
-  }
-  for (std::size_t j = 0; j < variables.size(); ++j) {
-    std::vector<double> values;
-    for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
-      values.push_back(geometric::degrees(point.velocity[variables[j]]));
-    }
-    const QString name = QString::fromStdString(motion.model->variable(variables[j]).name);
-    plot.set_curve(plot.add_curve(name, hue_of(j, variables.size())), times, values);
-  }
-  plot.refresh();
-}
-
-}  // namespace
-
-MotionPreview::MotionPreview(QWidget* parent)
-    : QWidget(parent),
-      tabs_(new QTabWidget),
-      report_(named("export_report", new QLabel)),
-      arm_(new TimePlot({}, tr("arm, °/s"))),
-      hand_(new TimePlot(tr("time, s"), tr("hand, °/s"))),
-      names_(named("export_files", new QListWidget)),
-      content_(named("export_content", new QPlainTextEdit)) {
-  tabs_->setDocumentMode(true);
-  tabs_->tabBar()->setDrawBase(false);
-  report_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  report_->setTextFormat(Qt::RichText);
-  report_->setWordWrap(true);
-  report_->setMargin(12);
-  report_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  for (TimePlot* plot : {arm_, hand_}) {
-    plot->set_colors(screen_colors());
-  }
-  names_->setAccessibleName(tr("Files"));
-  content_->setAccessibleName(tr("Contents of the file"));
-  content_->setReadOnly(true);
-  content_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  content_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  auto* files = new QSplitter;
-  files->addWidget(names_);
-  files->addWidget(content_);
-  files->setSizes({kNamesWidth, 3 * kNamesWidth});
-  tabs_->addTab(report_, tr("Pre-flight"));
-  tabs_->addTab(boxed(in_column({arm_, hand_}, 0)), tr("Velocities"));
-  tabs_->addTab(files, tr("Files"));
-  lay_out(*this, in_column({tabs_}));
-  connect(names_, &QListWidget::currentRowChanged, this, &MotionPreview::show_file);
-}
-
-void MotionPreview::show_waiting(const QString& text) {
-  report_->setText(colored(text, colors_of(current_theme()).muted));
-  arm_->clear();
-  hand_->clear();
-  show_files({});
-}
-
-void MotionPreview::show_motion(const planning::TimedPath& motion) {
-  report_->setText(motion_text(motion));
-  if (motion.cleared()) {
-    show_velocities(motion.motion);
-  }
-}
-
-void MotionPreview::show_velocities(const planning::Motion& motion) {
-  draw(*arm_, motion, motion.arm);
-  draw(*hand_, motion, motion.hand);
-}
-
-void MotionPreview::show_files(std::vector<planning::ExportedFile> files) {
-  names_->clear();
-  content_->clear();
-  files_ = std::move(files);
-  for (const planning::ExportedFile& file : files_) {
-    names_->addItem(QString::fromStdString(file.name.string()));
-  }
-  names_->setCurrentRow(files_.empty() ? -1 : 0);
-}
-
-void MotionPreview::show_file(int row) {
-  if (row < 0 || row >= static_cast<int>(files_.size())) {
-    content_->clear();
-    return;
-  }
-  const std::string& content = files_[static_cast<std::size_t>(row)].content;
-  QString shown = QString::fromStdString(content.substr(0, kMostShown));
-  if (content.size() > kMostShown) {
-    shown += tr("\n… %1 characters more").arg(content.size() - kMostShown);
-  }
-  content_->setPlainText(shown);
-}
-
-namespace {
-
-constexpr int kSettleMs = 250;
-constexpr int kSettingsWidth = 300;
-/// The settings that the dialog shows; those of the required clearance are preferences.
-std::vector<geometric::BoundParameter> shown_parameters(planning::TimingSettings& settings) {
-  std::vector<geometric::BoundParameter> list = parameters_of(settings);
-  std::erase_if(list, [](const geometric::BoundParameter& parameter) {
-    return parameter.key == "margin" || parameter.key == "following_error";
-  });
-  return list;
-}
-
-}  // namespace
 
 ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugins,
                            Document& document, planning::Path path, const QString& name,
@@ -405,36 +314,6 @@ void ExportDialog::show_problem(const QString& message) {
   setEnabled(true);
   export_button_->setEnabled(is_allowed());
 }
-
-namespace {
-
-void note_exported(Workbench& workbench, const QString& files) {
-  workbench.log.add(LogPanel::Level::kNote, QObject::tr("Exported %1").arg(files));
-}
-
-void export_path(Workbench& workbench) {
-  auto* dialog =
-      new ExportDialog(workbench.plugins, workbench.document, workbench.player.timeline().path(),
-                       workbench.scene_name(), &workbench.window);
-  dialog->set_margin(geometric::metres(workbench.plan_settings.request().margin_mm));
-  QObject::connect(dialog, &ExportDialog::exported, &workbench, [&](const QStringList& files) {
-    note_exported(workbench, files.join(QStringLiteral(", ")));
-  });
-  dialog->open();
-}
-
-void export_pictures(Workbench& workbench) {
-  const auto& scene = workbench.document.scene();
-  auto* dialog = new PicturesDialog(
-      scene, workbench.player.timeline(), workbench.view.camera(),
-      scene->name.empty() ? QObject::tr("path") : QString::fromStdString(scene->name),
-      &workbench.window);
-  QObject::connect(dialog, &PicturesDialog::exported, &workbench,
-                   [&](const QString& file) { note_exported(workbench, file); });
-  dialog->open();
-}
-
-}  // namespace
 
 void add_export(Workbench& workbench) {
   QAction* pictures = workbench.make_action({}, QObject::tr("Export p&ictures of the path…"), {},

@@ -5,7 +5,7 @@
 #include "handway/planning/timing/time_path.h"
 #include "handway/planning/timing/timing_settings.h"
 #include "model/jobs/background.h"
-#include "model/planning/plan_runner.h"
+#include "model/planning/timing_runner.h"
 
 #include <QDialog>
 #include <QObject>
@@ -20,9 +20,7 @@ class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
-class QPlainTextEdit;
 class QPushButton;
-class QTabWidget;
 
 namespace handway::planning {
 struct SceneState;
@@ -31,8 +29,8 @@ struct SceneState;
 namespace handway::gui {
 
 class Document;
+class MotionPreview;
 class ParameterForm;
-class TimePlot;
 class Workbench;
 
 /// Makes and writes the files of a motion off the GUI thread. Only the answer to the latest
@@ -64,30 +62,6 @@ class ExportRunner : public QObject {
  private:
   std::shared_ptr<const planning::PluginManager> plugins_;
   LatestJob job_;
-};
-
-/// Preview of an export: its pre-flight report, the velocities of the joints, and the files.
-class MotionPreview : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit MotionPreview(QWidget* parent = nullptr);
-
-  void show_waiting(const QString& text);
-  void show_motion(const planning::TimedPath& motion);
-  void show_files(std::vector<planning::ExportedFile> files);
-
- private:
-  void show_velocities(const planning::Motion& motion);
-  void show_file(int row);
-
-  QTabWidget* tabs_;
-  QLabel* report_;
-  TimePlot* arm_;
-  TimePlot* hand_;
-  QListWidget* names_;
-  QPlainTextEdit* content_;
-  std::vector<planning::ExportedFile> files_;
 };
 
 /// Dialog to export a path for a controller: format, timing, a preview of the files, and the

@@ -2,7 +2,7 @@
 
 #include "features/export/film_sink.h"
 #include "handway/geometric/scene/scene.h"
-#include "model/playback/path_player.h"
+#include "model/playback/path_timeline.h"
 #include "model/settings/orbit_camera.h"
 
 #include <QImage>

@@ -1,6 +1,7 @@
 #include "features/planning/plan_panel.h"
 
 #include "features/planning/preset_bar.h"
+#include "handway/geometric/math/units.h"
 #include "model/planning/planning_session.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/parameter_form.h"
@@ -95,7 +96,8 @@ void PlanPanel::connect_settings() {
   connect(merit_, qOverload<int>(&QComboBox::currentIndexChanged), &settings_,
           [this] { settings_.set_merit(static_cast<PathMerit>(merit_->currentData().toInt())); });
   connect(time_limit_, changed, &settings_, &PlanSettings::set_time_limit);
-  connect(margin_, changed, &settings_, &PlanSettings::set_margin);
+  connect(margin_, changed, &settings_,
+          [this](double millimetres) { settings_.set_margin(geometric::metres(millimetres)); });
   connect(threads_, counted, &settings_, &PlanSettings::set_threads);
   connect(optimize_limit_, changed, &settings_, &PlanSettings::set_optimize_limit);
   connect(&settings_, &PlanSettings::planner_changed, this, &PlanPanel::rebuild_form);
@@ -110,7 +112,7 @@ void PlanPanel::show_request() {
   show_value(*seeds_, settings_.seeds());
   merit_->setCurrentIndex(merit_->findData(static_cast<int>(settings_.merit())));
   show_value(*time_limit_, std::isfinite(request.time_limit_s) ? request.time_limit_s : 0.0);
-  show_value(*margin_, request.margin_mm);
+  show_value(*margin_, geometric::millimetres(request.margin));
   show_value(*threads_, request.threads);
   const double limit = settings_.optimize_limit();
   show_value(*optimize_limit_, std::isfinite(limit) ? limit : 0.0);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/planning/plan_runner.h"
+#include "model/planning/optimize_runner.h"
 #include "model/planning/plan_settings.h"
 
 #include <QElapsedTimer>

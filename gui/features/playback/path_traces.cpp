@@ -5,6 +5,7 @@
 #include "model/document/document.h"
 #include "model/meshes/shaded_meshes.h"
 #include "model/playback/path_player.h"
+#include "model/playback/path_timeline.h"
 #include "view3d/overlay.h"
 #include "view3d/path_drawings.h"
 #include "view3d/scene_view.h"

@@ -1,10 +1,11 @@
 #include "features/playback/plots_panel.h"
 
+#include "features/playback/joint_curve_list.h"
 #include "features/playback/path_opening.h"
 #include "features/playback/path_traces.h"
+#include "features/playback/plot_columns.h"
 #include "features/workbench.h"
 #include "handway/geometric/io/replace_file.h"
-#include "handway/geometric/math/units.h"
 #include "model/document/document.h"
 #include "model/playback/motion_analysis.h"
 #include "model/playback/path_player.h"
@@ -19,281 +20,17 @@
 
 #include <QComboBox>
 #include <QFileInfo>
-#include <QHeaderView>
 #include <QLabel>
 #include <QObject>
-#include <QPainter>
-#include <QPixmap>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <exception>
-#include <iterator>
 #include <utility>
 
 namespace handway::gui {
-namespace {
-
-constexpr const char* kClearance = "clearance_mm";
-constexpr const char* kToSubspace = "distance_to_pmds";
-constexpr const char* kToRecorded = "distance_to_recorded";
-
-double unit(const geometric::RobotModel& model, int variable) {
-  return slides(model, variable) ? geometric::millimetres(1.0) : geometric::degrees(1.0);
-}
-
-}  // namespace
-
-bool is_of_joints(PlotQuantity quantity) {
-  return quantity != PlotQuantity::kClearance && quantity != PlotQuantity::kUnlikeness;
-}
-
-bool slides(const geometric::RobotModel& model, int variable) {
-  return model.variable(variable).type == geometric::JointType::kPrismatic;
-}
-
-QString unit_of(PlotQuantity quantity, bool slides) {
-  const QString unit = slides ? QStringLiteral("mm") : QStringLiteral("°");
-  switch (quantity) {
-    case PlotQuantity::kPosition:
-      return unit;
-    case PlotQuantity::kVelocity:
-      return unit + QStringLiteral("/s");
-    case PlotQuantity::kAcceleration:
-      return unit + QStringLiteral("/s²");
-    case PlotQuantity::kClearance:
-      return QStringLiteral("mm");
-    case PlotQuantity::kUnlikeness:
-      break;
-  }
-  return {};
-}
-
-QString axis_title(PlotQuantity quantity, bool slides) {
-  const auto with_unit = [&](const QString& name) {
-    return QStringLiteral("%1, %2").arg(name, unit_of(quantity, slides));
-  };
-  switch (quantity) {
-    case PlotQuantity::kPosition:
-      return with_unit(QObject::tr("position"));
-    case PlotQuantity::kVelocity:
-      return with_unit(QObject::tr("velocity"));
-    case PlotQuantity::kAcceleration:
-      return with_unit(QObject::tr("acceleration"));
-    case PlotQuantity::kClearance:
-      return with_unit(QObject::tr("clearance"));
-    case PlotQuantity::kUnlikeness:
-      break;
-  }
-  return QObject::tr("distance");
-}
-
-std::vector<double> joint_values(const planning::Motion& motion, int variable,
-                                 PlotQuantity quantity) {
-  const double scale = unit(*motion.model, variable);
-  std::vector<double> values;
-  values.reserve(motion.trajectory.points.size());
-  for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
-    const Eigen::VectorXd& all = quantity == PlotQuantity::kPosition   ? point.position
-                                 : quantity == PlotQuantity::kVelocity ? point.velocity
-                                                                       : point.acceleration;
-    values.push_back(scale * all[variable]);
-  }
-  return values;
-}
-
-std::vector<PlotColumn> motion_columns(const MotionCurves& curves, PlotQuantity quantity) {
-  std::vector<PlotColumn> columns;
-  if (quantity == PlotQuantity::kUnlikeness) {
-    columns = {{kToSubspace, curves.to_subspace}, {kToRecorded, curves.to_recorded}};
-  } else {
-    columns.push_back({kClearance, {}});
-    std::ranges::transform(curves.clearance, std::back_inserter(columns.back().values),
-                           geometric::millimetres);
-  }
-  std::erase_if(columns, [](const PlotColumn& column) { return column.values.empty(); });
-  return columns;
-}
-
-QString title_of(const PlotColumn& column) {
-  return column.name == kToSubspace   ? QObject::tr("to the PMD subspace")
-         : column.name == kToRecorded ? QObject::tr("to the nearest recorded posture")
-                                      : QObject::tr("Clearance");
-}
-
-std::vector<double> joint_limits(const planning::Motion& motion, int variable,
-                                 PlotQuantity quantity) {
-  const double scale = unit(*motion.model, variable);
-  if (quantity == PlotQuantity::kPosition) {
-    return motion.model->is_continuous(variable)
-               ? std::vector<double>{}
-               : std::vector<double>{scale * motion.model->lower()[variable],
-                                     scale * motion.model->upper()[variable]};
-  }
-  const Eigen::VectorXd& most =
-      quantity == PlotQuantity::kVelocity ? motion.limits.velocity : motion.limits.acceleration;
-  return {-scale * most[variable], scale * most[variable]};
-}
-
-std::string csv_of(const std::vector<double>& times, const std::vector<PlotColumn>& columns) {
-  std::string text = "time_s";
-  for (const PlotColumn& column : columns) {
-    text += "," + column.name;
-  }
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    text += fmt::format("\n{:.6g}", times[i]);
-    for (const PlotColumn& column : columns) {
-      text += fmt::format(",{:.9g}", column.values[i] + 0.0);
-    }
-  }
-  return text + "\n";
-}
-
-namespace {
-
-constexpr int kName = 0;
-constexpr int kValue = 1;
-constexpr QSize kSwatch{18, 12};
-
-// Colours that are distinct on white and on dark grey.
-constexpr std::array<QRgb, 10> kColors{0xff3f7fdb, 0xffe2801f, 0xff2f9e5b, 0xffd64545, 0xff8f63c7,
-                                       0xffa0674b, 0xffd964ad, 0xff7d8a98, 0xff9c9b22, 0xff1fa3b5};
-
-QIcon swatch(int variable) {
-  QPixmap picture(kSwatch);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
-  painter.setPen(QPen(JointCurveList::color_of(variable), 3.0,
-                      JointCurveList::is_dashed(variable) ? Qt::DotLine : Qt::SolidLine));
-  const int middle = kSwatch.height() / 2;
-  painter.drawLine(1, middle, kSwatch.width() - 2, middle);
-  return {picture};
-}
-
-// Returns the common beginning of the joints' names, up to a "_": "thumb".
-QString common_name(const geometric::RobotModel& model, const std::vector<int>& variables) {
-  QString name = QString::fromStdString(model.variable(variables.front()).name);
-  name = name.section(QLatin1Char('_'), 0, -2);
-  for (const int variable : variables) {
-    if (!QString::fromStdString(model.variable(variable).name)
-             .startsWith(name + QLatin1Char('_'))) {
-      return {};
-    }
-  }
-  return name.isEmpty() ? name : name.front().toUpper() + name.mid(1);
-}
-
-}  // namespace
-
-JointCurveList::JointCurveList(QWidget* parent) : QTreeWidget(parent) {
-  setColumnCount(2);
-  setHeaderHidden(true);
-  setAccessibleName(tr("Joints that are drawn"));
-  setIconSize(kSwatch);
-  setSelectionMode(QAbstractItemView::NoSelection);
-  setFocusPolicy(Qt::TabFocus);
-  setIndentation(14);
-  header()->setStretchLastSection(false);
-  header()->setSectionResizeMode(kName, QHeaderView::Stretch);
-  header()->setSectionResizeMode(kValue, QHeaderView::ResizeToContents);
-  connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem*, int column) {
-    if (column == kName) {
-      emit choice_changed();
-    }
-  });
-}
-
-QColor JointCurveList::color_of(int variable) {
-  return kColors[static_cast<std::size_t>(variable) % kColors.size()];
-}
-
-bool JointCurveList::is_dashed(int variable) {
-  return (static_cast<std::size_t>(variable) / kColors.size()) % 2 == 1;
-}
-
-QTreeWidgetItem* JointCurveList::add_group(const std::vector<int>& variables, const QString& name) {
-  auto* group = new QTreeWidgetItem(this, {name});
-  group->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
-  group->setToolTip(kName, name);
-  for (const int variable : variables) {
-    const std::string& joint = model_->variable(variable).name;
-    auto* item = new QTreeWidgetItem(group, {QString::fromStdString(joint)});
-    item->setToolTip(kName, QString::fromStdString(joint));
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
-    item->setCheckState(kName, Qt::Unchecked);
-    item->setIcon(kName, swatch(variable));
-    item->setTextAlignment(kValue, Qt::AlignRight | Qt::AlignVCenter);
-    items_[static_cast<std::size_t>(variable)] = item;
-  }
-  return group;
-}
-
-void JointCurveList::set_robot(std::shared_ptr<const geometric::RobotModel> model,
-                               const geometric::JointSelection& joints) {
-  if (model == model_) {
-    return;
-  }
-  const QSignalBlocker quiet(this);
-  model_ = std::move(model);
-  clear();
-  items_.assign(model_ ? static_cast<std::size_t>(model_->variable_count()) : 0, nullptr);
-  if (!model_) {
-    return;
-  }
-  int finger = 0;
-  for (const geometric::JointIndices& part : moving_parts(*model_, joints)) {
-    if (part == joints.arm) {
-      QTreeWidgetItem* arm = add_group(part, tr("Arm"));
-      arm->setCheckState(kName, Qt::Checked);
-      arm->setExpanded(true);
-      continue;
-    }
-    ++finger;
-    const QString name = common_name(*model_, part);
-    add_group(part, name.isEmpty() ? tr("Finger %1").arg(finger) : name);
-  }
-  if (const geometric::JointIndices others = joints.outside_arm_and_hand(); !others.empty()) {
-    add_group(others, tr("Other"));
-  }
-}
-
-std::vector<int> JointCurveList::chosen() const {
-  std::vector<int> variables;
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (items_[i] && items_[i]->checkState(kName) == Qt::Checked) {
-      variables.push_back(static_cast<int>(i));
-    }
-  }
-  return variables;
-}
-
-void JointCurveList::choose(const std::vector<int>& variables) {
-  {
-    const QSignalBlocker quiet(this);
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-      if (items_[i]) {
-        const bool on = std::ranges::find(variables, static_cast<int>(i)) != variables.end();
-        items_[i]->setCheckState(kName, on ? Qt::Checked : Qt::Unchecked);
-      }
-    }
-  }
-  emit choice_changed();
-}
-
-void JointCurveList::show_values(const std::vector<QString>& texts) {
-  for (std::size_t i = 0; i < items_.size() && i < texts.size(); ++i) {
-    if (items_[i]) {
-      items_[i]->setText(kValue, texts[i]);
-    }
-  }
-}
-
 namespace {
 
 constexpr int kListWidth = 210;

@@ -4,6 +4,7 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/edits/scene_edits.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "model/meshes/shaded_meshes.h"
 #include "widgets/forms/arrangement.h"

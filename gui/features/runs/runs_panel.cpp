@@ -1,6 +1,7 @@
 #include "features/runs/runs_panel.h"
 
 #include "features/workbench.h"
+#include "handway/geometric/math/units.h"
 #include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
 #include "widgets/forms/arrangement.h"
@@ -41,7 +42,7 @@ RunRow as_row(const PathRecord& record, bool stands_out) {
   row.samples = run.result.statistics.samples;
   if (run.result.solved()) {
     row.nodes = run.result.path.waypoints.size();
-    row.clearance = run.result.certificate.min_clearance_mm;
+    row.clearance = geometric::millimetres(run.result.certificate.min_clearance);
     row.length = length_of(*record.scene->robots.front().model, run.result.path);
   }
   if (record.figures) {

@@ -1,5 +1,6 @@
 #include "features/tasks/task_card.h"
 
+#include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/style/actions.h"
 #include "widgets/style/theme.h"
@@ -120,7 +121,7 @@ void TaskCard::show_plan(const std::vector<ShownStage>& stages, double planned_i
   for (const ShownStage& stage : stages) {
     auto* item = new QTreeWidgetItem(
         list_, {stage_text(stage.kind), tr("%1 s").arg(stage.duration, 0, 'f', 2),
-                tr("%1 mm").arg(stage.clearance_mm, 0, 'f', 1)});
+                tr("%1 mm").arg(geometric::millimetres(stage.clearance), 0, 'f', 1)});
     item->setToolTip(2, stage.nearest);
     item->setTextAlignment(1, Qt::AlignRight);
     item->setTextAlignment(2, Qt::AlignRight);

@@ -22,9 +22,9 @@ namespace handway::gui {
 /// A stage of a planned task, as the card shows it.
 struct ShownStage {
   planning::StageKind kind = planning::StageKind::kMove;
-  double duration = 0.0;      ///< s
-  double clearance_mm = 0.0;  ///< The least one.
-  QString nearest;            ///< The pair that is nearest.
+  double duration = 0.0;   ///< s
+  double clearance = 0.0;  ///< The least one, m.
+  QString nearest;         ///< The pair that is nearest.
 };
 
 /// Floats over the view: where the selected object is to be placed, and the stages of the plan.

@@ -55,7 +55,7 @@ void add_stage(const planning::TaskStage& stage, std::size_t index, const std::s
     task.plan.reason = to_text(timed.preflight);
     return;
   }
-  task.stages.push_back({stage.kind, timed.preflight.duration, timed.preflight.min_clearance_mm,
+  task.stages.push_back({stage.kind, timed.preflight.duration, timed.preflight.min_clearance,
                          QString::fromStdString(timed.preflight.closest_pair)});
   const geometric::SceneObject& moved = *stage.state.find(object);
   for (const planning::TrajectoryPoint& point : timed.motion.trajectory.points) {

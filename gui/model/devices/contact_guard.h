@@ -23,7 +23,7 @@ enum class ContactRule {
 };
 
 /// Merges all postures with which devices lead the robot, and passes on what its rule permits: all
-/// of a step, or only its free part. Steps are checked on a thread of its own; steps that come
+/// of a step, or only its free part. Steps are checked in the background; steps that come
 /// faster than they can be checked are skipped.
 class ContactGuard : public QObject {
   Q_OBJECT
@@ -62,7 +62,7 @@ class ContactGuard : public QObject {
 
   std::shared_ptr<const geometric::RobotModel> model_;
   std::vector<geometric::JointIndices> groups_;  ///< For geometric::sliding_step().
-  std::shared_ptr<OwnChecker> checker_;          ///< For the job's thread; null: all is free.
+  std::shared_ptr<OwnChecker> checker_;          ///< For the job; null: all is free.
   ContactRule rule_ = ContactRule::kPass;
   geometric::Configuration q_;
   std::array<geometric::NamedPosture, 2> wanted_;  ///< By Leader.

@@ -4,116 +4,18 @@
 #include "handway/device/hand/hand_emulator.h"
 #include "handway/execution/motion/motion_log.h"
 #include "handway/execution/motion/motion_target.h"
+#include "model/devices/executed_motion.h"
 
 #include <QStringList>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <utility>
 
 namespace handway::gui {
-namespace {
-
-Eigen::Index place_of(const std::vector<int>& variables, int variable) {
-  const auto found = std::ranges::find(variables, variable);
-  return found == variables.end() ? -1 : found - variables.begin();
-}
-
-}  // namespace
-
-ExecutedMotion::JointCurve ExecutedMotion::curve(int variable) const {
-  JointCurve curve;
-  for (const Device& device : devices) {
-    const Eigen::Index j = place_of(device.variables, variable);
-    if (j < 0) {
-      continue;
-    }
-    for (const execution::MotionSample& sample : device.samples) {
-      curve.times.push_back(sample.time);
-      curve.planned.push_back(sample.planned[j]);
-      curve.measured.push_back(sample.measured[j]);
-    }
-  }
-  return curve;
-}
-
-int ExecutedMotion::worst_variable() const {
-  int worst = -1;
-  double farthest = -1.0;
-  for (const Device& device : devices) {
-    for (const execution::MotionSample& sample : device.samples) {
-      Eigen::Index j = 0;
-      const double away = (sample.measured - sample.planned).cwiseAbs().maxCoeff(&j);
-      if (away > farthest) {
-        farthest = away;
-        worst = device.variables[static_cast<std::size_t>(j)];
-      }
-    }
-  }
-  return worst;
-}
-
-Eigen::VectorXd ExecutedMotion::following_error(const geometric::RobotModel& model) const {
-  constexpr double kLeastShare = 0.02;  // of the velocity limit: slower tells nothing of more
-  Eigen::VectorXd at_limit = planning::assumed_following_error(model);
-  const Eigen::VectorXd limits = planning::rate_limits(model).velocity;
-  for (const Device& device : devices) {
-    for (const int variable : device.variables) {
-      const JointCurve seen = curve(variable);
-      double error = 0.0;
-      double velocity = 0.0;
-      for (std::size_t i = 0; i < seen.times.size(); ++i) {
-        error = std::max(error, std::abs(seen.measured[i] - seen.planned[i]));
-        if (i > 0 && seen.times[i] > seen.times[i - 1]) {
-          velocity = std::max(velocity, std::abs(seen.planned[i] - seen.planned[i - 1]) /
-                                            (seen.times[i] - seen.times[i - 1]));
-        }
-      }
-      const double share = std::min(velocity / limits[variable], 1.0);
-      if (share > kLeastShare) {
-        at_limit[variable] = std::max(error - planning::kErrorAtRest, 0.0) / share;
-      }
-    }
-  }
-  return at_limit;
-}
-
-std::vector<Eigen::Vector3d> ExecutedMotion::link_path(const geometric::RobotInstance& robot,
-                                                       int link) const {
-  struct Seen {
-    const Device* device;
-    const execution::MotionSample* sample;
-  };
-  std::vector<Seen> all;
-  for (const Device& device : devices) {
-    for (const execution::MotionSample& sample : device.samples) {
-      all.push_back({&device, &sample});
-    }
-  }
-  std::ranges::stable_sort(all, {}, [](const Seen& seen) { return seen.sample->time; });
-  geometric::Configuration q = start;
-  std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(robot.model->link_count()));
-  std::vector<Eigen::Vector3d> curve;
-  for (const Seen& seen : all) {
-    for (std::size_t j = 0; j < seen.device->variables.size(); ++j) {
-      q[seen.device->variables[j]] = seen.sample->measured[static_cast<Eigen::Index>(j)];
-    }
-    robot.model->forward_kinematics(q, X_BL);
-    curve.emplace_back(robot.X_WB * X_BL[static_cast<std::size_t>(link)].translation());
-  }
-  return curve;
-}
-
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -402,84 +304,6 @@ bool MotionDriver::carry_out(Devices& devices, const Order& order) {
       emit failed(message);
     });
     return true;
-  }
-}
-
-namespace {
-
-// Messages that the thread reads besides numbers of signals.
-constexpr unsigned char kDone = 0;
-
-std::atomic<int> signal_pipe = -1;
-std::mutex driver_mutex;
-MotionDriver* driver_at_exit = nullptr;
-
-// Does only what a signal handler may do: the thread does the rest.
-extern "C" void forward_signal(int signal) {
-  const int error = errno;
-  const auto number = static_cast<unsigned char>(signal);
-  [[maybe_unused]] const auto written = ::write(signal_pipe, &number, 1);
-  errno = error;
-}
-
-void warn_unless(bool rested) {
-  if (!rested) {
-    std::fputs("handway-workbench: the robot was not seen at rest: LOOK AT THE ROBOT\n", stderr);
-  }
-}
-
-void stop_at_exit() {
-  const std::lock_guard lock(driver_mutex);
-  if (driver_at_exit != nullptr) {
-    warn_unless(driver_at_exit->end(ProgramEnd::kLongestWait));
-  }
-}
-
-}  // namespace
-
-ProgramEnd::ProgramEnd(MotionDriver& driver) : driver_(driver) {
-  if (::pipe2(pipe_.data(), O_CLOEXEC) != 0) {
-    throw std::system_error(errno, std::generic_category(), "no pipe for signals");
-  }
-  signal_pipe = pipe_[1];
-  {
-    const std::lock_guard lock(driver_mutex);
-    driver_at_exit = &driver;
-  }
-  [[maybe_unused]] static const int kRegistered = std::atexit(stop_at_exit);
-  thread_ = std::thread([this] { wait_for_signals(); });
-  for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    ::sigaction(kSignals[i], nullptr, &before_[i]);
-    if (before_[i].sa_handler != SIG_IGN) {  // as nohup wants it
-      struct sigaction action {};
-      action.sa_handler = forward_signal;
-      action.sa_flags = SA_RESTART;
-      ::sigaction(kSignals[i], &action, nullptr);
-    }
-  }
-}
-
-ProgramEnd::~ProgramEnd() {
-  for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    ::sigaction(kSignals[i], &before_[i], nullptr);
-  }
-  {
-    const std::lock_guard lock(driver_mutex);
-    driver_at_exit = nullptr;
-  }
-  [[maybe_unused]] const auto written = ::write(pipe_[1], &kDone, 1);
-  thread_.join();
-  signal_pipe = -1;
-  ::close(pipe_[0]);
-  ::close(pipe_[1]);
-}
-
-void ProgramEnd::wait_for_signals() {
-  unsigned char signal = kDone;
-  while (::read(pipe_[0], &signal, 1) == 1 && signal != kDone) {
-    warn_unless(driver_.stop_and_wait(kLongestWait));
-    std::signal(signal, SIG_DFL);
-    ::kill(::getpid(), signal);
   }
 }
 

@@ -1,57 +1,23 @@
 #pragma once
 
 #include "handway/execution/motion/motion_run.h"
-#include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/timing/time_path.h"
+#include "model/devices/executed_motion.h"
 #include "model/document/prepared_problem.h"
 
 #include <QObject>
 #include <QString>
 
-#include <array>
 #include <chrono>
 #include <condition_variable>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace handway::gui {
-
-/// Reports of the devices during a motion, beside the planned motion.
-struct ExecutedMotion {
-  struct Device {
-    std::string kind;                              ///< "arm" or "hand"
-    std::vector<int> variables;                    ///< The robot's that it moves, in its order.
-    std::vector<execution::MotionSample> samples;  ///< In order of time.
-  };
-  std::vector<Device> devices;
-  geometric::Configuration start;  ///< Start of the whole robot.
-  std::filesystem::path log;       ///< CSV file of this log.
-
-  /// One joint over time.
-  struct JointCurve {
-    std::vector<double> times;     ///< s
-    std::vector<double> planned;   ///< rad
-    std::vector<double> measured;  ///< rad
-  };
-  /// @param variable of the robot. Empty if no device moves it.
-  [[nodiscard]] JointCurve curve(int variable) const;
-  /// The variable that was farthest off, or -1.
-  [[nodiscard]] int worst_variable() const;
-  /// Returns the following error of each variable, in proportion to its velocity limit, with the
-  /// default for those that no device moves. @returns rad or m, shape [variable_count], see
-  /// planning::SafetyMargin.
-  [[nodiscard]] Eigen::VectorXd following_error(const geometric::RobotModel& model) const;
-  /// The path of a link's origin as it was measured (world, m).
-  [[nodiscard]] std::vector<Eigen::Vector3d> link_path(const geometric::RobotInstance& robot,
-                                                       int link) const;
-};
 
 /// Devices that move the robot: addresses such as "arm://localhost:11000", and emulated ones that
 /// start in the robot's configuration.
@@ -152,31 +118,6 @@ class MotionDriver : public QObject {
   bool rested_ = true;    ///< The last motion ended at rest.
   bool working_ = false;  ///< The thread has not come to its end.
   std::jthread thread_;
-};
-
-/// While it lives, the robot is stopped, and its rest is waited for, before the program ends
-/// in ways that its window has no say in: by SIGINT, SIGTERM or SIGHUP, which then do what they
-/// always do, and by exit(), as Qt and Xlib do when the display is lost. One at a time.
-class ProgramEnd {
- public:
-  /// Longest time to wait for rest.
-  static constexpr std::chrono::milliseconds kLongestWait{2500};
-
-  /// @param driver outlives it. @throws std::system_error if there is no pipe to be had.
-  explicit ProgramEnd(MotionDriver& driver);
-  ~ProgramEnd();
-  ProgramEnd(const ProgramEnd&) = delete;
-  ProgramEnd& operator=(const ProgramEnd&) = delete;
-
- private:
-  static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
-
-  void wait_for_signals();
-
-  MotionDriver& driver_;
-  std::array<int, 2> pipe_{};
-  std::array<struct sigaction, kSignals.size()> before_{};
-  std::thread thread_;
 };
 
 }  // namespace handway::gui

@@ -240,7 +240,7 @@ class DeviceLink : public StreamLink {
 
   std::unique_ptr<StreamInbox<Item>> inbox_;
   std::shared_ptr<Running> running_;
-  BackgroundThreads closing_;
+  BackgroundJobs closing_;
 };
 
 }  // namespace handway::gui

@@ -33,8 +33,8 @@ struct LostScene {
   QDateTime time;  ///< Time of the last change.
 };
 
-/// Saves a copy of the scene with its unsaved changes in a folder of this window, written on a
-/// thread of its own and replaced as a whole. The folder is removed when the window closes
+/// Saves a copy of the scene with its unsaved changes in a folder of this window, written in
+/// the background and replaced as a whole. The folder is removed when the window closes
 /// normally; otherwise it is found at the next start.
 class Autosave : public QObject {
   Q_OBJECT

@@ -24,7 +24,7 @@ struct CollisionReport {
   std::optional<geometric::ClosestPoints> points;  ///< Closest points of that pair.
 };
 
-/// Checks the posture on screen on a thread of its own. Only the latest posture
+/// Checks the posture on screen in the background. Only the latest posture
 /// counts: those that come faster than they can be checked are skipped.
 class CollisionMonitor : public QObject {
   Q_OBJECT
@@ -48,7 +48,7 @@ class CollisionMonitor : public QObject {
   void failed(const QString& message);
 
  private:
-  /// Problem and checker of the job's thread.
+  /// Problem and checker of the job.
   struct Checks {
     OwnChecker checker;
     std::unique_ptr<geometric::ClosestPointFinder> finder = nullptr;

@@ -9,6 +9,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/select_joints.h"
 #include "handway/planning/edits/scene_state.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "model/document/new_scene.h"
 #include "model/meshes/shaded_meshes.h"
@@ -139,7 +140,7 @@ void SceneLoader::run(std::function<planning::SceneState()> read) {
         },
         Qt::QueuedConnection);
   };
-  threads_.run([this, deliver, read = std::move(read)] {
+  jobs_.run([this, deliver, read = std::move(read)] {
     try {
       const planning::SceneState scene = read();
       shade_meshes(*scene.scene);

@@ -106,7 +106,7 @@ class SceneLoader : public QObject {
 
   std::shared_ptr<const planning::PluginManager> plugins_;
   int generation_ = 0;
-  BackgroundThreads threads_;
+  BackgroundJobs jobs_;
 };
 
 /// Identifies the state of a file, to detect changes.

@@ -11,6 +11,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/edits/arranging.h"
 #include "handway/planning/edits/robot_edits.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "handway/sampling/postures/pmd_basis.h"
 

@@ -410,15 +410,19 @@ void SceneEditor::rename(const std::string& name) {
 
 void SceneEditor::change_selected(const QString& text, const std::string& what,
                                   const std::function<void(SceneObject&)>& change) {
-  const std::vector<std::string> names = changeable();
-  if (names.empty()) {
-    return;
+  if (const std::vector<std::string> names = changeable(); !names.empty()) {
+    push_changed(text, what, with_changed_objects(state(), names, change));
   }
+}
+
+void SceneEditor::push_changed(const QString& text, const std::string& what,
+                               planning::SceneState next) {
+  const std::vector<std::string> names = changeable();
   std::string key = what;
   for (const std::string& name : names) {
     key += what.empty() ? "" : '\n' + name;
   }
-  push(text.arg(words_for(names)), with_changed_objects(state(), names, change), selection_, key);
+  push(text.arg(words_for(names)), std::move(next), selection_, key);
 }
 
 void SceneEditor::place(const Pose& X_WO) {
@@ -448,12 +452,10 @@ void SceneEditor::place(const Pose& X_WO) {
         selection_, "base " + robot);
     return;
   }
-  const std::optional<Pose> before = selected_pose();
-  const std::optional<planning::SceneState> next = placed(X_WO);
-  if (next) {
-    const bool only_turned = X_WO.translation() == before->translation();
-    change_selected(only_turned ? tr("Turn %1") : tr("Move %1"), only_turned ? "turn" : "move",
-                    [&](SceneObject& changed) { changed.X_PO = next->find(changed.name)->X_PO; });
+  if (std::optional<planning::SceneState> next = placed(X_WO)) {
+    const bool only_turned = X_WO.translation() == selected_pose()->translation();
+    push_changed(only_turned ? tr("Turn %1") : tr("Move %1"), only_turned ? "turn" : "move",
+                 std::move(*next));
   }
 }
 
@@ -540,8 +542,7 @@ void SceneEditor::attach(const std::string& robot, const std::string& link,
         rise > 0.0 ? tr("Attach %1 to %2, raised by %3 mm")
                          .arg(QStringLiteral("%1"), to, QString::number(1e3 * rise, 'f', 1))
                    : tr("Attach %1 to %2").arg(QStringLiteral("%1"), to);
-    const planning::SceneState next = attached(state(), q, changeable(), {robot, link}, touching);
-    change_selected(text, "", [&](SceneObject& changed) { changed = *next.find(changed.name); });
+    push_changed(text, "", attached(state(), q, changeable(), {robot, link}, touching));
   }
 }
 
@@ -550,9 +551,7 @@ void SceneEditor::detach() {
     return state().find(name)->attachment.has_value();
   });
   if (any) {
-    const planning::SceneState next = detached(state(), document_.configuration(), changeable());
-    change_selected(tr("Detach %1"), "",
-                    [&](SceneObject& changed) { changed = *next.find(changed.name); });
+    push_changed(tr("Detach %1"), "", detached(state(), document_.configuration(), changeable()));
   }
 }
 

@@ -193,7 +193,10 @@ class SceneEditor : public QObject {
   void compose(const QString& text, std::function<planning::SceneState()> make, Selection select,
                const std::string& kind = {}, Outcome outcome = {});
   void end_composing(const QString& problem);
+  /// Pushes a change of the selected objects that can be changed.
   /// @param text with a place for what is changed. @param what empty: each an edit of its own.
+  void push_changed(const QString& text, const std::string& what, planning::SceneState next);
+  /// Changes each of them. @param text as above. @param what as above.
   void change_selected(const QString& text, const std::string& what,
                        const std::function<void(geometric::SceneObject&)>& change);
 

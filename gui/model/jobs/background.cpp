@@ -1,32 +1,58 @@
 #include "model/jobs/background.h"
 
-#include <QRunnable>
 #include <QThreadPool>
 
-#include <chrono>
+#include <algorithm>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
 #include <utility>
 
 namespace handway::gui {
+namespace {
 
-LatestJob::LatestJob(QObject* parent)
-    : QObject(parent), thread_([this](const std::stop_token& stop) { work(stop); }) {}
+// More than there are tickets and planners at a time, so that no job has to wait for a thread.
+constexpr int kMostThreads = 256;
+
+// Not Qt's global pool: Qt converts pictures there, while the GUI thread waits for them.
+class Executor : public QThreadPool {
+ public:
+  Executor() { setMaxThreadCount(kMostThreads); }
+};
+
+}  // namespace
+
+void run_in_background(std::function<void()> work) {
+  static Executor executor;
+  executor.start(std::move(work));
+}
+
+/// State that the ticket shares with the thread that runs its jobs.
+struct LatestJob::Shared {
+  std::mutex mutex;
+  std::condition_variable idle;
+  Job next;
+  int next_number = 0;
+  std::stop_source running{std::nostopstate};
+  bool has_thread = false;  ///< Has one, or will get one.
+  bool is_running = false;  ///< A job runs.
+};
+
+LatestJob::LatestJob(QObject* parent) : QObject(parent), shared_(std::make_shared<Shared>()) {}
 
 LatestJob::~LatestJob() {
-  thread_.request_stop();
-  {
-    const std::lock_guard lock(mutex_);
-    running_.request_stop();
-  }
-  wake_.notify_all();
+  drop();
+  std::unique_lock lock(shared_->mutex);
+  shared_->idle.wait(lock, [this] { return !shared_->is_running; });
 }
 
 // No answer that is still to come is wanted any more.
 void LatestJob::drop() {
   dropped_ = wanted_;
-  const std::lock_guard lock(mutex_);
-  next_ = nullptr;
-  running_.request_stop();
+  Job unwanted;  // released last, as that may take long
+  const std::lock_guard lock(shared_->mutex);
+  unwanted = std::exchange(shared_->next, nullptr);
+  shared_->running.request_stop();
 }
 
 void LatestJob::run(Job job) {
@@ -35,12 +61,16 @@ void LatestJob::run(Job job) {
 }
 
 void LatestJob::run_next(Job job) {
+  bool has_thread = false;
   {
-    const std::lock_guard lock(mutex_);
-    next_ = std::move(job);
-    next_ticket_ = ++wanted_;
+    const std::lock_guard lock(shared_->mutex);
+    shared_->next.swap(job);
+    shared_->next_number = ++wanted_;
+    has_thread = std::exchange(shared_->has_thread, true);
   }
-  wake_.notify_all();
+  if (!has_thread) {
+    run_in_background([this, shared = shared_] { work(*shared); });
+  }
 }
 
 void LatestJob::cancel() {
@@ -57,64 +87,46 @@ LatestJob::Answer LatestJob::answer_of(const Job& job, const std::stop_token& ca
   }
 }
 
-void LatestJob::work(const std::stop_token& stop) {
-  while (true) {
-    Job job;
-    int ticket = 0;
-    std::stop_token cancelled;
-    {
-      std::unique_lock lock(mutex_);
-      if (!wake_.wait(lock, stop, [this] { return next_ != nullptr; })) {
-        return;
-      }
-      job = std::exchange(next_, nullptr);
-      ticket = next_ticket_;
-      running_ = std::stop_source();
-      cancelled = running_.get_token();
-      if (stop.stop_requested()) {
-        return;
-      }
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, ticket, answer = answer_of(job, cancelled)] {
-          if (ticket <= dropped_) {
-            return;
-          }
-          done_ = ticket;
-          if (answer) {
-            answer();
-          }
-          emit ended();
-        },
-        Qt::QueuedConnection);
+void LatestJob::take_answer(int number, const Answer& answer) {
+  if (number <= dropped_) {
+    return;
   }
+  done_ = number;
+  if (answer) {
+    answer();
+  }
+  emit ended();
 }
 
-void BackgroundThreads::run(std::function<void()> job) {
-  std::erase_if(running_, [](const Running& running) {
-    return running.done.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+void LatestJob::work(Shared& shared) {
+  std::unique_lock lock(shared.mutex);
+  while (shared.next) {
+    Job job = std::exchange(shared.next, nullptr);
+    const int number = shared.next_number;
+    shared.running = std::stop_source();
+    const std::stop_token cancelled = shared.running.get_token();
+    shared.is_running = true;
+    lock.unlock();
+    QMetaObject::invokeMethod(
+        this, [this, number, answer = answer_of(job, cancelled)] { take_answer(number, answer); },
+        Qt::QueuedConnection);
+    job = nullptr;  // what it holds may be the owner's
+    lock.lock();
+    shared.is_running = false;
+    shared.idle.notify_all();
+  }
+  shared.has_thread = false;
+}
+
+void BackgroundJobs::run(const std::function<void()>& job) {
+  auto ticket = std::ranges::find_if_not(tickets_, &LatestJob::is_busy);
+  if (ticket == tickets_.end()) {
+    ticket = tickets_.insert(ticket, std::make_unique<LatestJob>());
+  }
+  (*ticket)->run_next([job](const std::stop_token&) -> LatestJob::Answer {
+    job();
+    return {};
   });
-  std::packaged_task<void()> task(std::move(job));
-  std::future<void> done = task.get_future();
-  running_.push_back({std::move(done), std::jthread(std::move(task))});
-}
-
-namespace {
-
-class Task : public QRunnable {
- public:
-  explicit Task(std::function<void()> work) : work_(std::move(work)) {}
-  void run() override { work_(); }
-
- private:
-  std::function<void()> work_;
-};
-
-}  // namespace
-
-void run_in_background(std::function<void()> work) {
-  QThreadPool::globalInstance()->start(new Task(std::move(work)));
 }
 
 }  // namespace handway::gui

@@ -3,28 +3,34 @@
 #include <QObject>
 #include <QString>
 
-#include <condition_variable>
 #include <functional>
-#include <future>
-#include <mutex>
+#include <memory>
 #include <stop_token>
-#include <thread>
 #include <vector>
 
 namespace handway::gui {
 
-/// A thread for one kind of question of which the latest alone counts: one that still waits when
-/// another is asked is dropped. For the GUI thread's use.
+/// Runs a function on a thread of the window's executor, without waiting for its end. The executor
+/// is a pool that starts a thread where all others are at work, up to a limit that jobs do not
+/// reach in practice: a long job does not delay a short one.
+///
+/// A job may wait for devices, files and PreparedProblem, but not for another job of the executor.
+void run_in_background(std::function<void()> work);
+
+/// A ticket on the executor for one kind of question of which the latest alone counts: one that
+/// still waits when another is asked is dropped. Jobs of one ticket run one after the other; an
+/// idle ticket has no thread. For the GUI thread's use.
 class LatestJob : public QObject {
   Q_OBJECT
 
  public:
   /// Function that runs on the GUI thread with the results of a job; may be empty.
   using Answer = std::function<void()>;
-  /// Runs on the job's thread. A stop is requested when the answer is not wanted any more.
+  /// Runs on a thread of the executor. A stop is requested when the answer is not wanted any more.
   using Job = std::function<Answer(const std::stop_token& stop)>;
 
   explicit LatestJob(QObject* parent = nullptr);
+  /// Cancels the job, and waits for the one that runs: jobs may refer to objects of the owner.
   ~LatestJob() override;
 
   /// Cancels the previous job, whose answer never arrives, and runs this one.
@@ -44,37 +50,30 @@ class LatestJob : public QObject {
   void ended();
 
  private:
+  struct Shared;
+
   void drop();
-  void work(const std::stop_token& stop);
+  /// Runs what waits, on a thread of the executor. @param shared outlives the ticket; `this` is
+  /// used only while a job runs.
+  void work(Shared& shared);
+  void take_answer(int number, const Answer& answer);
   [[nodiscard]] Answer answer_of(const Job& job, const std::stop_token& cancelled);
 
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  Job next_;
-  int next_ticket_ = 0;
-  std::stop_source running_{std::nostopstate};
-  int wanted_ = 0;  ///< GUI thread only, as are the rest.
+  std::shared_ptr<Shared> shared_;
+  int wanted_ = 0;  ///< Number of the latest job.
   int done_ = 0;
   int dropped_ = 0;  ///< The last whose answer isn't wanted.
-  std::jthread thread_;
 };
 
-/// Threads whose results are not waited for: each runs one job; the destructor waits for those that
-/// still run. It is for use by one thread.
-class BackgroundThreads {
+/// Jobs of the executor whose results are not waited for, any number at a time. The destructor
+/// waits for those that run. For the GUI thread's use.
+class BackgroundJobs {
  public:
   /// @param job must not throw.
-  void run(std::function<void()> job);
+  void run(const std::function<void()>& job);
 
  private:
-  struct Running {
-    std::future<void> done;
-    std::jthread thread;
-  };
-  std::vector<Running> running_;
+  std::vector<std::unique_ptr<LatestJob>> tickets_;
 };
-
-/// Runs a function on a thread of the global pool, without waiting for its end.
-void run_in_background(std::function<void()> work);
 
 }  // namespace handway::gui

@@ -57,15 +57,33 @@ void LiveReplanner::end() {
 }
 
 void LiveReplanner::follow(std::shared_ptr<const geometric::Scene> scene,
-                           const planning::Revision& revision) {
+                           std::shared_ptr<const PreparedProblem> problem) {
+  const planning::Revision revision = problem->revision();
+  replan(
+      [scene = std::move(scene), problem = std::move(problem)](DynamicRoadmap& roadmap,
+                                                               const std::stop_token& stop) {
+        const PreparedProblem::Problem ready = problem->wait(stop);
+        // A scene without start or goal got them for the problem alone.
+        return ready && ready->scene == scene && roadmap.follow(*ready);
+      },
+      revision);
+}
+
+void LiveReplanner::try_scene(std::shared_ptr<const geometric::Scene> scene) {
+  replan([scene = std::move(scene)](DynamicRoadmap& roadmap,
+                                    const std::stop_token&) { return roadmap.follow(*scene); },
+         {});
+}
+
+void LiveReplanner::replan(Change change, const planning::Revision& revision) {
   if (!is_active()) {
     return;
   }
-  job_.run_next([this, followed = followed_, scene = std::move(scene),
+  job_.run_next([this, followed = followed_, change = std::move(change),
                  revision](const std::stop_token& stop) -> LatestJob::Answer {
     followed->prepare(stop);
     auto roadmap = std::exchange(followed->roadmap, nullptr);  // gone if anything goes wrong
-    if (!roadmap || !roadmap->follow(*scene)) {
+    if (!roadmap || !change(*roadmap, stop)) {
       return [this] { emit lost(); };
     }
     DerivedResult result{roadmap->plan(followed->request, stop), revision};

@@ -7,14 +7,20 @@
 
 #include <QObject>
 
+#include <functional>
 #include <memory>
+#include <stop_token>
+
+namespace handway::planning {
+class DynamicRoadmap;
+}
 
 namespace handway::gui {
 
 /// A replanned path, and the revision that it was planned in.
 using DerivedResult = planning::Derived<planning::PlanResult>;
 
-/// Keeps a path valid while its scene is edited: plans again on a thread of its own
+/// Keeps a path valid while its scene is edited: plans again in the background
 /// with a dynamic roadmap. Only the latest scene counts: those that come faster than
 /// they can be planned are skipped.
 class LiveReplanner : public QObject {
@@ -32,9 +38,11 @@ class LiveReplanner : public QObject {
   /// Returns whether an answer is still expected.
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
 
-  /// Requests a path in a scene with the same robots. @param revision of that scene; none of a
-  /// document's if it is only tried.
-  void follow(std::shared_ptr<const geometric::Scene> scene, const planning::Revision& revision);
+  /// Requests a path in the scene of an edit. @param problem of `scene`.
+  void follow(std::shared_ptr<const geometric::Scene> scene,
+              std::shared_ptr<const PreparedProblem> problem);
+  /// Requests a path in a scene that is only tried; the result has no revision of a document.
+  void try_scene(std::shared_ptr<const geometric::Scene> scene);
 
  signals:
   /// @param origin how the path was found, a few words.
@@ -44,8 +52,12 @@ class LiveReplanner : public QObject {
 
  private:
   struct Followed;
+  /// Applies a change of the scene; returns false if it needs a new plan.
+  using Change = std::function<bool(planning::DynamicRoadmap&, const std::stop_token&)>;
 
-  std::shared_ptr<Followed> followed_;  ///< For the job's thread; null: there is no path.
+  void replan(Change change, const planning::Revision& revision);
+
+  std::shared_ptr<Followed> followed_;  ///< For the job; null: there is no path.
   LatestJob job_;
 };
 

@@ -103,7 +103,7 @@ PathFigures figures_of(const PathRecord& record) {
   figures.palm_travel = palm_travel(record);
   const MotionCurves& curves = *record.curves;
   if (curves.clearance.empty()) {
-    figures.least_clearance = record.run->result.certificate.min_clearance_mm * 1e-3;
+    figures.least_clearance = record.run->result.certificate.min_clearance;
   } else {
     figures.least_clearance = *std::ranges::min_element(curves.clearance);
     figures.mean_clearance = mean(curves.clearance);

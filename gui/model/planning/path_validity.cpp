@@ -2,6 +2,7 @@
 
 #include "handway/planning/paths/path_check.h"
 #include "model/playback/path_player.h"
+#include "model/playback/path_timeline.h"
 
 #include <optional>
 #include <utility>

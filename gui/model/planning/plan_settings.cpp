@@ -113,7 +113,7 @@ void PlanSettings::set_usual_time_limit(double seconds) {
 
 void PlanSettings::begin_scene() {
   request_.seed = kFirstSeed;
-  request_.margin_mm = planning::PlanRequest{}.margin_mm;
+  request_.margin = planning::PlanRequest{}.margin;
   seeds_ = 1;
   merit_ = kPathMerits.front();
   optimize_limit_ = kUsualOptimizeLimit;
@@ -133,13 +133,13 @@ void PlanSettings::set_time_limit(double seconds) {
   keep(request_.time_limit_s, seconds > 0.0 ? seconds : planning::PlanRequest{}.time_limit_s);
 }
 
-void PlanSettings::set_margin(double millimetres) { keep(request_.margin_mm, millimetres); }
+void PlanSettings::set_margin(double metres) { keep(request_.margin, metres); }
 
 void PlanSettings::restore(const planning::PlanRequest& request) {
   seeds_ = 1;
   request_.seed = request.seed;
   request_.time_limit_s = request.time_limit_s;
-  request_.margin_mm = request.margin_mm;
+  request_.margin = request.margin;
   emit request_changed();
 }
 
@@ -215,7 +215,7 @@ QString difference(const PlanChoices& a, const PlanChoices& b) {
   if (a.request.time_limit_s != b.request.time_limit_s) {
     return QObject::tr("Set time limit");
   }
-  if (a.request.margin_mm != b.request.margin_mm) {
+  if (a.request.margin != b.request.margin) {
     return QObject::tr("Set margin");
   }
   if (a.request.threads != b.request.threads) {

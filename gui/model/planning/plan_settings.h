@@ -68,7 +68,7 @@ class PlanSettings : public QObject {
   void set_threads(int threads);
   /// @param seconds 0: none.
   void set_time_limit(double seconds);
-  void set_margin(double millimetres);
+  void set_margin(double metres);
   /// Seed, time limit and margin as they were; one seed.
   void restore(const planning::PlanRequest& request);
 

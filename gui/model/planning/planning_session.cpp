@@ -296,7 +296,7 @@ void PlanningSession::take_edit(const planning::SceneState& before) {
   forget_optimizing();
   if (live_.is_active()) {
     forget_roadmap();
-    live_.follow(document_.scene(), document_.revision());
+    live_.follow(document_.scene(), document_.problem());
   } else if (!opened_from_.isEmpty()) {
     keep_opened(before);
   } else {
@@ -314,9 +314,7 @@ void PlanningSession::keep_opened(const planning::SceneState& before) {
   replace_path(planning::Path(player_.timeline().path()), {});
 }
 
-void PlanningSession::try_scene(const planning::SceneState& state) {
-  live_.follow(state.scene, {});
-}
+void PlanningSession::try_scene(const planning::SceneState& state) { live_.try_scene(state.scene); }
 
 void PlanningSession::take_replanned(const DerivedResult& derived, const QString& origin) {
   const planning::PlanResult& result = derived.value;

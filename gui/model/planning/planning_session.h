@@ -2,9 +2,11 @@
 
 #include "model/document/document.h"
 #include "model/planning/live_replanner.h"
+#include "model/planning/optimize_runner.h"
 #include "model/planning/path_history.h"
 #include "model/planning/plan_runner.h"
 #include "model/planning/plan_settings.h"
+#include "model/planning/seed_runner.h"
 #include "model/playback/path_player.h"
 
 #include <QObject>

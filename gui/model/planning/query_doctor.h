@@ -28,7 +28,7 @@ struct EndDiagnosis {
   std::optional<planning::CollisionRemedy> remedy;  ///< Alternative that may be meant.
 };
 
-/// Checks start and goal on a thread of its own.
+/// Checks start and goal in the background.
 class QueryDoctor : public QObject {
   Q_OBJECT
 

@@ -43,18 +43,19 @@ QString shortfall_text(const planning::PreflightReport& report) {
       report.assumed_following_error
           ? tr("%1 mm for a following error of up to %2° (assumed; none was measured)")
           : tr("%1 mm for the measured following error of up to %2°");
-  QString needed = off.arg(place.following_mm, 0, 'f', 1)
+  QString needed = off.arg(geometric::millimetres(place.following), 0, 'f', 1)
                        .arg(geometric::degrees(place.following_error), 0, 'f', 2);
-  if (place.margin_mm > 0.0) {
-    needed = tr("%1, and %2 mm margin").arg(needed).arg(place.margin_mm, 0, 'f', 1);
+  if (place.margin > 0.0) {
+    needed =
+        tr("%1, and %2 mm margin").arg(needed).arg(geometric::millimetres(place.margin), 0, 'f', 1);
   }
   return strong(tr("Cleared, but too close"), attention_color()) + QStringLiteral("<br>") +
          tr("<b>%1</b> and <b>%2</b> are %3 mm apart at %4 s. %5 mm are needed: %6.")
              .arg(QString::fromStdString(place.a).toHtmlEscaped(),
                   QString::fromStdString(place.b).toHtmlEscaped())
-             .arg(place.clearance_mm, 0, 'f', 2)
+             .arg(geometric::millimetres(place.clearance), 0, 'f', 2)
              .arg(place.place, 0, 'f', 2)
-             .arg(place.needed_mm(), 0, 'f', 1)
+             .arg(geometric::millimetres(place.needed()), 0, 'f', 1)
              .arg(needed) +
          QStringLiteral("<br>") + QString::fromStdString(report.advice()).toHtmlEscaped();
 }
@@ -82,7 +83,7 @@ QString motion_text(const planning::TimedPath& motion) {
     add(tr("Robot and objects stay more than 50 mm apart."));
   } else {
     add(tr("The smallest clearance is %1 mm, at %2 s (%3).")
-            .arg(report.min_clearance_mm, 0, 'f', 2)
+            .arg(geometric::millimetres(report.min_clearance), 0, 'f', 2)
             .arg(report.min_clearance_time, 0, 'f', 2)
             .arg(QString::fromStdString(report.closest_pair).toHtmlEscaped()));
   }

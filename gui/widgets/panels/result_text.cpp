@@ -73,7 +73,8 @@ ResultWords words_of(const planning::PlanResult& result) {
     words.figures.emplace_back(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
     words.figures.emplace_back(
         QObject::tr("Clearance"),
-        QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
+        QStringLiteral("≥ %1 mm").arg(geometric::millimetres(result.certificate.min_clearance), 0,
+                                      'f', 2));
   }
   for (const planning::OutOfMargin& near : result.out_of_margin) {
     const QString end = near.at_goal ? QObject::tr("goal") : QObject::tr("start");
@@ -134,7 +135,8 @@ QString replanned_text(const planning::PlanResult& result, const QString& source
   if (result.solved()) {
     text += row(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
     text += row(QObject::tr("Clearance"),
-                QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
+                QStringLiteral("≥ %1 mm").arg(
+                    geometric::millimetres(result.certificate.min_clearance), 0, 'f', 2));
   }
   return text + QStringLiteral("</table>");
 }

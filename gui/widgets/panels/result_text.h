@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/planning/core/plan_result.h"
-#include "model/planning/plan_runner.h"
+#include "model/planning/optimize_runner.h"
 
 #include <QString>
 

@@ -1,6 +1,7 @@
 #include "widgets/plots/cursor_plot.h"
 
 #include "widgets/plots/figure_file.h"
+#include "widgets/plots/plot_style.h"
 
 #include <QMouseEvent>
 #include <QPen>

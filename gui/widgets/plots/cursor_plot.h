@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/plots/figure_file.h"
+#include "widgets/plots/plot_style.h"
 
 #include <QColor>
 #include <QPoint>
@@ -12,7 +12,6 @@
 #include <vector>
 
 class QwtPlot;
-
 class QwtPlotCurve;
 
 namespace handway::gui {

@@ -1,6 +1,6 @@
 #include "widgets/plots/projection_plot.h"
 
-#include "widgets/plots/figure_file.h"
+#include "widgets/plots/plot_style.h"
 
 #include <QEvent>
 #include <QMouseEvent>

@@ -270,7 +270,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Many gloves, cameras and headsets don't measure palm and wrist.
 bool is_of_fingers(int sensor) {
-  const std::vector<int> fingers = landmark_sensors();
+  const SensorIndices fingers = landmark_sensors();
   return std::ranges::find(fingers, sensor) != fingers.end();
 }
 

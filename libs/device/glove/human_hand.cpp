@@ -221,8 +221,8 @@ GloveAngles glove_angles(const HandLandmarks& landmarks) {
   return angles;
 }
 
-std::vector<int> landmark_sensors() {
-  std::vector<int> sensors;
+SensorIndices landmark_sensors() {
+  SensorIndices sensors;
   for (int sensor = 0; sensor < kGloveSensors; ++sensor) {
     const std::string_view name = cyberglove_sensors()[static_cast<std::size_t>(sensor)].name;
     if (name != "PalmArch" && !name.starts_with("Wrist")) {

@@ -199,7 +199,7 @@ int open_anew(const std::filesystem::path& file) {
 }
 
 template <typename Values>
-std::vector<double> selected(const Values& all, const std::vector<int>& sensors) {
+std::vector<double> selected(const Values& all, const SensorIndices& sensors) {
   std::vector<double> values;
   values.reserve(sensors.size());
   for (const int sensor : sensors) {

@@ -12,7 +12,7 @@ RecordingPlayer::RecordingPlayer(const Recording& recording, const GloveCalibrat
     throw geometric::InputError(
         {"recording", "", "no rows", "at least one frame", "Record it again."});
   }
-  const std::vector<int>& sensors = recording.header.sensors;
+  const SensorIndices& sensors = recording.header.sensors;
   frames_.resize(static_cast<std::size_t>(rows));
   for (Eigen::Index row = 0; row < rows; ++row) {
     GloveFrame& frame = frames_[static_cast<std::size_t>(row)];

@@ -143,7 +143,7 @@ class CsvReader {
 
   [[nodiscard]] int sensor(const TextLine& line, std::string_view name) const {
     const std::optional<int> found = find_sensor(name);
-    const std::vector<int>& before = recording_.header.sensors;
+    const SensorIndices& before = recording_.header.sensors;
     if (!found) {
       throw InputError({at_line(file_, line), fmt::format("column \"{}\"", name),
                         "no sensor of the glove", "a sensor's name or letter",

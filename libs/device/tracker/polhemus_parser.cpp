@@ -230,7 +230,7 @@ ScanVerdict<PolhemusRecord> read_data(const Format& format, Bytes bytes, std::si
   return {bytes.size(), std::move(record)};
 }
 
-bool has(const std::vector<int>& items, int item) { return std::ranges::count(items, item) > 0; }
+bool has(const OutputList& items, int item) { return std::ranges::count(items, item) > 0; }
 
 void check(const FastrakFormat& format) {
   (void)format.record_length();  // Refuses unknown items.

@@ -50,7 +50,7 @@ constexpr int kFastrakStations = 4;
 
 FastrakFormat fastrak_format(const PolhemusSettings& settings) {
   FastrakFormat format;
-  format.items = settings.ascii ? std::vector<int>{2, 4} : std::vector<int>{2, 11};
+  format.items = settings.ascii ? OutputList{2, 4} : OutputList{2, 11};
   if (settings.button) {
     format.items.push_back(16);
   }

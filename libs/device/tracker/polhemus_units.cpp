@@ -68,7 +68,7 @@ class FastrakUnit final : public TrackerUnit {
   }
 
   void set_list(const std::string& command) {
-    const std::vector<int> numbers = comma_list(std::string_view(command).substr(1));
+    const OutputList numbers = comma_list(std::string_view(command).substr(1));
     if (numbers.size() < 2 || numbers[0] < 1 || numbers[0] > kUnitStations) {
       return;
     }
@@ -129,7 +129,7 @@ class FastrakUnit final : public TrackerUnit {
     return bytes;
   }
 
-  std::array<std::vector<int>, kUnitStations> lists_;
+  std::array<OutputList, kUnitStations> lists_;
   bool binary_ = false;
   bool centimetres_ = false;
 };
@@ -275,7 +275,7 @@ class LibertyUnit final : public TrackerUnit {
     return bytes;
   }
 
-  std::vector<int> items_{2, 4, 1};
+  OutputList items_{2, 4, 1};
   char command_ = 'P';
   bool centimetres_ = false;
   double zero_ = 0.0;

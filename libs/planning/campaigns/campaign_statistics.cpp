@@ -1,5 +1,7 @@
 #include "handway/planning/campaigns/campaign_statistics.h"
 
+#include "handway/geometric/math/units.h"
+
 #include <Eigen/Core>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -199,7 +201,8 @@ const std::vector<RunMeasure>& run_measures() {
        [](const RunRecord& run) { return static_cast<double>(run.checks()); }},
       {"path_nodes", "Nodes in the solution path", field(&RunRecord::path_nodes)},
       {"path_length", "Length of the path (normalised joints)", field(&RunRecord::path_length)},
-      {"min_clearance_mm", "Smallest clearance [mm]", field(&RunRecord::min_clearance_mm)},
+      {"min_clearance_mm", "Smallest clearance [mm]",
+       [](const RunRecord& run) { return geometric::millimetres(run.min_clearance); }},
   };
   return kMeasures;
 }

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/disk_cache.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
@@ -45,6 +46,13 @@ constexpr const char* kResumeAdvice =
 /// `path` follow.
 template <typename Record, typename Use>
 void for_each_field(Record& record, const Use& use) {
+  const auto use_in_millimetres = [&use](std::string_view name, auto& metres) {
+    double millimetres = geometric::millimetres(metres);
+    use(name, millimetres);
+    if constexpr (!std::is_const_v<std::remove_reference_t<decltype(metres)>>) {
+      metres = geometric::metres(millimetres);
+    }
+  };
   use("solved", record.solved);
   use("status", record.status);
   use("reason", record.reason);
@@ -63,8 +71,8 @@ void for_each_field(Record& record, const Use& use) {
   use("edges_tested", record.edges_tested);
   use("path_nodes", record.path_nodes);
   use("path_length", record.path_length);
-  use("resolution_mm", record.resolution_mm);
-  use("min_clearance_mm", record.min_clearance_mm);
+  use_in_millimetres("resolution_mm", record.resolution);
+  use_in_millimetres("min_clearance_mm", record.min_clearance);
   use("certificate_checks", record.certificate_checks);
 }
 

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/paths/path_file.h"
 
 #include <boost/dll/runtime_symbol_info.hpp>
@@ -42,8 +43,8 @@ RunRecord record_of(const RunSpec& spec, const PlanResult& result,
   record.reason = result.reason;
   record.time_s = result.time_s;
   record.smoothing_s = result.smoothing_s;
-  record.resolution_mm = result.certificate.resolution_mm;
-  record.min_clearance_mm = result.certificate.min_clearance_mm;
+  record.resolution = result.certificate.resolution;
+  record.min_clearance = result.certificate.min_clearance;
   record.certificate_checks = result.certificate.checks;
   if (result.solved()) {
     record.path_nodes = result.path.waypoints.size();

@@ -20,10 +20,9 @@ using geometric::EdgeResult;
 struct MotionValidator::Worker {
   Worker(const PlanningProblem& problem, const PlanRequest& request,
          const std::vector<geometric::EdgeEnd>& ends, const std::function<bool()>& is_interrupted)
-      : checker(problem.checker->clone()),
-        edges(*checker, problem.motion, geometric::metres(request.resolution_mm)) {
+      : checker(problem.checker->clone()), edges(*checker, problem.motion, request.resolution) {
     edges.set_ends(ends);
-    edges.set_margin(geometric::metres(request.margin_mm));
+    edges.set_margin(request.margin);
     edges.stop_when(is_interrupted);
   }
 
@@ -80,8 +79,7 @@ std::vector<geometric::EdgeEnd> find_ends(const PlanningProblem& problem,
     if (!geometric::configuration_fault(problem.model(), *q).empty()) {
       return {};
     }
-    ends.push_back(make_edge_end(*checker, *q, geometric::metres(request.resolution_mm),
-                                 geometric::metres(request.margin_mm)));
+    ends.push_back(make_edge_end(*checker, *q, request.resolution, request.margin));
   }
   return ends;
 }
@@ -247,15 +245,14 @@ Certificate MotionValidator::certify(const Path& path) {
   geometric::ContinuousCollisionChecker& edges = workers_->own().edges;
   geometric::CollisionChecker& checker = *workers_->own().checker;
   const std::uint64_t before = checker.counts().configurations;
-  const double resolution = geometric::metres(request_.resolution_mm);
+  const double resolution = request_.resolution;
   const auto kept_at = [&](std::size_t end) {
     return end < ends_.size() ? ends_[end].resolution(resolution) : resolution;
   };
   const double tolerance = std::min({kMostTolerance, kShare * kept_at(0), kShare * kept_at(1)});
   const geometric::NamedPair nearest =
       edges.clearance(path.waypoints, kFarClearance, tolerance, kShare);
-  return {request_.resolution_mm, geometric::millimetres(kept_at(0)),
-          geometric::millimetres(kept_at(1)), geometric::millimetres(nearest.distance),
+  return {resolution, kept_at(0), kept_at(1), nearest.distance,
           checker.counts().configurations - before};
 }
 

@@ -114,18 +114,22 @@ std::string source_of(const Scene& scene) {
   return scene.name.empty() ? "scene" : "scene " + scene.name;
 }
 
+const SceneObject& need_object(const Scene& scene, std::string_view name) {
+  if (const SceneObject* object = geometric::find_object(scene, name)) {
+    return *object;
+  }
+  std::vector<std::string> there;
+  std::ranges::transform(scene.objects, std::back_inserter(there), &SceneObject::name);
+  throw geometric::InputError({source_of(scene), "", "the object \"" + std::string(name) + "\"",
+                               "an object of the scene", geometric::advise_name(name, there)});
+}
+
 void need_objects(const Scene& scene, const std::vector<std::string>& names) {
   if (names.empty()) {
     throw geometric::InputError({source_of(scene), "objects", "none", "at least one", ""});
   }
   for (const std::string& name : names) {
-    if (geometric::find_object(scene, name) != nullptr) {
-      continue;
-    }
-    std::vector<std::string> there;
-    std::ranges::transform(scene.objects, std::back_inserter(there), &SceneObject::name);
-    throw geometric::InputError({source_of(scene), "", "the object \"" + name + "\"",
-                                 "an object of the scene", geometric::advise_name(name, there)});
+    need_object(scene, name);
   }
 }
 

@@ -1,3 +1,5 @@
+#include "handway/planning/extensions/load_scene.h"
+
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/alike_lines.h"

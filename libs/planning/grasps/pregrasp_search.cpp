@@ -9,6 +9,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/carried_objects.h"
+#include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
 
@@ -73,14 +74,15 @@ constexpr int kFirstNeighbour = 512;                         // sample, and …
 constexpr int kNeighbourEach = 2;                            // … then each of so many, …
 constexpr int kNeighbours = 96;                              // … and that for each grasp
 
-const geometric::SceneObject& needed_object(const PlanningProblem& problem, std::string_view name) {
+const geometric::SceneObject& graspable_object(const PlanningProblem& problem,
+                                               std::string_view name) {
   const std::string file = problem.scene->file.string();
-  const geometric::SceneObject* object = geometric::find_object(*problem.scene, name);
-  if (!object || object->attachment) {
+  const geometric::SceneObject& object = need_object(*problem.scene, name);
+  if (object.attachment) {
     throw geometric::InputError({file, "object", std::string(name), "an object that stands still",
                                  "Choose another one to grasp"});
   }
-  if (geometric::tessellate(object->shape)->empty()) {
+  if (geometric::tessellate(object.shape)->empty()) {
     throw geometric::InputError(
         {file, "object " + std::string(name), "no triangles", "an object with a surface", ""});
   }
@@ -95,7 +97,7 @@ const geometric::SceneObject& needed_object(const PlanningProblem& problem, std:
                                  "no joints of a hand", "a robot with a hand",
                                  "Mount a hand, or name its group \"hand\" in the SRDF"});
   }
-  return *object;
+  return object;
 }
 
 // Candidates that are measured at a time, in places that differ.
@@ -856,7 +858,7 @@ class SampleRunner {
 Pregrasps find_pregrasps(const PlanningProblem& problem, std::string_view object,
                          const PregraspOptions& options, const std::stop_token& stop,
                          const PregraspProgress& progress) {
-  const geometric::SceneObject& needed = needed_object(problem, object);
+  const geometric::SceneObject& needed = graspable_object(problem, object);
   const PlanningProblem of_hand = with_nearest_hand(problem, needed);
   SampleRunner runner(of_hand, needed, options, stop);
   if (std::string reason = runner.search().invalid_problem_reason(); !reason.empty()) {

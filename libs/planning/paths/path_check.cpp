@@ -117,7 +117,7 @@ class Walk {
         look(path.waypoints[w] + (static_cast<double>(s) / steps) * delta, w + 1);
       }
     }
-    result_.min_clearance_mm = geometric::millimetres(least_);
+    result_.min_clearance = least_;
   }
 
  private:

@@ -29,8 +29,9 @@ Eigen::VectorXd assumed_following_error(const geometric::RobotModel& model) {
   return error;
 }
 
-double ClearanceShortfall::suggested_margin_mm() const {
-  return std::max(1.0, std::ceil(needed_mm()));
+double ClearanceShortfall::suggested_margin() const {
+  const double needed_mm = geometric::millimetres(following) + geometric::millimetres(margin);
+  return geometric::metres(std::max(1.0, std::ceil(needed_mm)));
 }
 
 SafetyClearance::SafetyClearance(const PlanningProblem& problem, double margin)
@@ -89,9 +90,9 @@ void SafetyClearance::look(const Configuration& q, const Eigen::VectorXd& error,
     worst_ = {bodies.a,
               bodies.b,
               place,
-              geometric::millimetres(clearance),
-              geometric::millimetres(needed - margin_),
-              geometric::millimetres(margin_),
+              clearance,
+              needed - margin_,
+              margin_,
               error.size() > 0 ? error.maxCoeff() : 0.0};
   }
 }
@@ -121,10 +122,11 @@ std::string to_string(const ClearanceShortfall& shortfall) {
   std::string text = fmt::format(
       "{} with {}: clearance {:.3f} mm, {:.2f} mm are needed ({:.2f} mm for joint errors of "
       "{:.2f}°",
-      shortfall.a, shortfall.b, shortfall.clearance_mm, shortfall.needed_mm(),
-      shortfall.following_mm, geometric::degrees(shortfall.following_error));
-  if (shortfall.margin_mm > 0.0) {
-    text += fmt::format(", {:.2f} mm margin", shortfall.margin_mm);
+      shortfall.a, shortfall.b, geometric::millimetres(shortfall.clearance),
+      geometric::millimetres(shortfall.needed()), geometric::millimetres(shortfall.following),
+      geometric::degrees(shortfall.following_error));
+  if (shortfall.margin > 0.0) {
+    text += fmt::format(", {:.2f} mm margin", geometric::millimetres(shortfall.margin));
   }
   return text + ")";
 }

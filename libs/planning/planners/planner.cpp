@@ -3,6 +3,7 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
@@ -134,7 +135,7 @@ void require_ends(const PlanningProblem& problem, const Path& path, const std::s
 
 std::vector<OutOfMargin> out_of_margin(PlanningContext& context) {
   std::vector<OutOfMargin> list;
-  if (context.request().margin_mm <= 0.0) {
+  if (context.request().margin <= 0.0) {
     return list;
   }
   const geometric::CollisionWorld& world = context.problem().checker->world();
@@ -190,8 +191,8 @@ std::string command(Planner& planner, const PlanRequest& request) {
   if (std::isfinite(request.time_limit_s)) {
     text += fmt::format(" --time-limit {}", request.time_limit_s);
   }
-  if (request.margin_mm > 0.0) {
-    text += fmt::format(" --margin {}", request.margin_mm);
+  if (request.margin > 0.0) {
+    text += fmt::format(" --margin {:.12g}", geometric::millimetres(request.margin));
   }
   if (request.optimize_s > 0.0) {
     text += fmt::format(" --optimize {}", request.optimize_s);
@@ -306,7 +307,7 @@ void Planner::optimize(PlanningContext& context, PlanResult& result) const {
 
 PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& request,
                          std::stop_token stop, Observer* observer) {
-  if (request.threads < 1 || !(request.resolution_mm > 0.0) || !(request.margin_mm >= 0.0)) {
+  if (request.threads < 1 || !(request.resolution > 0.0) || !(request.margin >= 0.0)) {
     throw std::invalid_argument(
         "planning needs a thread, a resolution above 0 and a margin of 0 or more");
   }

@@ -324,6 +324,20 @@ struct DynamicRoadmap::Replanner final : public Planner {
     }
   }
 
+  // Notes the objects that another scene changes; false: it changes more than objects and ends.
+  bool note_changes(const geometric::Scene& scene) {
+    const geometric::Scene& before = changed ? *changed : *problem.scene;
+    const auto difference = geometric::scene_difference(before, scene);
+    if (!difference || difference->other_constraints || difference->other_group || !scene.goal ||
+        !scene.goal_poses.empty()) {
+      return false;
+    }
+    for (const geometric::ObjectChange& change : difference->changes) {
+      changes.note(change.object.name);
+    }
+    return true;
+  }
+
   void do_plan(PlanningContext& context, PlanResult& result) override {
     LazyPathValidator validator(context, *graph, changes);
     std::optional<Path> path = known_path(validator);
@@ -516,17 +530,19 @@ const PlanningProblem& DynamicRoadmap::problem() {
 ReplanSource DynamicRoadmap::source() const { return replanner_->source; }
 
 bool DynamicRoadmap::follow(const geometric::Scene& scene) {
-  const geometric::Scene& before =
-      replanner_->changed ? *replanner_->changed : *replanner_->problem.scene;
-  const auto difference = geometric::scene_difference(before, scene);
-  if (!difference || difference->other_constraints || difference->other_group || !scene.goal ||
-      !scene.goal_poses.empty()) {
+  if (!replanner_->note_changes(scene)) {
     return false;
   }
-  for (const geometric::ObjectChange& change : difference->changes) {
-    replanner_->changes.note(change.object.name);
-  }
   replanner_->changed = std::make_shared<const geometric::Scene>(scene);
+  return true;
+}
+
+bool DynamicRoadmap::follow(const PlanningProblem& next) {
+  if (!replanner_->note_changes(*next.scene)) {
+    return false;
+  }
+  replanner_->changed = nullptr;
+  replanner_->problem = next;
   return true;
 }
 

@@ -126,8 +126,7 @@ Underside underside(const std::vector<Vector3d>& vertices, const Eigen::Matrix3d
 std::vector<Pose> resting_places(const geometric::Scene& scene,
                                  const geometric::SceneObject& object, const std::string& support,
                                  int count, std::uint64_t seed) {
-  need_objects(scene, {support});
-  const UpwardFaces faces(*geometric::find_object(scene, support));
+  const UpwardFaces faces(need_object(scene, support));
   std::vector<Pose> places;
   if (faces.empty()) {
     return places;

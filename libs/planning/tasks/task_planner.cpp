@@ -131,12 +131,12 @@ std::string failure(const Task& task, const std::vector<StageTrials>& trials) {
 // Refuses supports that are not there, or move with a link or with the carried object.
 void need_support(const geometric::Scene& scene, const std::string& support,
                   const std::string& carried) {
-  need_objects(scene, {support});
+  const geometric::SceneObject& object = need_object(scene, support);
   if (support == carried) {
     throw geometric::InputError(
         {"task", "place", "the object itself, \"" + support + "\"", "another object", ""});
   }
-  if (geometric::find_object(scene, support)->attachment) {
+  if (object.attachment) {
     throw geometric::InputError({"task", "place",
                                  "\"" + support + "\", which is attached to a link",
                                  "an object that stands in the world", ""});
@@ -163,7 +163,7 @@ void check_steps(const geometric::Scene& scene, const Task& task) {
   std::string carried;
   for (const TaskStep& step : task) {
     if (const auto* pick = std::get_if<PickStep>(&step)) {
-      need_objects(scene, {pick->object});
+      need_object(scene, pick->object);
       if (!carried.empty()) {
         throw geometric::InputError({"task", to_string(step), "a hand that carries " + carried,
                                      "an empty hand", "Place what it carries first"});

@@ -91,7 +91,7 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
       report.min_clearance_time = trajectory.points[i].time;
     }
   }
-  report.min_clearance_mm = geometric::millimetres(least);
+  report.min_clearance = least;
 }
 
 constexpr double kErrorDecay = 0.05;  // s, time constant of the error after a joint has moved
@@ -129,10 +129,10 @@ nlohmann::ordered_json to_object(const ClearanceShortfall& shortfall, const std:
   return {{"a", shortfall.a},
           {"b", shortfall.b},
           {"time_s", shortfall.place},
-          {"clearance_mm", shortfall.clearance_mm},
-          {"needed_mm", shortfall.needed_mm()},
-          {"following_mm", shortfall.following_mm},
-          {"margin_mm", shortfall.margin_mm},
+          {"clearance_mm", geometric::millimetres(shortfall.clearance)},
+          {"needed_mm", geometric::millimetres(shortfall.needed())},
+          {"following_mm", geometric::millimetres(shortfall.following)},
+          {"margin_mm", geometric::millimetres(shortfall.margin)},
           {"following_error", shortfall.following_error},
           {"advice", advice}};
 }
@@ -203,8 +203,8 @@ std::string PreflightReport::advice() const {
     return fmt::format("The {} itself has too little clearance: move it, or the object.",
                        shortfall->place < 0.5 * duration ? "start" : "goal");
   }
-  return fmt::format("Plan again with a margin of {:g} mm (plan --margin {:g}), or run slower.",
-                     shortfall->suggested_margin_mm(), shortfall->suggested_margin_mm());
+  return fmt::format("Plan again with a margin of {0:g} mm (plan --margin {0:g}), or run slower.",
+                     geometric::millimetres(shortfall->suggested_margin()));
 }
 
 std::string to_text(const PreflightReport& report) {
@@ -233,8 +233,9 @@ std::string to_text(const PreflightReport& report) {
     }
   }
   if (!report.closest_pair.empty()) {
-    text += fmt::format("smallest clearance: {:.3f} mm at {:.3f} s, {}\n", report.min_clearance_mm,
-                        report.min_clearance_time, report.closest_pair);
+    text += fmt::format("smallest clearance: {:.3f} mm at {:.3f} s, {}\n",
+                        geometric::millimetres(report.min_clearance), report.min_clearance_time,
+                        report.closest_pair);
   }
   for (const std::string& line : assumption_lines(report.assumed)) {
     text += line + "\n";
@@ -264,7 +265,7 @@ std::string to_json(const PreflightReport& report) {
       {"duration_s", report.duration},
       {"velocity", to_object(report.velocity)},
       {"acceleration", to_object(report.acceleration)},
-      {"min_clearance_mm", report.min_clearance_mm},
+      {"min_clearance_mm", geometric::millimetres(report.min_clearance)},
       {"min_clearance_time_s", report.min_clearance_time},
       {"closest_pair", report.closest_pair},
       {"assumed_limits", assumed},

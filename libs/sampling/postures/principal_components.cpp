@@ -20,8 +20,8 @@ constexpr double kStill = 1e-9;  // standard deviation of what doesn't vary
 
 // Indices of the joints that aren't left out. Throws std::invalid_argument if left_out names an
 // unknown joint, one twice, or all of them.
-std::vector<int> joints_taken(Eigen::Index joints, const std::vector<int>& left_out) {
-  std::vector<int> columns(static_cast<std::size_t>(joints));
+HandJointIndices joints_taken(Eigen::Index joints, const HandJointIndices& left_out) {
+  HandJointIndices columns(static_cast<std::size_t>(joints));
   std::iota(columns.begin(), columns.end(), 0);
   for (const int joint : left_out) {
     if (std::erase(columns, joint) == 0) {
@@ -44,7 +44,7 @@ Eigen::VectorXd with_fixed_sign(const Eigen::VectorXd& direction) {
 
 // @param taken joints used. @param variances falling. @param axes a column each, of those joints
 // alone.
-PrincipalComponents assembled(const Eigen::VectorXd& mean, const std::vector<int>& taken,
+PrincipalComponents assembled(const Eigen::VectorXd& mean, const HandJointIndices& taken,
                               const Eigen::VectorXd& variances, const Eigen::MatrixXd& axes) {
   const double total = variances.sum();
   PrincipalComponents result{mean, Eigen::MatrixXd::Zero(mean.size(), variances.size()), variances,
@@ -78,9 +78,9 @@ void check_samples(const Eigen::MatrixXd& samples) {
 }  // namespace
 
 PrincipalComponents principal_components(const Eigen::MatrixXd& samples,
-                                         const std::vector<int>& left_out) {
+                                         const HandJointIndices& left_out) {
   check_samples(samples);
-  const std::vector<int> columns = joints_taken(samples.cols(), left_out);
+  const HandJointIndices columns = joints_taken(samples.cols(), left_out);
   const Eigen::VectorXd mean = samples.colwise().mean();
   const Eigen::MatrixXd centred = (samples.rowwise() - mean.transpose())(Eigen::all, columns);
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(centred, Eigen::ComputeThinV);
@@ -154,9 +154,9 @@ void IncrementalComponents::add(const IncrementalComponents& other) {
   scatter_ += other.scatter_ + apart * apart.transpose() * (before * more / (before + more));
 }
 
-PrincipalComponents IncrementalComponents::components(const std::vector<int>& left_out) const {
+PrincipalComponents IncrementalComponents::components(const HandJointIndices& left_out) const {
   check_count(count_);
-  const std::vector<int> taken = joints_taken(mean_.size(), left_out);
+  const HandJointIndices taken = joints_taken(mean_.size(), left_out);
   const Eigen::MatrixXd scatter = scatter_(taken, taken);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 *
                                                               (scatter + scatter.transpose()));
@@ -240,7 +240,7 @@ Rows within_quantile(const Distances& distances) {
 }  // namespace
 
 RobustComponents robust_principal_components(const Eigen::MatrixXd& samples,
-                                             const std::vector<int>& left_out) {
+                                             const HandJointIndices& left_out) {
   RobustComponents result;
   result.components = principal_components(samples, left_out);  // checks the samples
   const Eigen::MatrixXd taken = samples(Eigen::all, joints_taken(samples.cols(), left_out));

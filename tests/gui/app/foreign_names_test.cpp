@@ -1,5 +1,5 @@
 /// Names from files are shown as they are written there, also those that look like HTML.
-#include "features/planning/collision_display.h"
+#include "features/planning/query_check.h"
 #include "patience.h"
 #include "widgets/panels/log_panel.h"
 #include "window_test.h"

@@ -1,5 +1,5 @@
 /// Tests that everything that is shown belongs to the open scene.
-#include "features/planning/collision_display.h"
+#include "features/planning/query_check.h"
 #include "patience.h"
 #include "widgets/panels/playback_bar.h"
 #include "window_test.h"

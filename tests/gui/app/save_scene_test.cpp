@@ -1,3 +1,4 @@
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "model/document/document.h"
 #include "small_cell.h"

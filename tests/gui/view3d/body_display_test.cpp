@@ -1,7 +1,7 @@
 #include "app/view_actions.h"
 #include "features/editing/editing_test.h"
 #include "model/document/collision_monitor.h"
-#include "view3d/scene_bodies.h"
+#include "view3d/body_meshes.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
 

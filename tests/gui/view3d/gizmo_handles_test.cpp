@@ -1,5 +1,5 @@
 #include "handway/geometric/math/units.h"
-#include "view3d/gizmo_node.h"
+#include "view3d/gizmo_drag.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 /// Tests how much of the robot is visible when a scene opens: the share of its pixels that nothing
 /// covers.
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 #include "view3d/scene_view.h"

@@ -1,5 +1,6 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/known_problems.h"

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/setup/placing.h"
 #include "handway/planning/core/carried_objects.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway_test/input_errors.h"

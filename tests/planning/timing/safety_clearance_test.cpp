@@ -72,9 +72,9 @@ TEST(SafetyClearance, IsTooLittleWhereARobotThatIsOffByItsFollowingErrorTouches)
   ASSERT_TRUE(report.is_tight());
   const ClearanceShortfall& place = *report.shortfall;
   EXPECT_TRUE(place.a == "post" || place.b == "post");
-  EXPECT_NEAR(place.clearance_mm, 0.2, 0.05);
+  EXPECT_NEAR(place.clearance, 2e-4, 5e-5);
   EXPECT_NEAR(place.place, 0.5 * report.duration, 0.2 * report.duration);
-  EXPECT_GT(place.needed_mm(), 0.5);
+  EXPECT_GT(place.needed(), 5e-4);
   EXPECT_TRUE(report.is_under_way());
   const std::string text = to_text(report);
   EXPECT_THAT(text, HasSubstr("cleared, but too close"));
@@ -113,8 +113,8 @@ TEST(SafetyClearance, KeepsTheMarginThatIsChosen) {
   safety.margin = 0.01;
   const PreflightReport report = preflight_at(0.005, 0.1, safety);
   ASSERT_TRUE(report.is_tight());
-  EXPECT_NEAR(report.shortfall->margin_mm, 10.0, 1e-9);
-  EXPECT_GE(report.shortfall->suggested_margin_mm(), 10.0);
+  EXPECT_NEAR(report.shortfall->margin, 0.01, 1e-12);
+  EXPECT_GE(report.shortfall->suggested_margin(), 0.01);
 }
 
 TEST(SafetyClearance, SaysThatAnEndIsTooNearWherePlanningCanNotHelp) {

@@ -1,3 +1,5 @@
+#include "handway/planning/extensions/load_scene.h"
+
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/plugin.h"

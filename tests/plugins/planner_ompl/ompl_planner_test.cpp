@@ -80,7 +80,7 @@ TEST_P(OmplMethod, FindsAPathThatHolds) {
     EXPECT_EQ(result.path.waypoints.front(), problem.start);
     EXPECT_EQ(result.path.waypoints.back(), problem.goal);
     EXPECT_THAT(planning::check_path(problem, result.path, 0.002).faults, IsEmpty());
-    EXPECT_GT(result.certificate.min_clearance_mm, 0.0);
+    EXPECT_GT(result.certificate.min_clearance, 0.0);
     EXPECT_GE(result.statistics.nodes, 2U);
     EXPECT_GE(result.statistics.edges, 1U);
   }

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/mesh/convex_hull.h"
 #include "handway/geometric/mesh/shape.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "handway_test/paths.h"

@@ -1,6 +1,7 @@
 #include "mujoco_hold_test.h"
 
 #include "handway/geometric/math/units.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"

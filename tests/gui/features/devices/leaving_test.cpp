@@ -3,6 +3,7 @@
 #include "handway/device/arm/arm_emulator.h"
 #include "handway/device/hand/hand_emulator.h"
 #include "model/devices/motion_driver.h"
+#include "model/devices/program_end.h"
 
 #include <QMessageBox>
 #include <QProcess>

@@ -1,6 +1,7 @@
 #include "features/editing/editing_test.h"
 #include "features/editing/properties_panel.h"
 #include "features/planning/collision_display.h"
+#include "features/planning/query_check.h"
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"

@@ -1,6 +1,7 @@
 #include "features/editing/editing_test.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/planning/edits/scene_edits.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway_test/resource_use.h"
 
 #include <QSignalSpy>
@@ -50,6 +51,22 @@ TEST_F(ReplanningLive, LeadsThePathAroundWhatIsMoved) {
   actions().undo->trigger();
   wait_for_path();
   expect_free_path();
+}
+
+TEST_F(ReplanningLive, EditsAndPlansOncePerDrop) {
+  plan();
+  select("post");
+  geometric::Pose moved = object("post").X_PO;
+  moved.translation().y() += 0.01;
+  const QSignalSpy edited(&window().document(), &gui::Document::edited);
+  const QSignalSpy replanned(&window().session(), &gui::PlanningSession::replanned);
+  editor().place(moved);
+  wait_for_path();
+  QTest::qWait(100);
+  EXPECT_EQ(edited.count(), 1);
+  EXPECT_EQ(replanned.count(), 1);
+  EXPECT_EQ(window().player().made_from(), window().document().revision());
+  EXPECT_TRUE(object("post").X_PO.isApprox(moved));
 }
 
 TEST_F(ReplanningLive, FollowsADragWithoutHoldingTheWindowUp) {

@@ -58,13 +58,13 @@ TEST_F(ParametersInThePanel, StayWhileAPlannerRuns) {
 TEST_F(ParametersInThePanel, KeepTheMarginOfARun) {
   open(cell().post());
   gui::PlanSettings& settings = window().workbench().plan_settings;
-  EXPECT_EQ(settings.request().margin_mm, 0.0);
+  EXPECT_EQ(settings.request().margin, 0.0);
   part<QDoubleSpinBox>("margin").setValue(7.5);
   planning::PlanRequest request = settings.request();
-  EXPECT_EQ(request.margin_mm, 7.5);
-  request.margin_mm = 3.0;
+  EXPECT_DOUBLE_EQ(request.margin, 0.0075);
+  request.margin = 0.003;
   settings.restore(request);
-  EXPECT_EQ(settings.request().margin_mm, 3.0);
+  EXPECT_EQ(settings.request().margin, 0.003);
   EXPECT_EQ(part<QDoubleSpinBox>("margin").value(), 3.0);
 }
 

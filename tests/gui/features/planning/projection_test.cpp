@@ -1,5 +1,6 @@
 #include "features/editing/scene_editing.h"
 #include "features/planning/planning_commands.h"
+#include "features/planning/projection_panel.h"
 #include "features/planning/projection_tool.h"
 #include "model/document/scene_editor.h"
 #include "widgets/plots/projection_plot.h"

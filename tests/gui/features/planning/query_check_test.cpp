@@ -1,5 +1,6 @@
+#include "features/planning/query_check.h"
+
 #include "features/editing/editing_test.h"
-#include "features/planning/collision_display.h"
 
 #include <QPushButton>
 

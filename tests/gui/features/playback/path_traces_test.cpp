@@ -1,6 +1,7 @@
 #include "features/playback/path_traces.h"
 
 #include "handway/geometric/setup/swept_volume.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "view3d/scene_view.h"
 #include "window_test.h"

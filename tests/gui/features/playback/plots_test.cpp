@@ -1,3 +1,5 @@
+#include "features/playback/joint_curve_list.h"
+#include "features/playback/plot_columns.h"
 #include "features/playback/plots_panel.h"
 #include "patience.h"
 #include "pressed_mouse.h"

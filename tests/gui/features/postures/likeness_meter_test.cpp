@@ -1,3 +1,4 @@
+#include "features/playback/plot_columns.h"
 #include "features/playback/plots_panel.h"
 #include "patience.h"
 #include "window_test.h"

@@ -1,4 +1,5 @@
 #include "features/editing/scene_editing.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "model/planning/path_history.h"
 #include "widgets/panels/run_table.h"
 #include "window_test.h"

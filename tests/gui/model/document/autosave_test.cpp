@@ -1,6 +1,7 @@
 #include "model/document/autosave.h"
 
 #include "handway/geometric/formats/scene_file.h"
+#include "handway/planning/extensions/load_scene.h"
 #include "patience.h"
 #include "small_cell.h"
 #include "window_test.h"

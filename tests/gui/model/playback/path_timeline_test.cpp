@@ -1,5 +1,7 @@
+#include "model/playback/path_timeline.h"
+
+#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
-#include "model/playback/path_player.h"
 #include "small_cell.h"
 
 #include <gtest/gtest.h>

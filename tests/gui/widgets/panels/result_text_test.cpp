@@ -16,7 +16,7 @@ TEST(ResultText, TellsAPathWithItsFigures) {
   result.status = planning::PlanStatus::kSolved;
   result.time_s = 0.25;
   result.statistics.samples = 1234567;
-  result.certificate.min_clearance_mm = 2.5;
+  result.certificate.min_clearance = 0.0025;
   result.path.waypoints.resize(4);
   const std::string text = result_text(result).toStdString();
   EXPECT_THAT(text, HasSubstr("Path found"));

@@ -18,9 +18,8 @@ struct GloveInfo {
   double rate = 0.0;  ///< Requested frames per second, Hz.
   double round_trip =
       0.0;  ///< Shortest time from a query to its answer, s; 0 if no query was made.
-  /// Sensors with angles, of a source that measures angles itself: indices into
-  /// cyberglove_sensors(). Empty: a glove of counts.
-  std::vector<int> angle_sensors;
+  /// Sensors with angles, of a source that measures angles itself. Empty: a glove of counts.
+  SensorIndices angle_sensors;
 };
 
 /// A sensorized glove (paper, section 3), or a replacement: frames of raw counts. Every count of a

@@ -7,11 +7,15 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace handway::device {
 
 /// Number of sensors in every frame: those of cyberglove_sensors().
 inline constexpr int kGloveSensors = 22;
+
+/// Sensors of a glove, by their indices in cyberglove_sensors().
+using SensorIndices = std::vector<int>;
 
 /// Number of fingers of the human hand, the thumb included.
 inline constexpr int kFingers = 5;

@@ -56,8 +56,8 @@ hand_landmarks(const GloveAngles& angles, const HandBones& bones = typical_bones
 /// them (the arch of the palm and the wrist): the inverse of hand_landmarks(), for any lengths. The
 /// spread of a finger is 0 while its first phalanx is bent by some 80° and more.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles glove_angles(const HandLandmarks& landmarks);
-/// The sensors for which glove_angles() has numbers (indices into cyberglove_sensors()).
-[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<int> landmark_sensors();
+/// The sensors for which glove_angles() has numbers.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT SensorIndices landmark_sensors();
 
 /// Returns the palm's frame of landmarks in any frame, from wrist and knuckles: as that of
 /// hand_landmarks(). For a left hand's landmarks z points into its palm.

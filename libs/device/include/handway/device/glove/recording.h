@@ -46,10 +46,10 @@ enum class RecordingKind {
 /// Header of a recording. Texts are single lines.
 struct RecordingHeader {
   RecordingKind kind = RecordingKind::kCounts;
-  std::string device;        ///< "CyberGlove II, serial 1234"; may be empty.
-  std::string date;          ///< Start, ISO 8601; may be empty.
-  std::string origin;        ///< Origin: person, generator and seed, file.
-  std::vector<int> sensors;  ///< Column i is cyberglove_sensors()[sensors[i]].
+  std::string device;     ///< "CyberGlove II, serial 1234"; may be empty.
+  std::string date;       ///< Start, ISO 8601; may be empty.
+  std::string origin;     ///< Origin: person, generator and seed, file.
+  SensorIndices sensors;  ///< Column i is cyberglove_sensors()[sensors[i]].
 };
 
 /// A recording in memory: one frame a row, in order of time.

@@ -38,8 +38,8 @@ class HANDWAY_DEVICE_EXPORT ReplayGlove final : public Glove {
   std::string name_;
   ReplaySettings settings_;
   int sensors_;
-  std::vector<int> angle_sensors_;  ///< Sensors of a recording of angles.
-  double begin_ = 0.0;              ///< Start of this round of the recording, s.
+  SensorIndices angle_sensors_;  ///< Sensors of a recording of angles.
+  double begin_ = 0.0;           ///< Start of this round of the recording, s.
   std::size_t next_ = 0;
 };
 

@@ -83,12 +83,15 @@ class RecordScanner {
   bool in_sync_ = true;
 };
 
+/// Items of a data record, in order, by the manufacturer's numbers.
+using OutputList = std::vector<int>;
+
 /// Layout of a Fastrak's data record: '0', the station's digit, an error letter (blank if good),
 /// then the items of the output list.
 struct HANDWAY_DEVICE_EXPORT FastrakFormat {
   /// 0 a blank, 1 CR LF, 2 position, 4 azimuth, elevation and roll, 11 quaternion (w x y z),
   /// 16 stylus switch.
-  std::vector<int> items{2, 11, 0};
+  OutputList items{2, 11, 0};
   bool binary = true;        ///< 32-bit little-endian floats instead of fixed-width text.
   bool centimetres = false;  ///< Instead of inches.
 
@@ -100,7 +103,7 @@ struct HANDWAY_DEVICE_EXPORT FastrakFormat {
 struct HANDWAY_DEVICE_EXPORT LibertyFormat {
   /// 0 a blank, 1 CR LF, 2 or 3 position, 4 azimuth, elevation and roll, 7 quaternion (w x y z),
   /// 8 time stamp (ms), 9 frame count, 10 stylus switch, 11 distortion.
-  std::vector<int> items{8, 9, 11, 3, 7};
+  OutputList items{8, 9, 11, 3, 7};
   bool centimetres = false;  ///< Instead of inches.
 
   /// Bytes of a data record's body: 40 for the list 8,9,11,3,7.

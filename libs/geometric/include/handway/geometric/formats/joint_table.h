@@ -23,6 +23,8 @@ using JointLookup = std::function<std::optional<int>(std::string_view)>;
 
 /// Rows in file order, with gaps.
 struct JointTable {
+  using ColumnCounts = std::vector<int>;
+
   /// A cell of a joint that is not a number.
   struct BadCell {
     std::size_t line = 0;
@@ -36,7 +38,7 @@ struct JointTable {
   std::vector<Eigen::VectorXd> values;  ///< rad, m, or the file's unit; NaN: missing.
   std::vector<std::size_t> lines;       ///< Line of each row; empty for messages.
   std::set<std::string> others;         ///< Columns and joints that were not requested.
-  std::vector<int> columns;             ///< Number of columns of each joint.
+  ColumnCounts columns;                 ///< Number of columns of each joint.
   std::optional<BadCell> bad_cell;      ///< The first one.
   bool units_are_named = false;         ///< Columns name their unit; degrees were converted.
   bool holds = false;                   ///< Missing values repeat the row before.

@@ -80,8 +80,8 @@ struct RunRecord : PlanStatistics {
 
   std::uint64_t path_nodes = 0;  ///< 0 without a path.
   double path_length = 0.0;      ///< In joints normalised to [0, 1]; 0 without a path.
-  double resolution_mm = 0.0;    ///< Resolution of the certificate.
-  double min_clearance_mm = 0.0;
+  double resolution = 0.0;       ///< Resolution of the certificate, m.
+  double min_clearance = 0.0;    ///< m
   std::uint64_t certificate_checks = 0;
   std::string path;  ///< Text by to_csv(); empty: no path.
 };

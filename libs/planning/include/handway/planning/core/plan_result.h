@@ -21,10 +21,10 @@ struct PlanRequest {
   std::uint64_t seed = 1;
   int threads = 1;  ///< ≥ 1; the result does not depend on it.
   double time_limit_s = std::numeric_limits<double>::infinity();
-  double resolution_mm = 0.05;  ///< Edges closer than this to anything are refused.
+  double resolution = 5e-5;  ///< m; edges closer than this to anything are refused.
   /// Distance of the robot from all else, where the ends allow it; see ContinuousCollisionChecker.
-  /// ≥ 0.
-  double margin_mm = 0.0;
+  /// m, ≥ 0.
+  double margin = 0.0;
   double optimize_s = 0.0;  ///< Time for optimising the path found, s.
 };
 
@@ -46,13 +46,13 @@ inline constexpr double kFarClearance = 0.05;
 /// Certificate of a path: every configuration on it has at least this clearance, in every checked
 /// pair.
 struct Certificate {
-  double resolution_mm = 0.0;  ///< Along edges, moving pairs keep at least this; …
+  double resolution = 0.0;  ///< m; along edges, moving pairs keep at least this; …
   /// … but next to an end with less, half of the distance there; see
   /// ContinuousCollisionChecker.
-  double resolution_at_start_mm = 0.0;
-  double resolution_at_goal_mm = 0.0;
-  double min_clearance_mm = 0.0;  ///< A lower bound over the whole path, at most a fifth too low.
-  std::uint64_t checks = 0;       ///< Configurations checked.
+  double resolution_at_start = 0.0;
+  double resolution_at_goal = 0.0;
+  double min_clearance = 0.0;  ///< m, a lower bound over the whole path, at most a fifth too low.
+  std::uint64_t checks = 0;    ///< Configurations checked.
 };
 
 /// Counts of a planner's work.

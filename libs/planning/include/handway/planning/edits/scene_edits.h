@@ -34,8 +34,11 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 /// Returns what messages about a scene begin with: its file, or its name if it has no file.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string source_of(const geometric::Scene& scene);
 
-/// @throws InputError if there are no names, or, naming the nearest object, if the scene lacks one
-/// of these objects.
+/// Returns the object of that name.
+/// @throws InputError, naming the object with the most similar name, if the scene has none.
+HANDWAY_PLANNING_EXPORT const geometric::SceneObject& need_object(const geometric::Scene& scene,
+                                                                  std::string_view name);
+/// @throws InputError if there are no names, or as need_object().
 HANDWAY_PLANNING_EXPORT void need_objects(const geometric::Scene& scene,
                                           const std::vector<std::string>& names);
 

@@ -139,10 +139,4 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
 /// handway-plugins beside this library.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::filesystem::path plugin_directory();
 
-/// Opens a scene file: Handway's own YAML, a robot, or any format of an importer; or a robot of the
-/// library by its name. A basis that the scene names is loaded too.
-/// @throws InputError if the file can't be read or is of an unknown format.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState load_scene(const std::filesystem::path& file,
-                                                            const PluginManager& plugins);
-
 }  // namespace handway::planning

@@ -24,7 +24,7 @@ struct PathCheckResult {
   std::vector<std::string> warnings;
   std::uint64_t configurations = 0;  ///< Checked ones.
   std::uint64_t collisions = 0;      ///< Number in collision or violating a constraint.
-  double min_clearance_mm = 0.0;     ///< At the checked configurations; 0 if one collides.
+  double min_clearance = 0.0;        ///< m, at the checked configurations; 0 if one collides.
   std::string closest_pair;          ///< "A with B" at the smallest clearance.
 
   [[nodiscard]] bool valid() const { return faults.empty(); }

@@ -33,19 +33,19 @@ inline constexpr double kErrorAtRest = 5e-4;
 struct ClearanceShortfall {
   std::string a;
   std::string b;
-  double place = 0.0;  ///< Place of the configuration: s, or the waypoint.
-  double clearance_mm = 0.0;
-  double following_mm = 0.0;     ///< Approach of the bodies by the joints' errors.
-  double margin_mm = 0.0;        ///< The requested margin.
+  double place = 0.0;            ///< Place of the configuration: s, or the waypoint.
+  double clearance = 0.0;        ///< m
+  double following = 0.0;        ///< Approach of the bodies by the joints' errors, m.
+  double margin = 0.0;           ///< The requested margin, m.
   double following_error = 0.0;  ///< rad or m, the largest of a joint there.
 
-  [[nodiscard]] double needed_mm() const { return following_mm + margin_mm; }
-  /// Margin to plan with, in whole mm.
-  [[nodiscard]] HANDWAY_PLANNING_EXPORT double suggested_margin_mm() const;
+  [[nodiscard]] double needed() const { return following + margin; }
+  /// Margin to plan with, m; whole millimetres.
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT double suggested_margin() const;
 };
 
 /// Compares the clearance with the sum of following errors and a margin, configuration by
-/// configuration. Errors are mapped to millimetres by a bound of the motion of both bodies against
+/// configuration. Errors are mapped to distances by a bound of the motion of both bodies against
 /// each other: the smaller of MotionBound and that of the bodies' bounding balls around the joints'
 /// present axes, to first order of the errors.
 class HANDWAY_PLANNING_EXPORT SafetyClearance {

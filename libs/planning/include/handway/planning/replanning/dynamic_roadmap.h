@@ -51,6 +51,9 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
   /// plan() checks like the ends of any problem. @returns false, without any effect, if that is not
   /// sufficient: other robots, attached objects or constraints, or a missing end.
   [[nodiscard]] bool follow(const geometric::Scene& scene);
+  /// Follows the scene of a problem that was made elsewhere, as above. It becomes the present
+  /// problem, so that none has to be derived from the scene.
+  [[nodiscard]] bool follow(const PlanningProblem& next);
 
   /// Takes a path that was planned for problem() elsewhere as the last one: plan() keeps it for as
   /// long as it is free. @param path valid, from start to goal; an empty one has no effect.

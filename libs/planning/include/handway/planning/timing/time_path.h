@@ -57,7 +57,7 @@ struct PreflightReport {
   double duration = 0.0;  ///< s
   LimitShare velocity;
   LimitShare acceleration;
-  double min_clearance_mm = 0.0;      ///< At the points; more than 50 mm is not distinguished.
+  double min_clearance = 0.0;         ///< m, at the points; more than 0.05 m is not distinguished.
   double min_clearance_time = 0.0;    ///< s
   std::string closest_pair;           ///< "A with B"
   std::vector<AssumedLimit> assumed;  ///< Assumed limits that it was checked against.

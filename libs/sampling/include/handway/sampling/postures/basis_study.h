@@ -32,7 +32,7 @@ inline constexpr std::array kReportedErrors{0.010, 0.005, 0.002};
 
 /// Settings of a basis study.
 struct BasisStudySettings {
-  std::vector<int> free_joints;  ///< Joints with an axis of their own: see principal_components().
+  HandJointIndices free_joints;  ///< Joints with an axis of their own: see principal_components().
   int directions = 4;            ///< Number in the basis, for stability and persons; ≥ 1.
   int folds = 5;                 ///< Parts of each recording that are left out in turn, ≥ 2.
   int resamples = 1000;          ///< Number in the bootstrap, ≥ 1.

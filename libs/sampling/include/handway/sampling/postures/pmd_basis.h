@@ -10,6 +10,9 @@
 
 namespace handway::sampling {
 
+/// Joints of a hand, by their indices in PmdBasis::joints or the columns of a table of postures.
+using HandJointIndices = std::vector<int>;
+
 /// A hand joint that is sampled independently, beside the principal directions (the paper's thumb
 /// base, section 4.2).
 struct FreeJoint {

@@ -73,7 +73,7 @@ class HANDWAY_SAMPLING_EXPORT RecordedPostures {
   struct Tree;
 
   std::string source_;
-  std::vector<int> free_joints_;
+  HandJointIndices free_joints_;
   std::unique_ptr<const Tree> tree_;
   double usual_distance_ = 0.0;
 };

@@ -22,18 +22,18 @@ struct PrincipalComponents {
 /// mean-centred samples. Variances are Σ x² / (samples - 1). A direction's
 /// largest entry is positive, so that the same data give the same signs.
 /// @param samples one posture a row, joints normalised to [0, 1], shape [samples, joints].
-/// @param left_out indices of joints to ignore: their entries are 0 in all directions and their
+/// @param left_out joints to ignore: their entries are 0 in all directions and their
 /// variance counts in no share.
 /// @returns min(samples, joints used) components.
 /// @throws geometric::InputError if there are fewer than two samples or one is not finite.
 /// @throws std::invalid_argument if left_out names an unknown joint, one twice, or all of
 /// them.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PrincipalComponents
-principal_components(const Eigen::MatrixXd& samples, const std::vector<int>& left_out = {});
+principal_components(const Eigen::MatrixXd& samples, const HandJointIndices& left_out = {});
 
 /// Axes of a basis, and lengths of the sides of its box.
 struct PmdBasisOptions {
-  std::vector<int> free_joints;       ///< Axes of their own, over the joint's whole range.
+  HandJointIndices free_joints;       ///< Axes of their own, over the joint's whole range.
   int directions = 4;                 ///< Most principal directions to take, ≥ 0.
   double sigmas_per_half_side = 1.5;  ///< λ_i = this · σ_i. > 0.
 };
@@ -69,7 +69,7 @@ class HANDWAY_SAMPLING_EXPORT IncrementalComponents {
 
   /// Returns the result of principal_components() for the same postures.
   /// @throws as that function.
-  [[nodiscard]] PrincipalComponents components(const std::vector<int>& left_out = {}) const;
+  [[nodiscard]] PrincipalComponents components(const HandJointIndices& left_out = {}) const;
 
  private:
   Eigen::Index count_ = 0;
@@ -94,6 +94,6 @@ struct RobustComponents {
 /// distance.
 /// @param samples, left_out and errors as for principal_components().
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT RobustComponents
-robust_principal_components(const Eigen::MatrixXd& samples, const std::vector<int>& left_out = {});
+robust_principal_components(const Eigen::MatrixXd& samples, const HandJointIndices& left_out = {});
 
 }  // namespace handway::sampling

@@ -77,7 +77,9 @@ class HANDWAY_SAMPLING_EXPORT SdkSequence {
   [[nodiscard]] Eigen::VectorXd corner(std::uint64_t index) const;
 
  private:
-  std::vector<std::vector<int>> rows_;  ///< Per row of T_d, the columns that hold a 1.
+  using ColumnIndices = std::vector<int>;
+
+  std::vector<ColumnIndices> rows_;  ///< Per row of T_d, the columns that hold a 1.
   int levels_;
 };
 

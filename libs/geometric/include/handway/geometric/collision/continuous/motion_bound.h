@@ -74,11 +74,14 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   [[nodiscard]] double reach(int link, int body) const { return of_link_(link, body); }
 
  private:
+  /// Motions of bodies against each other, by their columns of `reach_`.
+  using MotionIndices = std::vector<int>;
+
   std::shared_ptr<const RobotModel> model_;
   std::vector<PairFrame> frames_;
   std::vector<Ball> balls_;
-  Eigen::MatrixXd of_link_;   ///< Shape [link_count x bodies].
-  std::vector<int> motions_;  ///< Per pair.
+  Eigen::MatrixXd of_link_;  ///< Shape [link_count x bodies].
+  MotionIndices motions_;    ///< Per pair.
   Eigen::Index pair_motions_ = 0;
   Eigen::MatrixXd reach_;     ///< Shape [variable_count x motions], m per rad or m per m.
   Eigen::VectorXd farthest_;  ///< Shape [variable_count].

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/plots/figure_file.h"
+#include "widgets/plots/plot_style.h"
 
 #include <QString>
 #include <QWidget>

@@ -1,6 +1,5 @@
-#include "widgets/plots/statistics_plots.h"
+#include "widgets/plots/ecdf_plot.h"
 
-#include <QPen>
 #include <QVBoxLayout>
 #include <QVector>
 #include <qwt_legend.h>

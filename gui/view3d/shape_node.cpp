@@ -1,0 +1,131 @@
+#include "view3d/shape_node.h"
+
+#include "model/meshes/crease_normals.h"
+#include "model/meshes/drawn_mesh.h"
+#include "model/meshes/shaded_meshes.h"
+#include "view3d/coin_conversions.h"
+
+#include <Inventor/nodes/SoComplexity.h>
+#include <Inventor/nodes/SoCone.h>
+#include <Inventor/nodes/SoCube.h>
+#include <Inventor/nodes/SoCylinder.h>
+#include <Inventor/nodes/SoIndexedFaceSet.h>
+#include <Inventor/nodes/SoLevelOfDetail.h>
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoRotationXYZ.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoShapeHints.h>
+#include <Inventor/nodes/SoSphere.h>
+#include <Inventor/nodes/SoVertexProperty.h>
+
+#include <numbers>
+
+namespace handway::gui {
+namespace {
+
+// Coin's round solids stand along y, ours along z.
+void add_upright(SoSeparator* parent, SoNode* solid) {
+  auto* turn = new SoRotationXYZ;
+  turn->axis = SoRotationXYZ::X;
+  turn->angle = static_cast<float>(std::numbers::pi / 2.0);
+  parent->addChild(turn);
+  parent->addChild(solid);
+}
+
+SoNode* make_faces(const ShadedMesh& mesh) {
+  auto* properties = new SoVertexProperty;
+  static_assert(sizeof(Eigen::Vector3f) == sizeof(SbVec3f));
+  const auto count = static_cast<int>(mesh.vertices.size());
+  properties->vertex.setValues(0, count, reinterpret_cast<const float(*)[3]>(mesh.vertices.data()));
+  properties->normal.setValues(0, count, reinterpret_cast<const float(*)[3]>(mesh.normals.data()));
+  properties->normalBinding = SoVertexProperty::PER_VERTEX_INDEXED;
+
+  auto* faces = new SoIndexedFaceSet;
+  faces->vertexProperty = properties;
+  faces->coordIndex.setNum(static_cast<int>(4 * mesh.triangles.size()));
+  std::int32_t* index = faces->coordIndex.startEditing();
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      *index++ = static_cast<std::int32_t>(corner);
+    }
+    *index++ = SO_END_FACE_INDEX;
+  }
+  faces->coordIndex.finishEditing();
+  return faces;
+}
+
+void add_mesh(SoSeparator* parent, const DrawnMesh& mesh) {
+  auto* hints = new SoShapeHints;
+  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;  // lit on both sides,
+  hints->shapeType = mesh.is_solid ? SoShapeHints::SOLID   // unless the other one can't be seen
+                                   : SoShapeHints::UNKNOWN_SHAPE_TYPE;
+  parent->addChild(hints);
+  auto* levels = new SoLevelOfDetail;
+  levels->addChild(make_faces(mesh.fine));
+  for (std::size_t i = 0; i < mesh.coarser.size(); ++i) {
+    levels->screenArea.set1Value(static_cast<int>(i), mesh.coarser[i].most_area);
+    levels->addChild(make_faces(mesh.coarser[i].mesh));
+  }
+  parent->addChild(levels);
+}
+
+struct AddShape {
+  SoSeparator* parent;
+
+  void operator()(const geometric::Box& box) const {
+    auto* cube = new SoCube;
+    cube->width = static_cast<float>(box.size.x());
+    cube->height = static_cast<float>(box.size.y());
+    cube->depth = static_cast<float>(box.size.z());
+    parent->addChild(cube);
+  }
+  void operator()(const geometric::Sphere& sphere) const {
+    auto* ball = new SoSphere;
+    ball->radius = static_cast<float>(sphere.radius);
+    parent->addChild(ball);
+  }
+  void operator()(const geometric::Cylinder& cylinder) const {
+    auto* solid = new SoCylinder;
+    solid->radius = static_cast<float>(cylinder.radius);
+    solid->height = static_cast<float>(cylinder.length);
+    add_upright(parent, solid);
+  }
+  void operator()(const geometric::Cone& cone) const {
+    auto* solid = new SoCone;
+    solid->bottomRadius = static_cast<float>(cone.radius);
+    solid->height = static_cast<float>(cone.length);
+    add_upright(parent, solid);
+  }
+  void operator()(const geometric::Mesh& mesh) const {
+    if (mesh.triangles && !mesh.triangles->empty()) {
+      add_mesh(parent, *shaded(mesh.triangles));
+    }
+  }
+};
+
+}  // namespace
+
+CoinRef<SoSeparator> make_shape_node(const geometric::Shape& shape) {
+  auto separator = make_coin<SoSeparator>();
+  separator->renderCaching = SoSeparator::OFF;
+  if (!std::holds_alternative<geometric::Mesh>(shape)) {
+    auto* complexity = new SoComplexity;
+    complexity->value = 0.9F;
+    separator->addChild(complexity);
+  }
+  std::visit(AddShape{separator.get()}, shape);
+  return separator;
+}
+
+CoinRef<SoMaterial> make_material(const geometric::Color& color) {
+  auto material = make_coin<SoMaterial>();
+  const SbColor diffuse = to_coin(color);
+  material->diffuseColor = diffuse;
+  material->ambientColor = diffuse;
+  material->specularColor = SbColor(0.22F, 0.22F, 0.22F);
+  material->shininess = 0.35F;
+  material->transparency = 1.0F - color.alpha;
+  return material;
+}
+
+}  // namespace handway::gui
