@@ -68,8 +68,10 @@ constexpr std::array kRunColumns = std::to_array<RunColumn>({
     {"edges_tested", [](const RunRecord& run) { return report::Cell(run.edges_tested); }},
     {"path_nodes", [](const RunRecord& run) { return report::Cell(run.path_nodes); }},
     {"path_length", [](const RunRecord& run) { return report::Cell(run.path_length); }},
-    {"resolution_mm", [](const RunRecord& run) { return report::Cell(geometric::millimetres(run.resolution)); }},
-    {"min_clearance_mm", [](const RunRecord& run) { return report::Cell(geometric::millimetres(run.min_clearance)); }},
+    {"resolution_mm",
+     [](const RunRecord& run) { return report::Cell(geometric::millimetres(run.resolution)); }},
+    {"min_clearance_mm",
+     [](const RunRecord& run) { return report::Cell(geometric::millimetres(run.min_clearance)); }},
     {"certificate_checks",
      [](const RunRecord& run) { return report::Cell(run.certificate_checks); }},
 });
@@ -320,10 +322,11 @@ void add_problem(report::Document& document, const Campaign& campaign,
                  std::span<const CampaignComparison> comparisons,
                  std::span<const ParameterGrid> grids) {
   const int problem = cells.front().problem;
-  document.push_back(report::Heading{2, campaign.problems[static_cast<std::size_t>(problem)].name});
+  document.emplace_back(
+      report::Heading{2, campaign.problems[static_cast<std::size_t>(problem)].name});
   document.push_back(overview(campaign, cells));
   if (report::Table table = failures(campaign, cells); !table.rows.empty()) {
-    document.push_back(report::Paragraph{"Runs without a path:"});
+    document.emplace_back(report::Paragraph{"Runs without a path:"});
     document.push_back(std::move(table));
   }
   for (const ParameterGrid& grid : grids) {
@@ -337,9 +340,9 @@ void add_problem(report::Document& document, const Campaign& campaign,
   if (drawn.empty()) {
     return;
   }
-  document.push_back(report::Figure{
+  document.emplace_back(report::Figure{
       "Share of runs solved within a time", {ecdf_plot(campaign, drawn)}, 1, "ecdf.csv"});
-  document.push_back(report::Figure{
+  document.emplace_back(report::Figure{
       "Times of the runs that found a path: quartiles, whiskers up to 1.5 box lengths, outliers",
       {time_boxes(campaign, drawn)},
       1,
@@ -353,16 +356,16 @@ report::Document campaign_document(const Campaign& campaign, const CampaignOutco
                                    std::span<const CampaignCell> cells,
                                    std::span<const CampaignComparison> comparisons) {
   report::Document document;
-  document.push_back(report::Heading{1, campaign.name});
+  document.emplace_back(report::Heading{1, campaign.name});
   if (!campaign.description.empty()) {
-    document.push_back(report::Paragraph{campaign.description});
+    document.emplace_back(report::Paragraph{campaign.description});
   }
   if (!outcome.complete) {
-    document.push_back(report::Paragraph{fmt::format(
+    document.emplace_back(report::Paragraph{fmt::format(
         "Incomplete: {} of {} runs are done.", outcome.records.size(), campaign.run_count())});
   }
   document.push_back(machine_table(outcome));
-  document.push_back(report::Paragraph{fmt::format(
+  document.emplace_back(report::Paragraph{fmt::format(
       "Every run has {} thread(s) and a time limit of {:g} s. In brackets: Wilson's 95 % interval "
       "of the success rate. The median and the 95 % quantile of the time are over all runs; a run "
       "without a path counts as infinite (∞). All other figures are means over the runs that found "
@@ -375,7 +378,7 @@ report::Document campaign_document(const Campaign& campaign, const CampaignOutco
     add_problem(document, campaign, cells.subspan(begin, campaign.planners.size()), comparisons,
                 grids);
   }
-  document.push_back(report::Heading{2, "Parameters"});
+  document.emplace_back(report::Heading{2, "Parameters"});
   document.push_back(parameter_table(campaign));
   return document;
 }

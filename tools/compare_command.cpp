@@ -23,8 +23,8 @@ struct CompareChoice {
 report::Document comparison(const std::vector<execution::RecordedDevice>& devices) {
   report::Document document;
   for (const execution::RecordedDevice& device : devices) {
-    document.push_back(report::Paragraph{fmt::format("{}: {} samples, {:.2f} s", device.kind,
-                                                     device.times.size(), device.times.back())});
+    document.emplace_back(report::Paragraph{fmt::format("{}: {} samples, {:.2f} s", device.kind,
+                                                        device.times.size(), device.times.back())});
     report::Table table{{"joint", {"max", "rad"}, {"at", "s"}, {"RMS", "rad"}}};
     for (const execution::JointDifference& joint : execution::differences(device)) {
       table.rows.push_back({joint.joint, report::fixed(joint.max, 5), report::fixed(joint.time, 2),

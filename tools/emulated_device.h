@@ -1,8 +1,8 @@
 #pragma once
 
-#include "handway/device/core/device_emulator.h"
-#include "handway/device/core/injected_fault.h"
 #include "handway/device/core/joint_trajectory.h"
+#include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/injected_fault.h"
 
 #include <Eigen/Core>
 

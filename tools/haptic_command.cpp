@@ -1,7 +1,7 @@
 #include "commands.h"
 #include "emulated_device.h"
+#include "handway/device/emulators/haptic_emulator.h"
 #include "handway/device/haptic/haptic_device.h"
-#include "handway/device/haptic/haptic_emulator.h"
 #include "handway/device/ros/ros_robot.h"
 #include "handway/execution/guidance/guidance_run.h"
 #include "handway/execution/motion/motion_target.h"

@@ -244,8 +244,8 @@ std::vector<MeasuredColumn> columns_of(const ReproducedCampaign& part, std::stri
 
 void add_table_2(report::Document& document, report::Table& csv, const ReproducedCampaign& part) {
   const std::vector<MeasuredColumn> columns = columns_of(part, "");
-  document.push_back(report::Heading{2, "Table 2: reduced and full search space"});
-  document.push_back(report::Paragraph{fmt::format(
+  document.emplace_back(report::Heading{2, "Table 2: reduced and full search space"});
+  document.emplace_back(report::Paragraph{fmt::format(
       "Means over 100 runs in the paper, on a {}; ours with 95 % intervals (Student's t), over the "
       "runs that found a path. Success with Wilson's 95 % interval.",
       kTable2Machine)});
@@ -261,7 +261,7 @@ void add_table_2(report::Document& document, report::Table& csv, const Reproduce
     });
     if (!shown.empty()) {
       const char* name = space == 0 ? "Reduced search space" : "Full search space";
-      document.push_back(report::Heading{3, name});
+      document.emplace_back(report::Heading{3, name});
       document.push_back(compared_table(rows, space, shown));
       add_compared_rows(csv, "2", name, rows, space, shown);
     }
@@ -274,7 +274,7 @@ void add_table_2(report::Document& document, report::Table& csv, const Reproduce
   };
   const double as_printed = mean_time("Full") / mean_time("Reduced");
   const double as_shipped = mean_time("full-prm as it ships") / mean_time("pmd-prm as it ships");
-  document.push_back(report::Paragraph{fmt::format(
+  document.emplace_back(report::Paragraph{fmt::format(
       "Mean time of the full divided by that of the reduced search space: {} as in the paper, {} "
       "with the default parameters (ρₐ at most 0.05); {} is the paper's result.",
       text_of(as_printed), text_of(as_shipped),
@@ -284,8 +284,8 @@ void add_table_2(report::Document& document, report::Table& csv, const Reproduce
 void add_table_4(report::Document& document, report::Table& csv,
                  const std::vector<ReproducedCampaign>& campaigns) {
   constexpr std::size_t kProblems = 4;
-  document.push_back(report::Heading{2, "Table 4: four problems"});
-  document.push_back(report::Paragraph{fmt::format(
+  document.emplace_back(report::Heading{2, "Table 4: four problems"});
+  document.emplace_back(report::Paragraph{fmt::format(
       "Means from 1,000 runs in the paper, on an {}; ours with 95 % intervals, over the runs that "
       "found a path. \"As published\": the authors' own problem files (if HANDWAY_REFERENCE_DIR is "
       "set to their folder); the other columns use scenes that ship, built after the paper's "
@@ -316,7 +316,7 @@ void add_table_4(report::Document& document, report::Table& csv,
       }
     }
     if (!columns.empty()) {
-      document.push_back(report::Heading{3, fmt::format("Problem {}", title)});
+      document.emplace_back(report::Heading{3, fmt::format("Problem {}", title)});
       document.push_back(compared_table(rows, problem, columns));
       add_compared_rows(csv, "4", title, rows, problem, columns);
     }
@@ -324,9 +324,9 @@ void add_table_4(report::Document& document, report::Table& csv,
 }
 
 void add_table_3(report::Document& document, const planning::Campaign& campaign) {
-  document.push_back(report::Heading{2, "Table 3: parameters"});
+  document.emplace_back(report::Heading{2, "Table 3: parameters"});
   document.push_back(parameters_compared(campaign.planners[0], campaign.planners[1]));
-  document.push_back(report::Paragraph{
+  document.emplace_back(report::Paragraph{
       "A run without a path ends after N samples. Table 3 has the initial values 100 "
       "(10,000); section 6.2 says that N was \"chosen large enough to allow finding a "
       "solution in all cases\", and the "
@@ -338,16 +338,17 @@ void add_table_3(report::Document& document, const planning::Campaign& campaign)
 }
 
 void add_figure(report::Document& document, const ReproducedFigure& figure) {
-  document.push_back(report::Heading{2, fmt::format("Fig. {}: {}", figure.number, figure.caption)});
+  document.emplace_back(
+      report::Heading{2, fmt::format("Fig. {}: {}", figure.number, figure.caption)});
   if (!figure.text.empty()) {
-    document.push_back(report::Paragraph{figure.text});
+    document.emplace_back(report::Paragraph{figure.text});
   }
   document.insert(document.end(), figure.drawings.begin(), figure.drawings.end());
   if (figure.table) {
     document.push_back(*figure.table);
   }
   if (!figure.problem.empty()) {
-    document.push_back(report::Paragraph{"Incomplete. " + figure.problem});
+    document.emplace_back(report::Paragraph{"Incomplete. " + figure.problem});
   }
 }
 
@@ -359,18 +360,18 @@ void write_reproduce_report(const std::set<int>& tables,
                             const fs::path& folder) {
   report::Document document = {
       report::Heading{1, "The tables and figures of the paper, reproduced"}};
-  document.push_back(report::Paragraph{
+  document.emplace_back(report::Paragraph{
       "J. Rosell, R. Suárez, C. Rosales, A. Pérez: Autonomous motion planning of a hand-arm "
       "robotic "
       "system based on captured human-like hand postures. Autonomous Robots 31 (2011)."});
   if (quick) {
-    document.push_back(report::Paragraph{
+    document.emplace_back(report::Paragraph{
         "Preview: few runs, ended after a few seconds. The numbers are not reliable."});
   }
   const auto incomplete = std::ranges::find_if(
       campaigns, [](const ReproducedCampaign& part) { return !part.outcome.complete; });
   if (incomplete != campaigns.end() && tables != std::set{3} && !tables.empty()) {
-    document.push_back(report::Paragraph{"Incomplete: the runs were interrupted."});
+    document.emplace_back(report::Paragraph{"Incomplete: the runs were interrupted."});
   }
   report::Table csv = compared_csv();
   CampaignOutcome all;
@@ -392,7 +393,7 @@ void write_reproduce_report(const std::set<int>& tables,
   for (const ReproducedFigure& figure : figures) {
     add_figure(document, figure);
   }
-  document.push_back(report::Heading{2, "Machine"});
+  document.emplace_back(report::Heading{2, "Machine"});
   document.push_back(machine_table(all));
   report::write_report(document, folder);
   geometric::replace_file(folder / "report.csv", report::to_csv(csv));

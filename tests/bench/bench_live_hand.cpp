@@ -8,9 +8,9 @@
 /// xvfb-run.
 #include "app/main_window.h"
 #include "features/glove/glove_panel.h"
-#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/emulators/glove_emulator.h"
+#include "handway/device/emulators/glove_signals.h"
 #include "handway/device/glove/glove_layout.h"
-#include "handway/device/glove/glove_signals.h"
 #include "handway_test/paths.h"
 #include "handway_test/resource_use.h"
 #include "view3d/scene_view.h"

@@ -1,6 +1,6 @@
 #include "handway/device/glove/hand_exploration.h"
 
-#include "handway/device/glove/glove_signals.h"
+#include "handway/device/emulators/glove_signals.h"
 #include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/principal_components.h"
 

@@ -1,6 +1,6 @@
 #include "planner_tables.h"
 
-#include "handway/device/core/device_emulator.h"
+#include "handway/device/emulators/device_emulator.h"
 #include "handway/device/haptic/force_guide.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/tasks/task.h"

@@ -1,9 +1,9 @@
 /// An arm and a hand that move together, one of which begins to send without pause: the stop
 /// reaches both all the same.
-#include "handway/device/arm/arm_emulator.h"
 #include "handway/device/arm/simple_message.h"
 #include "handway/device/arm/val3_arm.h"
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/arm_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/device/hand/network_hand.h"
 #include "handway/execution/motion/motion_run.h"

@@ -1,9 +1,9 @@
 /// Motions of an arm and a hand together, on emulated ones, through real sockets.
 #include "handway/execution/motion/motion_run.h"
 
-#include "handway/device/arm/arm_emulator.h"
 #include "handway/device/arm/val3_arm.h"
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/arm_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 #include "handway/device/hand/network_hand.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 /// Scenes that are edited while a motion runs, or before it does: on emulated devices.
 #include "handway/execution/motion/scene_watch.h"
 
-#include "handway/device/arm/arm_emulator.h"
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/arm_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 #include "handway/execution/motion/motion_run.h"
 #include "handway/execution/motion/motion_target.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"

@@ -1,8 +1,8 @@
 /// Output of a CyberGlove, as records and as answers, and input of an emulated one.
 #include "cyberglove_protocol.h"
+#include "handway/device/emulators/glove_emulator.h"
 #include "handway/device/glove/cyberglove3_parser.h"
 #include "handway/device/glove/cyberglove_parser.h"
-#include "handway/device/glove/glove_emulator.h"
 #include "pieces.h"
 
 #include <algorithm>

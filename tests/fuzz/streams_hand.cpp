@@ -1,5 +1,5 @@
 /// Lines of the hand protocol: what a hand sends, and what an emulated one is sent.
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/device/hand/network_hand.h"
 #include "pieces.h"

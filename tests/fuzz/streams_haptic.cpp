@@ -1,5 +1,5 @@
 /// Lines of the haptic protocol: what a device sends, and what an emulated one is sent.
-#include "handway/device/haptic/haptic_emulator.h"
+#include "handway/device/emulators/haptic_emulator.h"
 #include "handway/device/haptic/haptic_protocol.h"
 #include "pieces.h"
 

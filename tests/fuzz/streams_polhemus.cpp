@@ -1,6 +1,6 @@
 /// Output of trackers, and input of emulated ones: the second byte chooses model and format.
+#include "handway/device/emulators/tracker_units.h"
 #include "handway/device/tracker/polhemus_parser.h"
-#include "handway/device/tracker/tracker_units.h"
 #include "pieces.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 /// Messages of rosbridge, one a line: what a robot sends, and what an emulated one is sent.
 #include "handway/device/arm/val3_arm.h"
-#include "handway/device/ros/ros_emulator.h"
+#include "handway/device/emulators/ros_emulator.h"
 #include "handway/device/ros/rosbridge.h"
 #include "pieces.h"
 

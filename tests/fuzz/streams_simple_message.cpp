@@ -1,7 +1,7 @@
 /// Output of a VAL3 server, and input of an emulated controller: simple_message.
-#include "handway/device/arm/arm_emulator.h"
 #include "handway/device/arm/simple_message.h"
 #include "handway/device/arm/val3_arm.h"
+#include "handway/device/emulators/arm_emulator.h"
 #include "pieces.h"
 
 #include <cmath>

@@ -34,7 +34,8 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolde
     {"planning",
      {"edits", "core", "spaces", "paths", "roadmap", "timing", "planners", "queries", "extensions",
       "replanning", "grasps", "tasks", "campaigns"}},
-    {"device", {"core", "glove", "retargeting", "tracker", "arm", "hand", "ros", "haptic"}},
+    {"device",
+     {"core", "glove", "retargeting", "tracker", "arm", "hand", "ros", "haptic", "emulators"}},
     {"execution", {"motion", "guidance"}},
     {"report", {"document", "plots", "rendering", "studies"}},
 };

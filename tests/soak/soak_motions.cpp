@@ -11,9 +11,9 @@
 /// collision later than kReaction after the edit that is in its way, and as much later as a busy
 /// machine let the loop stand still. Exits 1 if any path or motion
 /// fails, or a verdict is wrong.
-#include "handway/device/arm/arm_emulator.h"
 #include "handway/device/core/trajectory_client.h"
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/arm_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 #include "handway/execution/motion/motion_run.h"
 #include "handway/execution/motion/motion_target.h"
 #include "handway/execution/motion/scene_watch.h"

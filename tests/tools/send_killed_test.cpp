@@ -2,9 +2,9 @@
 /// devices' watchdogs.
 #include "background_process.h"
 #include "command_line.h"
-#include "handway/device/arm/arm_emulator.h"
-#include "handway/device/hand/hand_emulator.h"
-#include "handway/device/ros/ros_emulator.h"
+#include "handway/device/emulators/arm_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
+#include "handway/device/emulators/ros_emulator.h"
 #include "handway/execution/motion/motion_target.h"
 #include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"

@@ -1,7 +1,7 @@
 #include "model/devices/glove_session.h"
 
+#include "handway/device/emulators/glove_signals.h"
 #include "handway/device/glove/cyberglove.h"
-#include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/landmark_glove.h"
 #include "handway/device/glove/replay_glove.h"

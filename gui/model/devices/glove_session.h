@@ -1,8 +1,8 @@
 #pragma once
 
+#include "handway/device/emulators/glove_emulator.h"
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_calibration.h"
-#include "handway/device/glove/glove_emulator.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording.h"

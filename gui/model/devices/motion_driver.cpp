@@ -1,7 +1,7 @@
 #include "model/devices/motion_driver.h"
 
-#include "handway/device/arm/arm_emulator.h"
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/arm_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 #include "handway/execution/motion/motion_log.h"
 #include "handway/execution/motion/motion_target.h"
 #include "model/devices/executed_motion.h"

@@ -1,7 +1,7 @@
 #include "model/devices/tracker_session.h"
 
+#include "handway/device/emulators/tracker_units.h"
 #include "handway/device/tracker/polhemus_tracker.h"
-#include "handway/device/tracker/tracker_units.h"
 #include "handway/device/tracker/udp_tracker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/arm_inverse_kinematics.h"

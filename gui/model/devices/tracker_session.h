@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/core/device_emulator.h"
+#include "handway/device/emulators/device_emulator.h"
 #include "handway/device/tracker/tool_follower.h"
 #include "handway/device/tracker/tracker.h"
 #include "handway/geometric/robot/robot_description.h"

@@ -13,7 +13,6 @@ namespace handway::gui {
 
 inline const QColor kPlotInk{0x22, 0x26, 0x2b};
 inline const QColor kPlotGrid{0xdd, 0xe1, 0xe6};
-inline const QColor kPlotBlue{0x1f, 0x5f, 0xa8};
 inline const QColor kPlotOrange{0xd9, 0x6c, 0x1e};
 
 /// Colours of a plot.

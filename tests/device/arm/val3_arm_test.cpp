@@ -1,8 +1,8 @@
 /// The client of the VAL3 server, on an emulated arm, through real sockets.
 #include "handway/device/arm/val3_arm.h"
 
-#include "handway/device/arm/arm_emulator.h"
 #include "handway/device/core/device_error.h"
+#include "handway/device/emulators/arm_emulator.h"
 #include "support/motions.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 /// The emulated controller without wires.
-#include "handway/device/arm/arm_emulator.h"
 #include "handway/device/arm/val3_arm.h"
+#include "handway/device/emulators/arm_emulator.h"
 
 #include <gtest/gtest.h>
 

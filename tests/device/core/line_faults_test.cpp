@@ -1,4 +1,4 @@
-#include "handway/device/core/device_emulator.h"
+#include "handway/device/emulators/device_emulator.h"
 
 #include <gtest/gtest.h>
 

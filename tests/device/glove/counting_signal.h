@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/emulators/glove_emulator.h"
 
 #include <atomic>
 #include <memory>

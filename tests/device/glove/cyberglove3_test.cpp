@@ -1,9 +1,9 @@
 #include "counting_signal.h"
-#include "handway/device/core/device_emulator.h"
 #include "handway/device/core/device_error.h"
+#include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/glove_emulator.h"
 #include "handway/device/glove/cyberglove.h"
 #include "handway/device/glove/cyberglove3_parser.h"
-#include "handway/device/glove/glove_emulator.h"
 #include "handway_test/free_port.h"
 
 #include <gmock/gmock.h>

@@ -3,7 +3,7 @@
 #include "counting_signal.h"
 #include "handway/device/core/byte_link.h"
 #include "handway/device/core/device_error.h"
-#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/emulators/glove_emulator.h"
 #include "handway_test/paths.h"
 
 #include <gmock/gmock.h>

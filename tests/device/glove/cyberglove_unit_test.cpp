@@ -1,4 +1,4 @@
-#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/emulators/glove_emulator.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "counting_signal.h"
+#include "handway/device/emulators/glove_emulator.h"
 #include "handway/device/glove/cyberglove.h"
 #include "handway/device/glove/glove.h"
-#include "handway/device/glove/glove_emulator.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "handway/device/glove/landmark_glove.h"
 
 #include "handway/device/core/device_error.h"
+#include "handway/device/emulators/landmark_unit.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/geometric/io/input_error.h"

@@ -1,6 +1,6 @@
 #include "handway/device/glove/replay_glove.h"
 
-#include "handway/device/glove/glove_signals.h"
+#include "handway/device/emulators/glove_signals.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <gtest/gtest.h>

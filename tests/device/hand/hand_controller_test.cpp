@@ -1,5 +1,5 @@
 /// The protocol of hands, and the emulated hand without wires.
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/device/hand/network_hand.h"
 

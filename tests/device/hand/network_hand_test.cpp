@@ -2,7 +2,7 @@
 #include "handway/device/hand/network_hand.h"
 
 #include "handway/device/core/device_error.h"
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 #include "support/motions.h"
 
 #include <gmock/gmock.h>

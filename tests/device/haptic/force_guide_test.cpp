@@ -1,7 +1,7 @@
 /// Guidance along a curve, without wires: a guide and an emulated device in simulated time.
 #include "handway/device/haptic/force_guide.h"
 
-#include "handway/device/haptic/haptic_emulator.h"
+#include "handway/device/emulators/haptic_emulator.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

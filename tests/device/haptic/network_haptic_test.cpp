@@ -1,7 +1,7 @@
 /// The haptic protocol, and its client on an emulated device through a real socket.
 #include "handway/device/core/device_error.h"
+#include "handway/device/emulators/haptic_emulator.h"
 #include "handway/device/haptic/haptic_device.h"
-#include "handway/device/haptic/haptic_emulator.h"
 #include "support/motions.h"
 
 #include <gmock/gmock.h>

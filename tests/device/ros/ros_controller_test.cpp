@@ -1,6 +1,6 @@
 /// The emulated robot in ROS, without wires.
 #include "handway/device/arm/val3_arm.h"
-#include "handway/device/ros/ros_emulator.h"
+#include "handway/device/emulators/ros_emulator.h"
 #include "handway/device/ros/ros_robot.h"
 #include "handway/device/ros/rosbridge.h"
 

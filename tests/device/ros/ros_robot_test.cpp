@@ -3,7 +3,7 @@
 
 #include "handway/device/arm/val3_arm.h"
 #include "handway/device/core/device_error.h"
-#include "handway/device/ros/ros_emulator.h"
+#include "handway/device/emulators/ros_emulator.h"
 #include "support/motions.h"
 
 #include <gmock/gmock.h>

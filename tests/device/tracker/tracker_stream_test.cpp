@@ -1,7 +1,7 @@
-#include "handway/device/core/device_emulator.h"
+#include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/tracker_units.h"
 #include "handway/device/tracker/polhemus_tracker.h"
 #include "handway/device/tracker/tracker.h"
-#include "handway/device/tracker/tracker_units.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

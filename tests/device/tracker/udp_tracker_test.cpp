@@ -1,8 +1,8 @@
 #include "handway/device/tracker/udp_tracker.h"
 
-#include "handway/device/core/device_emulator.h"
 #include "handway/device/core/device_error.h"
-#include "handway/device/tracker/tracker_units.h"
+#include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/tracker_units.h"
 #include "handway_test/free_port.h"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 
 #include "features/glove/glove_panel.h"
 #include "features/glove/sensor_bars.h"
-#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/emulators/glove_emulator.h"
 #include "window_test.h"
 
 #include <QComboBox>

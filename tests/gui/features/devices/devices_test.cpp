@@ -2,7 +2,7 @@
 #include "features/devices/device_session.h"
 #include "features/devices/devices_panel.h"
 #include "features/editing/scene_editing.h"
-#include "handway/device/arm/arm_emulator.h"
+#include "handway/device/emulators/arm_emulator.h"
 #include "handway/planning/edits/scene_edits.h"
 #include "model/planning/path_validity.h"
 #include "patience.h"

@@ -1,7 +1,7 @@
 /// Tests that the robot comes to rest, whatever ends the program or the scene.
 #include "features/devices/moving_robot.h"
-#include "handway/device/arm/arm_emulator.h"
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/arm_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 #include "model/devices/motion_driver.h"
 #include "model/devices/program_end.h"
 

@@ -8,7 +8,7 @@
 #include "features/glove/pmd_explorer.h"
 #include "features/planning/plan_panel.h"
 #include "features/planning/preset_bar.h"
-#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/emulators/glove_emulator.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/formats/obj_writer.h"
 #include "handway_test/paths.h"

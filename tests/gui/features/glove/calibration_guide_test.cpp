@@ -1,10 +1,10 @@
 #include "features/glove/calibration_guide.h"
 
 #include "glove_dock.h"
-#include "handway/device/core/device_emulator.h"
+#include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/landmark_unit.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/human_hand.h"
-#include "handway/device/glove/landmark_glove.h"
 #include "patience.h"
 
 #include <QDoubleSpinBox>

@@ -1,8 +1,8 @@
 #include "features/tracker/wrist_page.h"
 
 #include "features/glove/glove_panel.h"
-#include "handway/device/core/device_emulator.h"
-#include "handway/device/tracker/tracker_units.h"
+#include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/tracker_units.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/robot_state.h"
 #include "patience.h"

@@ -1,7 +1,7 @@
-#include "handway/device/arm/arm_emulator.h"
+#include "handway/device/emulators/arm_emulator.h"
 
-#include "core/emulator_thread.h"
 #include "core/ports.h"
+#include "emulators/emulator_thread.h"
 #include "handway/device/core/device_error.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
+#include "emulators/tracker_unit.h"
 #include "handway/device/tracker/polhemus_parser.h"
-#include "polhemus_items.h"
-#include "tracker_unit.h"
+#include "tracker/polhemus_items.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include "handway/device/tracker/tracker_units.h"
+#include "handway/device/emulators/tracker_units.h"
 
 #include "core/random_moves.h"
+#include "emulators/tracker_unit.h"
 #include "handway/device/tracker/udp_tracker.h"
 #include "handway/geometric/math/units.h"
-#include "tracker_unit.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
-#include "handway/device/core/emulated_robot.h"
+#include "handway/device/emulators/emulated_robot.h"
 
-#include "core/emulator_thread.h"
+#include "emulators/emulator_thread.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/device/core/emulated_robot.h"
 #include "handway/device/core/joint_trajectory.h"
+#include "handway/device/emulators/emulated_robot.h"
 #include "handway/device/export.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/emulators/hand_emulator.h"
 
-#include "core/emulator_thread.h"
+#include "emulators/emulator_thread.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/geometric/io/input_error.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/device/core/injected_fault.h"
 #include "handway/device/core/joint_trajectory.h"
+#include "handway/device/emulators/injected_fault.h"
 #include "handway/device/export.h"
 
 #include <Eigen/Core>

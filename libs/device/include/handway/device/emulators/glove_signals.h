@@ -1,8 +1,8 @@
 #pragma once
 
+#include "handway/device/emulators/glove_emulator.h"
 #include "handway/device/export.h"
 #include "handway/device/glove/glove_calibration.h"
-#include "handway/device/glove/glove_emulator.h"
 #include "handway/device/glove/recording.h"
 
 #include <cstdint>

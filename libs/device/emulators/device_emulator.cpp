@@ -1,4 +1,4 @@
-#include "handway/device/core/device_emulator.h"
+#include "handway/device/emulators/device_emulator.h"
 
 #include "core/ports.h"
 #include "core/random_moves.h"

@@ -1,9 +1,8 @@
-#include "handway/device/glove/glove_signals.h"
+#include "handway/device/emulators/glove_signals.h"
 
 #include "core/random_moves.h"
 #include "glove/recording_player.h"
 #include "handway/device/glove/hand_exploration.h"
-#include "recording_player.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "handway/device/ros/ros_emulator.h"
+#include "handway/device/emulators/ros_emulator.h"
 
-#include "core/emulator_thread.h"
+#include "emulators/emulator_thread.h"
 #include "handway/device/ros/ros_robot.h"
 #include "ros/web_socket.h"
 

@@ -1,6 +1,6 @@
-#include "handway/device/haptic/haptic_emulator.h"
+#include "handway/device/emulators/haptic_emulator.h"
 
-#include "core/emulator_thread.h"
+#include "emulators/emulator_thread.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/ports.h"
-#include "handway/device/core/emulated_robot.h"
 #include "handway/device/core/line_protocol.h"
+#include "handway/device/emulators/emulated_robot.h"
 
 #include <array>
 #include <chrono>

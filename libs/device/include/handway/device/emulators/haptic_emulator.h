@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/core/injected_fault.h"
+#include "handway/device/emulators/injected_fault.h"
 #include "handway/device/export.h"
 #include "handway/device/haptic/haptic_protocol.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/device/arm/simple_message.h"
-#include "handway/device/core/emulated_robot.h"
+#include "handway/device/emulators/emulated_robot.h"
 #include "handway/device/export.h"
 
 #include <Eigen/Core>

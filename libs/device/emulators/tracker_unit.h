@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/tracker/tracker_units.h"
+#include "handway/device/emulators/tracker_units.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/core/device_emulator.h"
+#include "handway/device/emulators/device_emulator.h"
 #include "handway/device/export.h"
 #include "handway/device/glove/glove_layout.h"
 

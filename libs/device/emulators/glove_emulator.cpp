@@ -1,4 +1,4 @@
-#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/emulators/glove_emulator.h"
 
 #include "glove/cyberglove_protocol.h"
 #include "handway/device/glove/glove_layout.h"
