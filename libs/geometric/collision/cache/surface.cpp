@@ -81,7 +81,7 @@ class VolumeArchive {
 };
 
 std::string archive_layout() {
-  constexpr int kRevision = 19;  // to change with what volumes are made of
+  constexpr int kRevision = 20;  // to change with what volumes are made of
   return fmt::format("volumes {}, {} {} {}", kRevision, sizeof(SphereTree::Node),
                      sizeof(DistanceField::Cell), sizeof(TriangleBlock));
 }

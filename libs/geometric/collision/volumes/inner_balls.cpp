@@ -23,7 +23,8 @@ std::vector<InnerBall> balls_of_grid(const Solid& solid, const TriangleTree& tri
     return balls;
   }
   const auto within = static_cast<float>(size.maxCoeff());
-  const Eigen::Array3i count = (size / step).array().ceil().cast<int>().max(1);
+  // Odd numbers of points, so that some are in the middle.
+  const Eigen::Array3i count = 2 * (0.5 * size / step).array().floor().cast<int>() + 1;
   const Eigen::Array3d cell = size.array() / count.cast<double>();
   for (int z = 0; z < count.z(); ++z) {
     for (int y = 0; y < count.y(); ++y) {

@@ -17,7 +17,7 @@ struct InnerBall {
 
 /// Returns a few large balls inside a mesh, the largest first: whatever comes nearer to a centre
 /// than the radius enters the body. There are none in a mesh that is not closed.
-/// @param triangles of the mesh.
+/// @param triangles of the mesh. @pre the mesh has a triangle.
 [[nodiscard]] std::vector<InnerBall> inner_balls(const TriangleMesh& mesh,
                                                  const TriangleTree& triangles);
 
