@@ -58,6 +58,16 @@ TEST(InnerBalls, AreInEveryPieceOfABody) {
                   ::testing::Truly([](const Eigen::Vector3f& p) { return p.x() > 0.15F; }))));
 }
 
+// The grid of centres has a limited number of points, however thin the body is.
+TEST(InnerBalls, AreSoonFoundInAVeryThinBody) {
+  for (const double thickness : {1e-3, 1e-6, 1e-9}) {
+    const std::vector<InnerBall> balls = balls_in(*tessellate(Box{{1.0, 1.0, thickness}}));
+    ASSERT_FALSE(balls.empty());
+    EXPECT_LE(balls.front().radius, 0.5 * thickness);
+  }
+  EXPECT_FALSE(balls_in(*tessellate(Box{{1.0, 1e-9, 1e-9}})).empty());
+}
+
 TEST(InnerBalls, AreNotInAnOpenMesh) {
   TriangleMesh open = *tessellate(Box{{0.4, 0.1, 0.06}});
   open.triangles.pop_back();

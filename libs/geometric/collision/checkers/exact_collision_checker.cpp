@@ -166,7 +166,8 @@ std::optional<int> ExactCollisionChecker::do_first_collision(int hint) {
 }
 
 bool ExactCollisionChecker::touches_exactly(int pair) {
-  const Proximity proximity = exact_proximity(pair, collision_distance(pair));
+  NarrowPhaseQuery surfaces = query(pair, body_poses());
+  const Proximity proximity = exact_proximity(pair, collision_distance(pair), surfaces);
   return proximity == Proximity::kCollision ||
          (proximity == Proximity::kWithinTolerance && world().padding(pair) > 0.0);
 }
@@ -267,11 +268,11 @@ Proximity ExactCollisionChecker::nearby_proximity(int pair, double tolerance) {
   NarrowPhaseQuery surfaces = query(pair, body_poses());
   return surfaces.may_be_nearer_than(kTouch) && surely_overlaps(pair, surfaces)
              ? Proximity::kCollision
-             : exact_proximity(pair, tolerance);
+             : exact_proximity(pair, tolerance, surfaces);
 }
 
-Proximity ExactCollisionChecker::exact_proximity(int pair, double tolerance) {
-  NarrowPhaseQuery surfaces = query(pair, body_poses());
+Proximity ExactCollisionChecker::exact_proximity(int pair, double tolerance,
+                                                 NarrowPhaseQuery& surfaces) {
   const Proximity proximity = surfaces.proximity(tolerance);
   if (surfaces.was_exact()) {
     count_exact_test();

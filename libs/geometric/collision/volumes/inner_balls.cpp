@@ -9,19 +9,20 @@ namespace handway::geometric {
 namespace {
 
 constexpr std::size_t kMostBalls = 8;
-constexpr double kPoints = 4096.0;  // of the grid in which centres are looked for
-constexpr float kShrink = 0.999F;   // share of a radius that rounding leaves
-constexpr float kApart = 0.7F;      // share of a ball's radius within which no other has its centre
+constexpr double kPoints = 4096.0;    // of the grid in which centres are looked for, …
+constexpr double kMostAlong = 256.0;  // … and so many along an edge of a thin body's box
+constexpr float kShrink = 0.999F;     // share of a radius that rounding leaves
+constexpr float kApart = 0.7F;  // share of a ball's radius within which no other has its centre
 
 // Balls around the points of a regular grid, the largest first.
 std::vector<InnerBall> balls_of_grid(const Solid& solid, const TriangleTree& triangles) {
   const Aabb& box = solid.box();
   const Eigen::Vector3d size = box.size();
-  const double step = std::cbrt(std::max(size.prod(), 0.0) / kPoints);
   std::vector<InnerBall> balls;
-  if (step <= 0.0) {
+  if (!(size.prod() > 0.0)) {
     return balls;
   }
+  const double step = std::max(std::cbrt(size.prod() / kPoints), size.maxCoeff() / kMostAlong);
   const auto within = static_cast<float>(size.maxCoeff());
   // Odd numbers of points, so that some are in the middle.
   const Eigen::Array3i count = 2 * (0.5 * size / step).array().floor().cast<int>() + 1;

@@ -54,7 +54,8 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   [[nodiscard]] Proximity nearby_proximity(int pair, double tolerance);
 
   /// Tests the triangles, and then whether one body contains the other.
-  [[nodiscard]] Proximity exact_proximity(int pair, double tolerance);
+  /// @param surfaces the pair's query.
+  [[nodiscard]] Proximity exact_proximity(int pair, double tolerance, NarrowPhaseQuery& surfaces);
 
   /// Returns whether a piece of either body is inside of the other, tested after the surfaces,
   /// which do not touch.
