@@ -8,13 +8,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <condition_variable>
 #include <filesystem>
 #include <future>
 #include <iterator>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -24,10 +23,9 @@ namespace {
 using test::kPatienceMs;
 
 void wait_for(const std::stop_token& stop) {
-  std::mutex mutex;
-  std::unique_lock lock(mutex);
-  std::condition_variable_any never;
-  never.wait(lock, stop, [] { return false; });
+  std::promise<void> stopped;
+  const std::stop_callback on_stop(stop, [&stopped] { stopped.set_value(); });
+  stopped.get_future().wait();
 }
 
 template <typename Condition>
