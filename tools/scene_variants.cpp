@@ -2,6 +2,7 @@
 
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
+#include "handway/geometric/collision/narrow_phase/closest_points.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/robot/hand_structure.h"
 #include "handway/geometric/robot/limit_violation.h"
@@ -105,9 +106,8 @@ class FingerClosing {
 
   [[nodiscard]] bool keeps_gap(const Configuration& q) {
     checker_.place(q);
-    return std::ranges::all_of(finger_.pairs, [&](int pair) {
-      return checker_.pair_proximity(pair, gap_) == geometric::Proximity::kClear;
-    });
+    return std::ranges::all_of(finger_.pairs,
+                               [&](int pair) { return !checker_.pair_is_nearer_than(pair, gap_); });
   }
 
   // Direction against the gradient of the distance, of joints that are not at a limit.

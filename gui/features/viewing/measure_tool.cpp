@@ -1,7 +1,7 @@
 #include "features/viewing/measure_tool.h"
 
 #include "features/workbench.h"
-#include "handway/geometric/collision/narrow_phase/contact.h"
+#include "handway/geometric/collision/narrow_phase/closest_points.h"
 #include "handway/geometric/math/units.h"
 #include "view3d/distance_drawings.h"
 #include "view3d/overlay.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
-#include "handway/geometric/collision/narrow_phase/contact.h"
+#include "handway/geometric/collision/narrow_phase/closest_points.h"
 #include "model/document/prepared_problem.h"
 #include "model/jobs/background.h"
 

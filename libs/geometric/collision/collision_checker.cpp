@@ -82,8 +82,7 @@ bool CollisionChecker::pair_collides(int pair) {
   }
   ++counts_.pair_collisions;
   const double padding = world_->padding(pair);
-  return padding > 0.0 ? do_pair_proximity(pair, padding) != Proximity::kClear
-                       : do_pair_collides(pair);
+  return padding > 0.0 ? do_pair_is_nearer_than(pair, padding) : do_pair_collides(pair);
 }
 
 double CollisionChecker::pair_distance(int pair, double enough) {
@@ -106,8 +105,16 @@ Proximity CollisionChecker::pair_proximity(int pair, double tolerance) {
   const double padding = world_->padding(pair);
   const Proximity proximity = do_pair_proximity(pair, tolerance + padding);
   const bool is_within_padding = padding > 0.0 && proximity == Proximity::kWithinTolerance &&
-                                 do_pair_proximity(pair, padding) != Proximity::kClear;
+                                 do_pair_is_nearer_than(pair, padding);
   return is_within_padding ? Proximity::kCollision : proximity;
+}
+
+bool CollisionChecker::pair_is_nearer_than(int pair, double tolerance) {
+  if (const LinkConstraint* constraint = world_->constraint(pair)) {
+    return constraint->slack(X_BL_) < tolerance;
+  }
+  ++counts_.pair_distances;
+  return do_pair_is_nearer_than(pair, tolerance + world_->padding(pair));
 }
 
 DistanceRange CollisionChecker::do_pair_distance_range(int pair, double enough, double /*share*/) {
@@ -233,8 +240,8 @@ bool is_closer_than(CollisionChecker& checker, const Configuration& q, double di
   checker.place(q);
   PairIndices near;
   checker.near_pairs(distance, near);
-  return std::ranges::any_of(
-      near, [&](int pair) { return checker.pair_proximity(pair, distance) != Proximity::kClear; });
+  return std::ranges::any_of(near,
+                             [&](int pair) { return checker.pair_is_nearer_than(pair, distance); });
 }
 
 }  // namespace handway::geometric

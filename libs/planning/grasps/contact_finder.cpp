@@ -29,7 +29,7 @@ std::vector<LinkContact> ContactFinder::contacts(geometric::CollisionChecker& ch
                                                  double tolerance) {
   std::vector<LinkContact> found;
   for (const int pair : pairs_) {
-    if (checker.pair_proximity(pair, tolerance) != geometric::Proximity::kClear) {
+    if (checker.pair_is_nearer_than(pair, tolerance)) {
       add_contacts(pair, X_WA(pair, checker.link_poses()), tolerance, found);
     }
   }

@@ -130,7 +130,7 @@ bool FingerClosing::keeps_gap(const Configuration& q, std::vector<MovedCheck>& c
     const double gap = moved.concern == Concern::kObject ? limits.object_gap
                        : moved.concern == Concern::kHand ? limits.own_gap
                                                          : 0.0;
-    return gap > 0.0 ? checker_.pair_proximity(moved.check, gap) == geometric::Proximity::kClear
+    return gap > 0.0 ? !checker_.pair_is_nearer_than(moved.check, gap)
                      : !checker_.pair_collides(moved.check);
   };
   const auto broken = std::ranges::find_if_not(checks, keeps);

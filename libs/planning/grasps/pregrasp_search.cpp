@@ -59,6 +59,8 @@ constexpr double kHoldWeight = 0.6;         // share of the score that is lost t
 constexpr double kSurfaceSpacing = 0.004;   // m
 constexpr int kLeastSamples = 1024;         // before a search ends early …
 constexpr int kSamplesWithoutGain = 384;  // … since so many samples made a full list no better, …
+constexpr int kGoodPatience = 192;        // … or so many one whose mean score is …
+constexpr double kGoodScore = 0.85;       // … at least this, …
 constexpr int kMorePatience = 2048;       // … or so many a shorter one
 constexpr double kScoreGain = 0.01;       // of a score
 constexpr double kEpsilonWeight = 0.7;    // share of the score
@@ -348,7 +350,9 @@ class PregraspSearch {
     const Place place{preshape, palm_at(preshape, chord, random),
                       chords_.core(chord.centre, kCoreShare * chord.length + kCoreRoom)};
     const Configuration opened = hand_.with_hand(problem_.start, preshape.open);
-    try_place(place, ik_.all(opened, X_BO_ * place.X_OP), judges, result);
+    const Pose X_BP = X_BO_ * place.X_OP;
+    try_place(
+        place, ik_.all(opened, X_BP, 1), [&] { return ik_.all(opened, X_BP); }, judges, result);
     return result;
   }
 
@@ -358,8 +362,12 @@ class PregraspSearch {
     const Place place = beside(candidate.place, random);
     PalmMove moved =
         ik_.moved(hand_.with_hand(candidate.grasp.q, place.preshape.open), X_BO_ * place.X_OP);
-    try_place(place, moved.reached ? std::vector{std::move(moved.q)} : std::vector<Configuration>(),
-              false, result);
+    std::vector<Configuration> reached;
+    if (moved.reached) {
+      reached.push_back(std::move(moved.q));
+    }
+    try_place(
+        place, reached, [] { return std::vector<Configuration>(); }, false, result);
     if (result.candidate &&
         !measure(*result.candidate, needed_epsilon(candidate, *result.candidate))) {
       result.candidate.reset();
@@ -411,32 +419,36 @@ class PregraspSearch {
 
  private:
   /// Closes the hand at a place and sets the result's end.
-  /// @param solutions configurations with the opened hand there.
-  void try_place(const Place& place, const std::vector<Configuration>& solutions, bool judges,
-                 SampleResult& result) {
+  /// @param reached a configuration with the opened hand there; none if the arm does not get there.
+  /// @param others returns other postures of the arm, for the case that the first one collides.
+  template <typename Others>
+  void try_place(const Place& place, const std::vector<Configuration>& reached,
+                 const Others& others, bool judges, SampleResult& result) {
     last_pair_ = 0;  // of this place alone: which pair is looked at first counts as work
-    if (solutions.empty()) {
+    if (reached.empty()) {
       result.end = SampleEnd::kOutOfReach;
       return;
     }
-    const Configuration wider = opened_wider(solutions.front(), place.core);
-    for (Configuration q : solutions) {  // the hand is at the same place in all of them
-      q = hand_in(std::move(q), wider);
-      const std::optional<int> pair = colliding(q);
-      if (!pair && keeps_gaps()) {
-        const Pose X_PO = object_in_palm(q);
-        q = closing_->all_closed(std::move(q), place.core, X_PO,
-                                 {.object_gap = options_.gap, .own_gap = options_.own_gap}, stop_);
-        result.candidate = candidate_of(q, place);
-        result.end = result.candidate ? SampleEnd::kFound : SampleEnd::kOneSided;
-        return;
-      }
-      if (!pair || is_of_hand(*pair)) {
-        break;
+    const Configuration wider = opened_wider(reached.front(), place.core);
+    Configuration q = wider;
+    std::optional<int> pair = colliding(q);
+    if (pair && !is_of_hand(*pair)) {  // the hand is at the same place for all postures of the arm
+      for (Configuration other : others()) {
+        q = hand_in(std::move(other), wider);
+        pair = colliding(q);
+        if (!pair) {
+          break;
+        }
       }
     }
-    if (judges) {
-      judge(hand_in(solutions.front(), wider), result);
+    if (!pair && keeps_gaps()) {
+      const Pose X_PO = object_in_palm(q);
+      q = closing_->all_closed(std::move(q), place.core, X_PO,
+                               {.object_gap = options_.gap, .own_gap = options_.own_gap}, stop_);
+      result.candidate = candidate_of(q, place);
+      result.end = result.candidate ? SampleEnd::kFound : SampleEnd::kOneSided;
+    } else if (judges) {
+      judge(wider, result);
     }
   }
 
@@ -509,7 +521,7 @@ class PregraspSearch {
     }
     const geometric::CollisionWorld& world = checker_->world();
     for (int check = 0; check < world.check_count(); ++check) {
-      if (checker_->pair_proximity(check, 0.0) == geometric::Proximity::kClear) {
+      if (!checker_->pair_collides(check)) {
         continue;
       }
       const geometric::NamedPair pair = geometric::named_pair(world, check, 0.0);
@@ -565,9 +577,8 @@ class PregraspSearch {
   /// Checks the gaps of the configuration that was placed last.
   bool keeps_gaps() {
     const auto keep = [this](const std::vector<int>& pairs, double gap) {
-      return std::ranges::all_of(pairs, [&](int pair) {
-        return checker_->pair_proximity(pair, gap) == geometric::Proximity::kClear;
-      });
+      return std::ranges::all_of(
+          pairs, [&](int pair) { return !checker_->pair_is_nearer_than(pair, gap); });
     };
     return keep(with_object_, options_.gap) && keep(of_hand_, options_.own_gap);
   }
@@ -598,7 +609,7 @@ class PregraspSearch {
     return std::ranges::any_of(with_object_, [&](int pair) {
       const int link = world.body(world.pairs()[static_cast<std::size_t>(pair)].a).link;
       return std::ranges::count(links, link) > 0 &&
-             checker_->pair_proximity(pair, options_.gap) != geometric::Proximity::kClear;
+             checker_->pair_is_nearer_than(pair, options_.gap);
     });
   }
 
@@ -745,13 +756,19 @@ class Patience {
       best_ = found.front().score;
       since_ = samples;
     }
-    const int patience =
-        static_cast<int>(found.size()) >= most_ ? kSamplesWithoutGain : kMorePatience;
-    ended_ = !found.empty() && samples >= kLeastSamples && samples - since_ >= patience;
+    ended_ = !found.empty() && samples >= kLeastSamples && samples - since_ >= patience(found, sum);
   }
   [[nodiscard]] bool ended() const { return ended_; }
 
  private:
+  /// Samples without gain that end the search. @param sum of the scores.
+  [[nodiscard]] int patience(const std::vector<Pregrasp>& found, double sum) const {
+    if (static_cast<int>(found.size()) < most_) {
+      return kMorePatience;
+    }
+    return sum >= kGoodScore * most_ ? kGoodPatience : kSamplesWithoutGain;
+  }
+
   int most_;
   double sum_ = 0.0;
   double best_ = 0.0;

@@ -19,9 +19,8 @@ using geometric::Pose;
 using geometric::RobotModel;
 
 constexpr std::ptrdiff_t kPoseFreedoms = 6;
-constexpr double kBend = 0.05;    // rad
-constexpr int kMostPostures = 4;  // postures of an arm without closed form
-constexpr double kBetter = 0.9;   // share of the remaining distance that justifies a jump
+constexpr double kBend = 0.05;   // rad
+constexpr double kBetter = 0.9;  // share of the remaining distance that justifies a jump
 
 // Returns those of the variables that move the link.
 JointIndices that_move(const RobotModel& model, int link, const JointIndices& variables) {
@@ -94,10 +93,10 @@ PalmMove PalmIk::moved(const Configuration& q, const Pose& X_BP) const {
   return {found.q, found.converged};
 }
 
-std::vector<Configuration> PalmIk::all(const Configuration& q, const Pose& X_BP) const {
+std::vector<Configuration> PalmIk::all(const Configuration& q, const Pose& X_BP, int most) const {
   if (!closed_form_) {
     return geometric::reach_ball(*model_, palm_, arm_, q).contains(X_BP.translation())
-               ? searching_->find_several(X_BP, q, kMostPostures)
+               ? searching_->find_several(X_BP, q, most)
                : std::vector<Configuration>();
   }
   std::vector<Configuration> postures;

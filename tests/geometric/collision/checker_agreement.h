@@ -65,6 +65,8 @@ class CheckerAgreement {
         if (tolerance <= enough && std::abs(distance - tolerance) > kRounding) {
           ASSERT_EQ(bounded_.pair_proximity(pair, tolerance), proximity(pair, distance, tolerance))
               << name(pair) << " within " << tolerance << " m at " << q.transpose();
+          ASSERT_EQ(bounded_.pair_is_nearer_than(pair, tolerance), distance < tolerance)
+              << name(pair) << " nearer than " << tolerance << " m at " << q.transpose();
         }
       }
     }

@@ -1,4 +1,6 @@
-#include "handway/geometric/collision/narrow_phase/contact.h"
+#include "handway/geometric/collision/narrow_phase/closest_points.h"
+
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>
@@ -49,6 +51,30 @@ TEST(ClosestPoints, AreNoneOfWhatTouchesOrIsNotThere) {
   Scene scene = scene_of(test::gantry(Sphere{0.1}));
   ClosestPointFinder finder(std::make_shared<const CollisionWorld>(scene));
   EXPECT_FALSE(finder.between("probe", "nothing", Eigen::Vector3d::Zero()));
+}
+
+TEST(ClosestPoints, AreAsFarApartAsFclMeasures) {
+  Scene scene = scene_of(test::gantry(Cylinder{0.1, 0.3}));
+  add_object(scene, "ball", Sphere{0.15}, Pose::Identity());
+  const auto world = std::make_shared<const CollisionWorld>(scene);
+  const int pair = world->pairs_with("ball").front();
+  ClosestPointFinder finder(world);
+  FclChecker checker(world);
+  int apart = 0;
+  for (const double x : {-0.5, -0.3, -0.26, 0.1, 0.27, 0.8}) {
+    for (const double z : {-0.4, -0.31, 0.05, 0.302, 0.5}) {
+      const Configuration q = Eigen::Vector3d(x, 0.07, z);
+      checker.place(q);
+      const double distance = checker.pair_distance(pair, 10.0);
+      const auto points = finder.between("probe", "ball", q);
+      ASSERT_EQ(points.has_value(), distance > 0.0) << q.transpose();
+      if (points) {
+        ++apart;
+        EXPECT_NEAR((points->p_WA - points->p_WB).norm(), distance, 1e-9) << q.transpose();
+      }
+    }
+  }
+  EXPECT_GT(apart, 20);
 }
 
 TEST(ClosestPoints, AreLookedForAsFarAsIsEnough) {

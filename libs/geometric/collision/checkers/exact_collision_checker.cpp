@@ -23,9 +23,7 @@ constexpr double kRemembered = 0.005;   // m: distances in tables are cut off he
 constexpr double kFineEnough = 0.0005;  // m: spheres need not be finer than this
 constexpr int kQuickNodes = 16;         // nodes of spheres that a bound is worth …
 constexpr int kThorough = 1 << 20;      // … and that one to be remembered is
-constexpr std::size_t kPlainer = 8;     // times fewer triangles
 constexpr float kDeep = 0.6F;           // relative distance below which balls are looked at
-constexpr float kTiny = 0.4F;           // share of the other body's size
 
 }  // namespace
 
@@ -54,22 +52,10 @@ struct ExactCollisionChecker::Volumes {
     });
   }
 
-  // A mesh's spheres are tested against a primitive, whose distance is exact everywhere. Otherwise
-  // the smaller body's spheres are tested in the larger one's field. But the field of a much
-  // simpler mesh has larger cells, and is better if the body is not tiny.
   [[nodiscard]] BodyPair spheres_first(const BodyPair& pair) const {
     const Surface& a = *surfaces[static_cast<std::size_t>(pair.a)];
     const Surface& b = *surfaces[static_cast<std::size_t>(pair.b)];
-    const bool a_is_primitive = a.field.primitive().has_value();
-    if (a_is_primitive != b.field.primitive().has_value()) {
-      return a_is_primitive ? BodyPair{pair.b, pair.a} : pair;
-    }
-    const bool a_is_smaller = a.cover.root().radius <= b.cover.root().radius;
-    const Surface& smaller = a_is_smaller ? a : b;
-    const Surface& larger = a_is_smaller ? b : a;
-    const bool plain = kPlainer * smaller.mesh->triangles.size() < larger.mesh->triangles.size() &&
-                       kTiny * larger.cover.root().radius < smaller.cover.root().radius;
-    return a_is_smaller != plain ? pair : BodyPair{pair.b, pair.a};
+    return gives_spheres(a, b) ? pair : BodyPair{pair.b, pair.a};
   }
 
   [[nodiscard]] std::vector<BoundingSphere> root_spheres() const {
@@ -250,6 +236,24 @@ bool ExactCollisionChecker::do_pair_collides(int pair) {
 
 Proximity ExactCollisionChecker::do_pair_proximity(int pair, double tolerance) {
   return root_bound(pair) >= tolerance ? Proximity::kClear : nearby_proximity(pair, tolerance);
+}
+
+bool ExactCollisionChecker::do_pair_is_nearer_than(int pair, double tolerance) {
+  if (tolerance < kTouch) {
+    return do_pair_collides(pair);
+  }
+  if (root_bound(pair) >= tolerance || is_separated(pair, tolerance)) {
+    return false;
+  }
+  NarrowPhaseQuery surfaces = query(pair, body_poses());
+  if (surfaces.may_be_nearer_than(kTouch) && surely_overlaps(pair, surfaces)) {
+    return true;
+  }
+  const bool is_nearer = surfaces.is_nearer_than(tolerance);
+  if (surfaces.was_exact()) {
+    count_exact_test();
+  }
+  return is_nearer || is_contained(pair, surfaces);
 }
 
 bool ExactCollisionChecker::boxes_are_apart(int pair, double distance) {

@@ -107,7 +107,7 @@ std::optional<int> ContinuousCollisionChecker::too_near(const Configuration& q) 
   const Eigen::VectorXd everything = Eigen::VectorXd::Ones(q.size());
   const auto too_near = std::ranges::find_if(pairs, [&](int pair) {
     return keeps_margin(checker_, pair) && bounds_->bound(pair, everything) > 0.0 &&
-           checker_.pair_proximity(pair, required(pair, q, 0.0)) != Proximity::kClear;
+           checker_.pair_is_nearer_than(pair, required(pair, q, 0.0));
   });
   return too_near == pairs.end() ? std::nullopt : std::optional(*too_near);
 }

@@ -14,52 +14,6 @@
 #include <utility>
 
 namespace handway::geometric {
-/// Trees of the requested bodies, and the bodies' poses.
-struct ClosestPointFinder::Trees {
-  FclTrees of_meshes;
-  std::vector<Pose> X_BL;
-  std::vector<Pose> X_WBody;
-
-  const FclTree* get(const CollisionBody& body) { return of_meshes.of(*body.mesh).get(); }
-};
-
-ClosestPointFinder::ClosestPointFinder(std::shared_ptr<const CollisionWorld> world)
-    : world_(std::move(world)), trees_(std::make_unique<Trees>()) {}
-
-ClosestPointFinder::~ClosestPointFinder() = default;
-
-std::optional<ClosestPoints> ClosestPointFinder::between(std::string_view a, std::string_view b,
-                                                         const Configuration& q) {
-  const auto& bodies = world_->bodies();
-  const auto find = [&](std::string_view name) {
-    return std::ranges::find(bodies, name, &CollisionBody::name);
-  };
-  const auto body_a = find(a);
-  const auto body_b = find(b);
-  if (body_a == bodies.end() || body_b == bodies.end()) {
-    return std::nullopt;
-  }
-  trees_->X_BL.resize(static_cast<std::size_t>(world_->model().link_count()));
-  trees_->X_WBody.resize(bodies.size());
-  world_->place(q, trees_->X_BL, trees_->X_WBody);
-  const auto a_index = static_cast<int>(body_a - bodies.begin());
-  const auto b_index = static_cast<int>(body_b - bodies.begin());
-  return between(a_index, b_index, trees_->X_WBody[static_cast<std::size_t>(a_index)],
-                 trees_->X_WBody[static_cast<std::size_t>(b_index)]);
-}
-
-std::optional<ClosestPoints> ClosestPointFinder::between(int a, int b, const Pose& X_WA,
-                                                         const Pose& X_WB, double enough) {
-  const fcl::DistanceRequestd request(true);
-  fcl::DistanceResultd result(enough);
-  fcl::distance(trees_->get(world_->body(a)), X_WA, trees_->get(world_->body(b)), X_WB, request,
-                result);
-  if (result.min_distance <= 0.0 || result.min_distance >= enough) {
-    return std::nullopt;
-  }
-  return ClosestPoints{result.nearest_points[0], result.nearest_points[1]};
-}
-
 namespace {
 
 constexpr double kPrecision = 1e-4;       // m

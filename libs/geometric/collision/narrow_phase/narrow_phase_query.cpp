@@ -11,12 +11,15 @@
 namespace handway::geometric {
 namespace {
 
-constexpr int kPatience = 3;  // nodes visited on the field's word alone
+constexpr int kPatience = 3;         // nodes visited on the field's word alone
+constexpr std::size_t kPlainer = 8;  // times fewer triangles
+constexpr float kTiny = 0.4F;        // share of the other body's size
 
-double triangle_distance(const TriangleCorners& s, const TriangleCorners& t) {
-  Eigen::Vector3d p;
-  Eigen::Vector3d q;
-  return fcl::detail::TriangleDistance<double>::triDistance(s.data(), t.data(), p, q);
+/// @param points set to the closest points of the triangles, in their common frame.
+double triangle_distance(const TriangleCorners& s, const TriangleCorners& t,
+                         ClosestPoints& points) {
+  return fcl::detail::TriangleDistance<double>::triDistance(s.data(), t.data(), points.p_WA,
+                                                            points.p_WB);
 }
 
 // Removes the sphere with the least bound.
@@ -35,6 +38,23 @@ std::size_t take_nearest(SphereBounds& bounds) {
 }
 
 }  // namespace
+
+// A mesh's spheres are tested against a primitive, whose distance is exact everywhere. Otherwise
+// the smaller body's spheres are tested in the larger one's field. But the field of a much
+// simpler mesh has larger cells, and is better if the body is not tiny.
+bool gives_spheres(const Surface& a, const Surface& b) {
+  const bool a_is_primitive = a.field.primitive().has_value();
+  if (a_is_primitive != b.field.primitive().has_value()) {
+    return !a_is_primitive;
+  }
+  const bool a_is_smaller = a.cover.root().radius <= b.cover.root().radius;
+  const Surface& smaller = a_is_smaller ? a : b;
+  const Surface& larger = a_is_smaller ? b : a;
+  const bool is_plainer =
+      kPlainer * smaller.mesh->triangles.size() < larger.mesh->triangles.size() &&
+      kTiny * larger.cover.root().radius < smaller.cover.root().radius;
+  return a_is_smaller != is_plainer;
+}
 
 NarrowPhaseQuery::NarrowPhaseQuery(const Surface& a, const Surface& b, const Pose& X_WA,
                                    const Pose& X_WB, std::vector<std::uint32_t>& near)
@@ -108,6 +128,13 @@ DistanceRange NarrowPhaseQuery::distance(double enough, double share) {
   return {reach_, least_ < enough ? least_ : std::numeric_limits<double>::infinity()};
 }
 
+std::optional<ClosestPoints> NarrowPhaseQuery::closest_points(double enough) {
+  if (const double distance = this->distance(enough).upper; distance <= 0.0 || distance >= enough) {
+    return std::nullopt;
+  }
+  return ClosestPoints{X_WB_ * closest_B_.p_WA, X_WB_ * closest_B_.p_WB};
+}
+
 bool NarrowPhaseQuery::may_be_nearer_than(double tolerance) {
   start(tolerance);
   return root_is_near();
@@ -119,19 +146,19 @@ bool NarrowPhaseQuery::cuts(const InnerBall& ball) const {
          b_.triangles->is_surely_nearer_than(centre, ball.radius);
 }
 
-Proximity NarrowPhaseQuery::proximity(double tolerance) {
+bool NarrowPhaseQuery::is_nearer_than(double tolerance) {
   start(tolerance);
   ends_at_ = tolerance;
   visit_all();
-  if (least_ >= tolerance) {
+  return least_ < tolerance;
+}
+
+Proximity NarrowPhaseQuery::proximity(double tolerance) {
+  if (!is_nearer_than(tolerance)) {
     return Proximity::kClear;
   }
-  if (least_ >= kTouch) {  // closer than the tolerance: only touching is of interest now
-    start(kTouch);
-    ends_at_ = kTouch;
-    visit_all();
-  }
-  return least_ < kTouch ? Proximity::kCollision : Proximity::kWithinTolerance;
+  return least_ < kTouch || is_nearer_than(kTouch) ? Proximity::kCollision
+                                                   : Proximity::kWithinTolerance;
 }
 
 void NarrowPhaseQuery::visit_all() {
@@ -217,7 +244,12 @@ void NarrowPhaseQuery::compare_triangle(const TriangleCorners& s) {
     if (!plane.is_beside(t, reach_) && !TrianglePlane(t).is_beside(s, reach_)) {
       // In a search for contact, most pairs left by planes cross; otherwise hardly any.
       const bool touch = ends_at_ > 0.0 && surely_cross(s, t);
-      found(touch ? 0.0 : triangle_distance(s, t));
+      ClosestPoints points;
+      const double distance = touch ? 0.0 : triangle_distance(s, t, points);
+      if (distance < least_) {
+        closest_B_ = points;
+      }
+      found(distance);
       if (least_ < ends_at_ || least_ <= 0.0) {
         return;
       }

@@ -4,12 +4,18 @@
 #include "collision/volumes/sphere_tree.h"
 #include "collision/volumes/triangle_tree.h"
 #include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/narrow_phase/closest_points.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace handway::geometric {
+
+/// Returns whether `a` gives the spheres and `b` the distance field of a query about both;
+/// otherwise the query is faster the other way round.
+[[nodiscard]] bool gives_spheres(const Surface& a, const Surface& b);
 
 /// Queries about two surfaces in one position: spheres of A in the distance field of B leave a few
 /// triangles, which are compared one by one.
@@ -28,6 +34,10 @@ class NarrowPhaseQuery {
   /// that far apart; 0 where they surely cross. A smaller `enough` ends sooner.
   [[nodiscard]] DistanceRange distance(double enough, double share = 0.0);
 
+  /// The closest points of the surfaces, in the world; nothing if they touch or are `enough` (m) or
+  /// more apart.
+  [[nodiscard]] std::optional<ClosestPoints> closest_points(double enough);
+
   /// Returns whether the sphere around A allows surfaces closer than `tolerance` (m).
   [[nodiscard]] bool may_be_nearer_than(double tolerance);
 
@@ -38,7 +48,10 @@ class NarrowPhaseQuery {
   /// Returns whether B's surface certainly cuts a ball inside A. @pre may_be_nearer_than()
   [[nodiscard]] bool cuts(const InnerBall& ball) const;
 
-  /// Returns whether the surfaces are closer than `tolerance` (m). "Touching" below kTouch.
+  /// Returns whether the surfaces are closer than `tolerance` (m).
+  [[nodiscard]] bool is_nearer_than(double tolerance);
+
+  /// Compares the distance of the surfaces with `tolerance` (m). "Touching" below kTouch.
   [[nodiscard]] Proximity proximity(double tolerance);
 
   /// Returns whether the sphere around A was found clear of B's surface: then A is inside or
@@ -94,6 +107,7 @@ class NarrowPhaseQuery {
   bool exact_ = false;
   bool tried_hulls_ = false;
   float relative_distance_ = 0.0F;
+  ClosestPoints closest_B_;           ///< Points at `least_` of the triangles compared, in B.
   double hull_gap_ = 0.0;             ///< m: the hulls are known to be that far apart.
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
 };

@@ -104,8 +104,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
     return {std::max(0.0, lower - padding), std::max(0.0, upper - padding)};
   }
 
-  /// Returns whether the pair is closer than `tolerance` (m). Cheaper than its distance.
+  /// Compares the pair's distance with `tolerance` (m). Cheaper than its distance.
   [[nodiscard]] Proximity pair_proximity(int pair, double tolerance);
+
+  /// Returns whether the pair is closer than `tolerance` (m) or in collision. Cheaper than
+  /// pair_proximity().
+  [[nodiscard]] bool pair_is_nearer_than(int pair, double tolerance);
 
   /// A cheap lower bound of the pair's distance, at most `enough`; it may be far below the
   /// distance.
@@ -172,6 +176,9 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   [[nodiscard]] virtual double do_pair_distance(int pair, double enough) = 0;
   [[nodiscard]] virtual DistanceRange do_pair_distance_range(int pair, double enough, double share);
   [[nodiscard]] virtual Proximity do_pair_proximity(int pair, double tolerance);
+  [[nodiscard]] virtual bool do_pair_is_nearer_than(int pair, double tolerance) {
+    return do_pair_proximity(pair, tolerance) != Proximity::kClear;
+  }
   [[nodiscard]] virtual double do_pair_bound(int pair, double enough) {
     return do_pair_distance(pair, enough);
   }

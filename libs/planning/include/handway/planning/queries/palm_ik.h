@@ -41,10 +41,14 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
   /// @throws InputError if X_BP is no rigid transform or `q` not a configuration.
   [[nodiscard]] PalmMove moved(const Configuration& q, const geometric::Pose& X_BP) const;
 
+  /// Postures of an arm without closed form that all() returns at most.
+  static constexpr int kMostPostures = 4;
+
   /// Arm postures that reach X_BP, nearest to `q` first: one for each branch, or, without a closed
-  /// form, up to four from iterations with several starts. Same arguments, same bits.
-  [[nodiscard]] std::vector<Configuration> all(const Configuration& q,
-                                               const geometric::Pose& X_BP) const;
+  /// form, the first `most` that are found by iterations with several starts. Same arguments, same
+  /// bits.
+  [[nodiscard]] std::vector<Configuration> all(const Configuration& q, const geometric::Pose& X_BP,
+                                               int most = kMostPostures) const;
 
   /// Returns whether the arm has a null space: more joints than the palm's pose needs.
   [[nodiscard]] bool is_redundant() const;

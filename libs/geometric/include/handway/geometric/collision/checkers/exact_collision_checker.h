@@ -36,6 +36,7 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   [[nodiscard]] DistanceRange do_pair_distance_range(int pair, double enough,
                                                      double share) override;
   [[nodiscard]] Proximity do_pair_proximity(int pair, double tolerance) override;
+  [[nodiscard]] bool do_pair_is_nearer_than(int pair, double tolerance) override;
   [[nodiscard]] double do_pair_bound(int pair, double enough) override;
   [[nodiscard]] double do_pair_quick_bound(int pair) override;
   void do_near_pairs(double distance, PairIndices& pairs) override;
