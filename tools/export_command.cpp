@@ -46,7 +46,7 @@ int run_export(ExportChoice choice) {
     throw CLI::RequiredError("path");
   }
   const planning::Exporter& exporter = plugins.exporter(choice.to);
-  choice.timing.settings.blend = choice.timing.settings.blend && !exporter.stops_at_waypoints();
+  choice.timing.settings = exporter.settings_for(choice.timing.settings);
   const planning::TimedPath timed = run_timing(choice.timing, plugins);
   std::vector<std::filesystem::path> written;
   if (timed.cleared()) {
@@ -69,9 +69,10 @@ void add_export_command(CLI::App& app, int& exit_code) {
   command->get_option("path")->required(false)->description(
       "Path (CSV); omit it to export a scene");
   command
-      ->add_option("--to", choice->to,
-                   "Format of a path: csv, split, val3, ros, moveit, or a plugin's; of a scene: "
-                   "gltf, moveit-scene")
+      ->add_option(
+          "--to", choice->to,
+          "Format of a path: csv, split, urscript, urscript-servo, krl, rapid, val3, franka, "
+          "ros, moveit, or a plugin's; of a scene: gltf, moveit-scene")
       ->required();
   command->add_option("--out", choice->out, "Folder for the files; created if it does not exist")
       ->required();

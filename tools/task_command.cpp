@@ -6,8 +6,11 @@
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
 #include "handway/planning/tasks/task.h"
+#include "handway/planning/tasks/timed_task.h"
 #include "handway/planning/timing/time_path.h"
+#include "handway/planning/timing/timing_settings.h"
 #include "numbers.h"
+#include "parameter_options.h"
 #include "printing.h"
 #include "task_request.h"
 #include "terminal.h"
@@ -17,7 +20,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -38,52 +42,45 @@ using planning::TimedPath;
 
 struct TaskCommand {
   TaskRequest request;
-  double speed = 1.0;
+  planning::TimingSettings timing;
   fs::path out;
+  std::vector<std::string> formats;  ///< Of exporters.
+  planning::ExportOptions export_options;
 };
 
-/// A stage, timed.
-struct TimedStage {
-  const TaskStage& stage;
-  std::string file;  ///< Its name without an ending: "01-approach".
-  TimedPath timed;
-};
+/// Results of the command.
+struct PlannedTask {
+  planning::Task task;
+  TaskPlan plan;
+  planning::TimedTask timed;
 
-std::vector<TimedStage> timed_stages(const TaskPlan& plan, double speed) {
-  std::vector<TimedStage> stages;
-  for (const TaskStage& stage : plan.stages) {
-    std::string file = fmt::format("{:02}-{}", stages.size() + 1, to_string(stage.kind));
-    planning::TimingOptions timing;
-    timing.speed = speed;
-    TimedPath timed = time_stage(stage, planning::motion_name(file), timing);
-    stages.push_back({stage, std::move(file), std::move(timed)});
+  /// Name of the files of a stage without an ending: "01-approach".
+  [[nodiscard]] std::string file_of(std::size_t stage) const {
+    return fmt::format("{:02}-{}", stage + 1, to_string(plan.stages[stage].kind));
   }
-  return stages;
-}
+  [[nodiscard]] double duration() const {
+    double sum = 0.0;
+    for (const TimedPath& stage : timed.stages) {
+      sum += stage.preflight.duration;
+    }
+    return sum;
+  }
+};
 
 // Rows of all stages: the stage, seconds from the begin of the task, and the joints that move.
-std::string program_csv(const std::vector<TimedStage>& stages) {
-  const geometric::RobotModel& model = *stages.front().timed.motion.model;
+std::string program_csv(const planning::Motion& motion) {
   std::string text = "stage,time";
-  for (int v = 0; v < model.variable_count(); ++v) {
-    text += "," + model.variable(v).name;
+  for (int v = 0; v < motion.model->variable_count(); ++v) {
+    text += "," + motion.model->variable(v).name;
   }
   text += '\n';
-  double begin = 0.0;
-  for (const TimedStage& stage : stages) {
-    const planning::Trajectory& trajectory = stage.timed.motion.trajectory;
-    for (const planning::TrajectoryPoint& point : trajectory.points) {
-      if (begin > 0.0 && point.time == 0.0) {
-        continue;  // the end of the stage before
-      }
-      fmt::format_to(std::back_inserter(text), "{},{}", to_string(stage.stage.kind),
-                     planning::csv_time(begin + point.time));
-      for (const double value : point.position) {
-        fmt::format_to(std::back_inserter(text), ",{}", value);
-      }
-      text += '\n';
+  for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
+    fmt::format_to(std::back_inserter(text), "{},{}", stage_at(motion, point.time)->name,
+                   planning::csv_time(point.time));
+    for (const double value : point.position) {
+      fmt::format_to(std::back_inserter(text), ",{}", value);
     }
-    begin += trajectory.duration();
+    text += '\n';
   }
   return text;
 }
@@ -96,73 +93,75 @@ Json json_of(const planning::StageTrials& trials) {
           {"reason", trials.reason}, {"configuration", list_of(trials.q)}};
 }
 
-Json json_of(const TimedStage& stage) {
-  const planning::PreflightReport& checked = stage.timed.preflight;
-  Json json = {{"step", stage.stage.step + 1},
-               {"stage", to_string(stage.stage.kind)},
-               {"scene", stage.file + ".yaml"},
-               {"path", stage.file + ".csv"},
-               {"carried", stage.stage.carried},
-               {"waypoints", stage.stage.path.waypoints.size()},
-               {"deviation_mm", geometric::millimetres(stage.stage.deviation)},
-               {"cleared", stage.timed.cleared()},
+Json json_of(const PlannedTask& planned, std::size_t index) {
+  const TaskStage& stage = planned.plan.stages[index];
+  const TimedPath& timed = planned.timed.stages[index];
+  const planning::PreflightReport& checked = timed.preflight;
+  Json json = {{"step", stage.step + 1},
+               {"stage", to_string(stage.kind)},
+               {"scene", planned.file_of(index) + ".yaml"},
+               {"path", planned.file_of(index) + ".csv"},
+               {"carried", stage.carried},
+               {"waypoints", stage.path.waypoints.size()},
+               {"deviation_mm", geometric::millimetres(stage.deviation)},
+               {"cleared", timed.cleared()},
                {"duration_s", checked.duration},
                {"min_clearance_mm", geometric::millimetres(checked.min_clearance)},
                {"closest_pair", checked.closest_pair}};
-  if (stage.stage.squeezed.size() > 0) {
-    json["squeeze"] = list_of(stage.stage.squeezed);
+  if (stage.squeezed.size() > 0) {
+    json["squeeze"] = list_of(stage.squeezed);
   }
   return json;
 }
 
-std::string report_of(const TaskCommand& command, const planning::Task& task, const TaskPlan& plan,
-                      const std::vector<TimedStage>& stages) {
+std::string report_of(const TaskCommand& command, const PlannedTask& planned) {
   Json steps = Json::array();
-  for (const planning::TaskStep& step : task) {
+  for (const planning::TaskStep& step : planned.task) {
     steps.push_back(to_string(step));
   }
-  Json planned = Json::array();
-  double duration = 0.0;
-  for (const TimedStage& stage : stages) {
-    planned.push_back(json_of(stage));
-    duration += stage.timed.preflight.duration;
+  Json stages = Json::array();
+  for (std::size_t i = 0; i < planned.timed.stages.size(); ++i) {
+    stages.push_back(json_of(planned, i));
   }
   Json trials = Json::array();
-  for (const planning::StageTrials& one : plan.trials) {
+  for (const planning::StageTrials& one : planned.plan.trials) {
     trials.push_back(json_of(one));
   }
-  const Json report = {{"solved", plan.solved},
-                       {"reason", plan.reason},
+  const Json report = {{"solved", planned.plan.solved},
+                       {"reason", planned.plan.reason},
                        {"steps", steps},
-                       {"stages", planned},
+                       {"stages", stages},
                        {"trials", trials},
-                       {"duration_s", duration},
+                       {"duration_s", planned.duration()},
                        {"seed", command.request.options.seed},
                        {"threads", command.request.options.threads},
-                       {"time_s", plan.time_s},
+                       {"time_s", planned.plan.time_s},
                        {"version", kVersion}};
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void print_stages(const planning::Task& task, const std::vector<TimedStage>& stages) {
+void print_stages(const PlannedTask& planned) {
   print_out("{:<24} {:<9} {:>9} {:>8} {:>10}  {}\n", "step", "stage", "waypoints", "time, s",
             "clear, mm", "nearest");
-  for (const TimedStage& stage : stages) {
-    const planning::PreflightReport& checked = stage.timed.preflight;
-    print_out("{:<24} {:<9} {:>9} {:>8.2f} {:>10.2f}  {}\n", to_string(task[stage.stage.step]),
-              to_string(stage.stage.kind), stage.stage.path.waypoints.size(), checked.duration,
+  for (std::size_t i = 0; i < planned.timed.stages.size(); ++i) {
+    const TaskStage& stage = planned.plan.stages[i];
+    const planning::PreflightReport& checked = planned.timed.stages[i].preflight;
+    print_out("{:<24} {:<9} {:>9} {:>8.2f} {:>10.2f}  {}\n", to_string(planned.task[stage.step]),
+              to_string(stage.kind), stage.path.waypoints.size(), checked.duration,
               geometric::millimetres(checked.min_clearance), checked.closest_pair);
   }
 }
 
 // Writes the scene and the path of each stage, and all of them as one table.
-void write_stages(const fs::path& folder, const std::vector<TimedStage>& stages) {
-  for (const TimedStage& stage : stages) {
-    geometric::write_scene(*stage.stage.state.scene, folder / (stage.file + ".yaml"));
-    planning::write_path_csv(stage.stage.path, *stage.timed.motion.model,
-                             folder / (stage.file + ".csv"));
+void write_stages(const fs::path& folder, const PlannedTask& planned) {
+  for (std::size_t i = 0; i < planned.plan.stages.size(); ++i) {
+    const TaskStage& stage = planned.plan.stages[i];
+    const std::string file = planned.file_of(i);
+    geometric::write_scene(*stage.state.scene, folder / (file + ".yaml"));
+    planning::write_path_csv(stage.path, *planned.timed.stages[i].motion.model,
+                             folder / (file + ".csv"));
   }
-  geometric::replace_file(folder / "task.csv", program_csv(stages));
+  geometric::replace_file(folder / "task.csv", program_csv(planned.timed.motion));
 }
 
 void make_folder(const fs::path& folder) {
@@ -174,44 +173,135 @@ void make_folder(const fs::path& folder) {
   }
 }
 
-// Returns whether all stages pass the pre-flight check, and names those that do not.
-bool are_cleared(const std::vector<TimedStage>& stages) {
-  bool cleared = true;
-  for (const TimedStage& stage : stages) {
-    if (!stage.timed.cleared()) {
-      print_error("handway: the stage {} does not pass the pre-flight check. {}\n", stage.file,
-                  to_text(stage.timed.preflight));
-      cleared = false;
+// Names the stages that do not pass the pre-flight check.
+void print_faults(const PlannedTask& planned, const std::string& format) {
+  for (std::size_t i = 0; i < planned.timed.stages.size(); ++i) {
+    const TimedPath& stage = planned.timed.stages[i];
+    if (!stage.cleared()) {
+      print_error("handway: the stage {} does not pass the pre-flight check{}. {}\n",
+                  planned.file_of(i), format.empty() ? "" : " for " + format,
+                  stage.blends.fault.empty() ? to_text(stage.preflight) : stage.blends.fault);
     }
   }
-  return cleared;
 }
+
+planning::TimedTask time_planned(const TaskCommand& command, const PlannedTask& planned,
+                                 const planning::TimingSettings& settings,
+                                 const std::stop_token& stop) {
+  if (planned.plan.stages.empty()) {
+    return {};
+  }
+  const geometric::Scene& scene = *planned.plan.stages.front().state.scene;
+  planning::TimingOptions options = timing_options(settings, *scene.robots.front().model);
+  options.stop = stop;
+  return time_task(planned.task, planned.plan,
+                   planning::motion_name(command.request.scene.stem().string()), options);
+}
+
+/// Writes a task in the formats of exporters. All files are made before the first is written.
+class TaskExport {
+ public:
+  TaskExport(const TaskCommand& command, const planning::PluginManager& plugins)
+      : command_(command) {
+    for (const std::string& format : command.formats) {
+      exporters_.push_back(&plugins.exporter(format));
+    }
+  }
+
+  /// Makes the files of all formats. @returns false if the task does not pass the pre-flight check
+  /// as one of them needs it timed.
+  bool make(const PlannedTask& planned, const std::stop_token& stop) {
+    for (const planning::Exporter* exporter : exporters_) {
+      PlannedTask timed_for = planned;
+      const planning::TimingSettings settings = exporter->settings_for(command_.timing);
+      if (!(settings == command_.timing)) {
+        timed_for.timed = time_planned(command_, planned, settings, stop);
+        if (!timed_for.timed.cleared()) {
+          print_faults(timed_for, exporter->name());
+          return false;
+        }
+      }
+      add(exporter->files(timed_for.timed.motion, command_.export_options));
+    }
+    return true;
+  }
+
+  void write() const {
+    for (const fs::path& file : planning::write_files(files_, command_.out)) {
+      print_out("{}\n", file.string());
+    }
+  }
+
+ private:
+  // Adds files, but not those that another format has made, too: the targets of the hand.
+  void add(std::vector<planning::ExportedFile> files) {
+    for (planning::ExportedFile& file : files) {
+      if (std::ranges::find(files_, file.name, &planning::ExportedFile::name) == files_.end()) {
+        files_.push_back(std::move(file));
+      }
+    }
+  }
+
+  const TaskCommand& command_;
+  std::vector<const planning::Exporter*> exporters_;
+  std::vector<planning::ExportedFile> files_;
+};
 
 int plan(TaskCommand& command) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
+  TaskExport exported(command, plugins);
   if (!command.out.empty()) {
     make_folder(command.out);
   }
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
-  const auto [task, plan] = plan_requested(command.request, plugins, stop.get_token());
-  const std::vector<TimedStage> stages = timed_stages(plan, command.speed);
+  auto [task, plan] = plan_requested(command.request, plugins, stop.get_token());
+  PlannedTask planned{std::move(task), std::move(plan), {}};
+  planned.timed = time_planned(command, planned, command.timing, {});
   if (!command.out.empty()) {
-    geometric::replace_file(command.out / "report.json", report_of(command, task, plan, stages));
+    geometric::replace_file(command.out / "report.json", report_of(command, planned));
   }
-  if (!plan.solved) {
-    return print_failure(task, plan);
+  if (!planned.plan.solved) {
+    return print_failure(planned.task, planned.plan);
   }
-  print_stages(task, stages);
-  print_out("Planned in {:.2f} s\n", plan.time_s);
-  if (!are_cleared(stages)) {
+  print_stages(planned);
+  print_out("Planned in {:.2f} s\n", planned.plan.time_s);
+  if (!planned.timed.cleared()) {
+    print_faults(planned, "");
+    return kNoPath;
+  }
+  if (!exported.make(planned, {})) {
     return kNoPath;
   }
   if (!command.out.empty()) {
-    write_stages(command.out, stages);
+    write_stages(command.out, planned);
+    exported.write();
   }
   return kDone;
+}
+
+void add_export_options(CLI::App& task, TaskCommand& command) {
+  CLI::Option* out = task.add_option(
+      "--out", command.out, "Folder for the report, the stages' scenes and paths, and programs");
+  CLI::Option* formats =
+      task.add_option("--export", command.formats,
+                      "Formats in which the whole task is written as one motion, as for export")
+          ->delimiter(',')
+          ->type_name("FORMAT,...")
+          ->needs(out);
+  task.add_option("--gripper-output", command.export_options.gripper_output,
+                  "Digital output that closes the hand, in programs for an arm")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(formats);
+  task.add_option("--gripper-time", command.export_options.gripper_time,
+                  "Least wait after the output is set, s")
+      ->check(number_in(0.0, 60.0))
+      ->capture_default_str()
+      ->needs(formats);
+  task.add_flag("--any-robot", command.export_options.any_robot,
+                "Export even if a format does not seem to suit this robot")
+      ->needs(formats);
 }
 
 }  // namespace
@@ -220,11 +310,9 @@ void add_task_command(CLI::App& app, int& exit_code) {
   auto command = std::make_shared<TaskCommand>();
   CLI::App* task = app.add_subcommand("task", "Plan a task: pick an object, carry it and place it");
   add_task_request(*task, command->request);
-  task->add_option("--speed", command->speed, "Share of full speed, in (0, 1]")
-      ->check(number_in(1e-3, 1.0))
-      ->capture_default_str();
-  task->add_option("--out", command->out,
-                   "Folder for the report, and the stages' scenes and paths");
+  add_parameter_options(*task, parameters_of(command->timing));
+  task->get_option("--no-blend")->excludes(task->get_option("--deviation"));
+  add_export_options(*task, *command);
   task->callback([command, &exit_code] { exit_code = plan(*command); });
 }
 

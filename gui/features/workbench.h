@@ -6,6 +6,7 @@
 #include "model/document/collision_monitor.h"
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
+#include "model/planning/motion_source.h"
 #include "model/planning/path_history.h"
 #include "model/planning/path_validity.h"
 #include "model/planning/plan_settings.h"
@@ -165,6 +166,8 @@ class Workbench : public QObject {
   void mesh_dropped(const QString& file);
   /// A file of a path was.
   void path_dropped(const QString& file);
+  /// A motion other than the played path is to be exported.
+  void export_wanted(const handway::gui::DerivedSource& source);
   /// Emitted when there is room in the view for the handles of the selection, or no more.
   void handles_welcome(bool welcome);
   void theme_changed();

@@ -20,8 +20,10 @@ class CsvTable {
  public:
   explicit CsvTable(const std::vector<std::string>& columns);
 
-  /// @param time s, the first column. @param values of all others.
-  void add_row(double time, const std::vector<double>& values);
+  /// @param time s, the first column. @param values of the next ones. @param stage text of the last
+  /// column; null: there is none.
+  void add_row(double time, const std::vector<double>& values,
+               const planning::MotionStage* stage = nullptr);
 
   [[nodiscard]] const std::string& text() const { return text_; }
 
@@ -32,13 +34,16 @@ class CsvTable {
 CsvTable::CsvTable(const std::vector<std::string>& columns)
     : text_(fmt::format("{}\n", fmt::join(columns, ","))) {}
 
-void CsvTable::add_row(double time, const std::vector<double>& values) {
-  text_ += fmt::format("{},{}\n", planning::csv_time(time), fmt::join(values, ","));
+void CsvTable::add_row(double time, const std::vector<double>& values,
+                       const planning::MotionStage* stage) {
+  text_ += fmt::format("{},{}", planning::csv_time(time), fmt::join(values, ","));
+  text_ += stage == nullptr ? "\n" : "," + stage->name + "\n";
 }
 
 }  // namespace
 
-std::vector<planning::ExportedFile> CsvExporter::do_export(const planning::Motion& motion) const {
+std::vector<planning::ExportedFile> CsvExporter::do_export(
+    const planning::Motion& motion, const planning::ExportOptions& /*options*/) const {
   const geometric::RobotModel& model = *motion.model;
   std::vector<std::string> columns = {"time"};
   for (int link = 1; link < model.link_count(); ++link) {
@@ -51,6 +56,9 @@ std::vector<planning::ExportedFile> CsvExporter::do_export(const planning::Motio
       columns.push_back(model.variable(v).name + rate);
     }
   }
+  if (!motion.stages.empty()) {
+    columns.emplace_back("stage");
+  }
   CsvTable table(columns);
   for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
     std::vector<double> row;
@@ -59,7 +67,7 @@ std::vector<planning::ExportedFile> CsvExporter::do_export(const planning::Motio
     }
     row.insert(row.end(), point.velocity.begin(), point.velocity.end());
     row.insert(row.end(), point.acceleration.begin(), point.acceleration.end());
-    table.add_row(point.time, row);
+    table.add_row(point.time, row, stage_at(motion, point.time));
   }
   return {{motion.name + ".csv", table.text()}};
 }
@@ -73,6 +81,9 @@ std::string table_of(const planning::Motion& motion, const std::vector<int>& var
       columns.push_back(motion.model->variable(v).name + rate);
     }
   }
+  if (!motion.stages.empty()) {
+    columns.emplace_back("stage");
+  }
   CsvTable table(columns);
   for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
     std::vector<double> row;
@@ -81,14 +92,15 @@ std::string table_of(const planning::Motion& motion, const std::vector<int>& var
         row.push_back((*values)[v]);
       }
     }
-    table.add_row(point.time, row);
+    table.add_row(point.time, row, stage_at(motion, point.time));
   }
   return table.text();
 }
 
 }  // namespace
 
-std::vector<planning::ExportedFile> SplitExporter::do_export(const planning::Motion& motion) const {
+std::vector<planning::ExportedFile> SplitExporter::do_export(
+    const planning::Motion& motion, const planning::ExportOptions& /*options*/) const {
   if (motion.arm.empty() || motion.hand.empty()) {
     throw geometric::InputError({"robot " + motion.model->name(), "",
                                  motion.arm.empty() ? "no arm" : "no hand",

@@ -5,8 +5,8 @@
 namespace handway::export_csv {
 
 /// One CSV of the whole robot, NAME.csv: `time` (s), every moving joint (rad or m), coupled ones
-/// included, then JOINT.velocity and JOINT.acceleration of the independent joints. It is a path
-/// file too: see read_path().
+/// included, then JOINT.velocity and JOINT.acceleration of the independent joints, and `stage` if
+/// the motion has stages. It is a path file too: see read_path().
 class CsvExporter final : public planning::Exporter {
  public:
   [[nodiscard]] std::string name() const override { return "csv"; }
@@ -16,12 +16,12 @@ class CsvExporter final : public planning::Exporter {
 
  private:
   [[nodiscard]] std::vector<planning::ExportedFile> do_export(
-      const planning::Motion& motion) const override;
+      const planning::Motion& motion, const planning::ExportOptions& options) const override;
 };
 
 /// A CSV for each controller, NAME_arm.csv and NAME_hand.csv, with the same times: `time` (s), the
-/// independent joints (rad or m), then JOINT.velocity. The SAH's file has its 13 independent
-/// joints: the motor of a medial joint drives the distal one.
+/// independent joints (rad or m), then JOINT.velocity, and `stage` if the motion has stages. The
+/// SAH's file has its 13 independent joints: the motor of a medial joint drives the distal one.
 class SplitExporter final : public planning::Exporter {
  public:
   [[nodiscard]] std::string name() const override { return "split"; }
@@ -31,7 +31,7 @@ class SplitExporter final : public planning::Exporter {
 
  private:
   [[nodiscard]] std::vector<planning::ExportedFile> do_export(
-      const planning::Motion& motion) const override;
+      const planning::Motion& motion, const planning::ExportOptions& options) const override;
 };
 
 }  // namespace handway::export_csv

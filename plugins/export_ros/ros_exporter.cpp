@@ -10,7 +10,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace handway::export_ros {
 namespace {
@@ -46,20 +48,50 @@ Message header(RosVersion version) {
 
 /// Returns the trajectory_msgs/JointTrajectory of the independent joints: the effort arrays are
 /// empty, times increase strictly.
-Message joint_trajectory(const planning::Motion& motion, RosVersion version) {
+/// @param points a part of the motion's, which begins at its first time.
+Message joint_trajectory(const planning::Motion& motion,
+                         std::span<const planning::TrajectoryPoint> points, RosVersion version) {
   Message names = Message::array();
   for (int v = 0; v < motion.model->variable_count(); ++v) {
     names.push_back(motion.model->variable(v).name);
   }
-  Message points = Message::array();
-  for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
-    points.push_back({{"positions", numbers(point.position)},
-                      {"velocities", numbers(point.velocity)},
-                      {"accelerations", numbers(point.acceleration)},
-                      {"effort", Message::array()},
-                      {"time_from_start", time_message(point.time, version)}});
+  Message messages = Message::array();
+  for (const planning::TrajectoryPoint& point : points) {
+    messages.push_back(
+        {{"positions", numbers(point.position)},
+         {"velocities", numbers(point.velocity)},
+         {"accelerations", numbers(point.acceleration)},
+         {"effort", Message::array()},
+         {"time_from_start", time_message(point.time - points.front().time, version)}});
   }
-  return {{"header", header(version)}, {"joint_names", names}, {"points", points}};
+  return {{"header", header(version)}, {"joint_names", names}, {"points", messages}};
+}
+
+/// Returns the points of a stage, both ends included.
+std::span<const planning::TrajectoryPoint> stage_points(const planning::Motion& motion,
+                                                        std::size_t stage) {
+  constexpr double kRounding = 1e-9;  // s
+  const std::vector<planning::TrajectoryPoint>& points = motion.trajectory.points;
+  const auto at = [&](double time) {
+    return std::ranges::lower_bound(points, time - kRounding, {}, &planning::TrajectoryPoint::time);
+  };
+  const auto begin = at(motion.waypoint_times[motion.stages[stage].first]);
+  const bool is_last = stage + 1 == motion.stages.size();
+  const auto last =
+      is_last ? points.end() - 1 : at(motion.waypoint_times[motion.stages[stage + 1].first]);
+  return {begin, last + 1};
+}
+
+/// Returns the stages in their order: the name of each, and its trajectory_msgs/JointTrajectory.
+Message stage_sequence(const planning::Motion& motion, RosVersion version) {
+  Message sequence = Message::array();
+  for (std::size_t i = 0; i < motion.stages.size(); ++i) {
+    sequence.push_back(
+        {{"stage", motion.stages[i].name},
+         {"step", motion.stages[i].step},
+         {"trajectory", joint_trajectory(motion, stage_points(motion, i), version)}});
+  }
+  return sequence;
 }
 
 /// moveit_msgs/RobotState: the start of the motion, with the coupled joints.
@@ -134,24 +166,30 @@ std::string to_yaml(const Message& message) {
 
 }  // namespace
 
-std::vector<planning::ExportedFile> RosExporter::do_export(const planning::Motion& motion) const {
+std::vector<planning::ExportedFile> RosExporter::do_export(
+    const planning::Motion& motion, const planning::ExportOptions& /*options*/) const {
   std::vector<planning::ExportedFile> files;
   for (const RosVersion version : {RosVersion::kRos1, RosVersion::kRos2}) {
-    const Message message = joint_trajectory(motion, version);
-    const std::string stem = motion.name + (version == RosVersion::kRos1 ? "_ros1" : "_ros2");
-    files.push_back({stem + ".yaml", to_yaml(message)});
-    files.push_back({stem + ".json", message.dump() + "\n"});
+    const std::string end = version == RosVersion::kRos1 ? "_ros1" : "_ros2";
+    const Message message = joint_trajectory(motion, motion.trajectory.points, version);
+    files.push_back({motion.name + end + ".yaml", to_yaml(message)});
+    files.push_back({motion.name + end + ".json", message.dump() + "\n"});
+    if (!motion.stages.empty()) {
+      const Message sequence = stage_sequence(motion, version);
+      files.push_back({motion.name + "_stages" + end + ".yaml", to_yaml(sequence)});
+      files.push_back({motion.name + "_stages" + end + ".json", sequence.dump() + "\n"});
+    }
   }
   return files;
 }
 
 std::vector<planning::ExportedFile> MoveItExporter::do_export(
-    const planning::Motion& motion) const {
+    const planning::Motion& motion, const planning::ExportOptions& /*options*/) const {
   std::vector<planning::ExportedFile> files;
   for (const RosVersion version : {RosVersion::kRos1, RosVersion::kRos2}) {
     const Message none = Message::array();
     const Message robot_trajectory = {
-        {"joint_trajectory", joint_trajectory(motion, version)},
+        {"joint_trajectory", joint_trajectory(motion, motion.trajectory.points, version)},
         {"multi_dof_joint_trajectory",
          {{"header", header(version)}, {"joint_names", none}, {"points", none}}}};
     const Message message = {{"model_id", motion.model->name()},

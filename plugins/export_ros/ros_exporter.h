@@ -5,7 +5,9 @@
 namespace handway::export_ros {
 
 /// Exports trajectory_msgs/JointTrajectory for ROS 1 and ROS 2, each as YAML (for `rostopic pub`
-/// and `ros2 topic pub`) and as JSON (for rosbridge): NAME_ros1.yaml, …
+/// and `ros2 topic pub`) and as JSON (for rosbridge): NAME_ros1.yaml, … A motion with stages also
+/// has them as a list of `stage`, `step` and `trajectory`, one after another:
+/// NAME_stages_ros1.yaml, …
 class RosExporter final : public planning::Exporter {
  public:
   [[nodiscard]] std::string name() const override { return "ros"; }
@@ -15,7 +17,7 @@ class RosExporter final : public planning::Exporter {
 
  private:
   [[nodiscard]] std::vector<planning::ExportedFile> do_export(
-      const planning::Motion& motion) const override;
+      const planning::Motion& motion, const planning::ExportOptions& options) const override;
 };
 
 /// Exports moveit_msgs/DisplayTrajectory for ROS 1 and ROS 2 as YAML, for RViz's motion planning
@@ -29,7 +31,7 @@ class MoveItExporter final : public planning::Exporter {
 
  private:
   [[nodiscard]] std::vector<planning::ExportedFile> do_export(
-      const planning::Motion& motion) const override;
+      const planning::Motion& motion, const planning::ExportOptions& options) const override;
 };
 
 }  // namespace handway::export_ros

@@ -2,88 +2,48 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
-#include "handway/planning/extensions/exporter.h"
+#include "handway/planning/extensions/arm_program.h"
 #include "handway/planning/extensions/plugin.h"
+#include "handway/planning/extensions/program_text.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <initializer_list>
-#include <limits>
-#include <regex>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace handway::export_val3 {
 namespace {
 
-constexpr double kStill = 1e-9;       // rad: the arm stays
 constexpr double kLeastShare = 1e-4;  // share of a limit
-
-void check_arm(const planning::Motion& motion) {
-  const auto turns = [&](int v) {
-    return motion.model->variable(v).type == geometric::JointType::kRevolute;
-  };
-  if (motion.arm.size() != 6 || !std::ranges::all_of(motion.arm, turns)) {
-    throw geometric::InputError(
-        {"robot " + motion.model->name(), "", fmt::format("an arm of {} joints", motion.arm.size()),
-         "six that turn, as VAL3's jointRx has", "The group \"arm\" of the SRDF file names them"});
-  }
-}
-
-/// The speed and acceleration of a move's share done that the joints' limits allow.
-struct ShareLimits {
-  double velocity = std::numeric_limits<double>::infinity();      ///< 1/s
-  double acceleration = std::numeric_limits<double>::infinity();  ///< 1/s²
-};
-
-ShareLimits share_limits(const planning::Motion& motion, const geometric::Configuration& delta) {
-  ShareLimits limits;
-  for (const int v : motion.arm) {
-    const double change = std::abs(delta[v]);
-    if (change > 0.0) {
-      limits.velocity = std::min(limits.velocity, motion.limits.velocity[v] / change);
-      limits.acceleration = std::min(limits.acceleration, motion.limits.acceleration[v] / change);
-    }
-  }
-  return limits;
-}
-
-/// The top speed w of a move that takes `duration` in all: 1 / w + w / acceleration.
-double top_speed(double duration, double acceleration) {
-  const double half = 0.5 * acceleration * duration;
-  return half - std::sqrt(std::max(0.0, half * half - acceleration));
-}
 
 }  // namespace
 
 std::vector<ArmMove> arm_moves(const planning::Motion& motion) {
-  check_arm(motion);
-  std::vector<ArmMove> moves;
+  require_arm(motion, {.language = "VAL3, as its type jointRx has"});
   const double acceleration = motion.speed * motion.speed;
-  for (std::size_t w = 0; w < motion.path.waypoints.size(); ++w) {
-    const geometric::Configuration& q = motion.path.waypoints[w];
+  const auto move_to = [&](const Eigen::VectorXd& target) {
     ArmMove move;
-    for (std::size_t i = 0; i < move.point.size(); ++i) {
-      move.point[i] = geometric::degrees(q[motion.arm[i]]);
-    }
+    std::ranges::transform(target, move.point.begin(), geometric::degrees);
     move.velocity = 100.0 * motion.speed;
     move.acceleration = 100.0 * acceleration;
-    if (w > 0) {
-      const double duration = motion.waypoint_times[w] - motion.waypoint_times[w - 1];
-      const geometric::Configuration delta = q - motion.path.waypoints[w - 1];
-      const ShareLimits limits = share_limits(motion, delta);
-      if (limits.velocity > 1.0 / kStill) {
-        move.pause = duration;
-      } else {
-        const double speed = top_speed(duration, acceleration * limits.acceleration);
-        move.velocity = 100.0 * std::clamp(speed / limits.velocity, kLeastShare, motion.speed);
-      }
+    return move;
+  };
+  std::vector<ArmMove> moves{move_to(motion.path.waypoints.front()(motion.arm))};
+  for (const planning::JointMove& of_arm : joint_moves(motion)) {
+    ArmMove move = move_to(of_arm.target);
+    if (of_arm.waits) {
+      move.pause = of_arm.duration;
+    } else {
+      move.velocity =
+          100.0 * std::clamp(of_arm.velocity_share(acceleration), kLeastShare, motion.speed);
     }
     moves.push_back(move);
   }
@@ -118,7 +78,7 @@ std::string text_of(pugi::xml_document& document) {
 }
 
 /// Writes numbers without an exponent, as VAL3's literals.
-std::string number(double value) { return fmt::format("{:.6f}", value); }
+std::string number(double value) { return planning::fixed_decimals(value, 6); }
 
 pugi::xml_node add_data(pugi::xml_node all, const char* name, const char* type, std::size_t size) {
   return add(all, "Data",
@@ -138,7 +98,8 @@ struct Local {
   const char* type;
 };
 
-std::string program(const char* name, std::initializer_list<Local> locals, const char* code) {
+std::string program(const char* name, std::initializer_list<Local> locals,
+                    const std::string& code) {
   pugi::xml_document document;
   pugi::xml_node node =
       add(add(document.root(), "Programs",
@@ -151,7 +112,7 @@ std::string program(const char* name, std::initializer_list<Local> locals, const
           {{"name", local.name}, {"type", local.type}, {"xsi:type", "array"}, {"size", "1"}});
     }
   }
-  add(node, "Code").append_child(pugi::node_cdata).set_value(code);
+  add(node, "Code").append_child(pugi::node_cdata).set_value(code.c_str());
   return text_of(document);
 }
 
@@ -173,7 +134,8 @@ std::string project_file(const std::string& name) {
 
 /// Writes NAME.dtx: `jPath` (deg), `mMove`, `nPause` (s), one of each for every point, `nPoints`,
 /// `nTolerance` (deg) and `tHand`. No move blends into the next.
-std::string data_file(const std::vector<ArmMove>& moves) {
+/// @param valve of the tool, 1 or 2.
+std::string data_file(const std::vector<ArmMove>& moves, int valve) {
   pugi::xml_document document;
   pugi::xml_node all =
       add(add(document.root(), "Database",
@@ -208,7 +170,9 @@ std::string data_file(const std::vector<ArmMove>& moves) {
   add_number(all, "nPoints", static_cast<double>(moves.size()));
   add_number(all, "nTolerance", kStartTolerance);
   add(add_data(all, "tHand", "tool", 1), "Value",
-      {{"key", "0"}, {"fatherId", "flange[0]"}, {"ioLink", "ValveIO\\valve1"}});
+      {{"key", "0"},
+       {"fatherId", "flange[0]"},
+       {"ioLink", fmt::format("ValveIO\\valve{}", valve)}});
   return text_of(document);
 }
 
@@ -230,10 +194,59 @@ std::string stop_program() {
 end)");
 }
 
+// Adds a loop over the moves to the points from `first` to `last`.
+void add_loop(std::size_t first, std::size_t last, std::string& code) {
+  code += fmt::format(R"(  for l_i={} to {}
+    if nPause[l_i]>0
+      waitEndMove()
+      delay(nPause[l_i])
+    else
+      movej(jPath[l_i],tHand,mMove[l_i])
+    endIf
+  endFor
+)",
+                      first, last);
+}
+
+/// Writes the instructions as loops over the points, and between these the comments, waits that no
+/// point has, and the tool.
+std::string moves_code(const std::vector<planning::ArmInstruction>& instructions) {
+  std::string code;
+  std::size_t first = 1;  // point that no loop has yet
+  std::size_t next = 1;
+  const auto end_loop = [&] {
+    if (next > first) {
+      add_loop(first, next - 1, code);
+    }
+    first = next;
+  };
+  for (const planning::ArmInstruction& instruction : instructions) {
+    if (std::holds_alternative<planning::ArmMove>(instruction)) {
+      ++next;
+    } else if (const auto* wait = std::get_if<planning::ArmWait>(&instruction)) {
+      if (wait->is_waypoint) {
+        ++next;
+      } else {
+        end_loop();
+        code += fmt::format("  waitEndMove()\n  delay({})\n", number(wait->duration));
+      }
+    } else if (const auto* output = std::get_if<planning::GripperOutput>(&instruction)) {
+      end_loop();
+      code += output->closes ? "  close(tHand)\n" : "  open(tHand)\n";
+    } else {
+      end_loop();
+      code += "  // " + std::get<planning::ArmComment>(instruction).text + "\n";
+    }
+  }
+  end_loop();
+  return code;
+}
+
 /// Writes runPath.pgx: refuses to run unless the arm is at the first point and all points are in
 /// range; then goes from point to point.
-std::string run_path_program() {
-  return program("runPath", {{"l_i", "num"}, {"l_jHere", "jointRx"}}, R"(begin
+std::string run_path_program(const std::vector<planning::ArmInstruction>& instructions) {
+  return program("runPath", {{"l_i", "num"}, {"l_jHere", "jointRx"}},
+                 R"(begin
   l_jHere=herej()
   if abs(l_jHere.j1-jPath[0].j1)>nTolerance or abs(l_jHere.j2-jPath[0].j2)>nTolerance or abs(l_jHere.j3-jPath[0].j3)>nTolerance or abs(l_jHere.j4-jPath[0].j4)>nTolerance or abs(l_jHere.j5-jPath[0].j5)>nTolerance or abs(l_jHere.j6-jPath[0].j6)>nTolerance
     popUpMsg("the arm does not stand where the path begins")
@@ -245,46 +258,43 @@ std::string run_path_program() {
       return
     endIf
   endFor
-  for l_i=1 to nPoints-1
-    if nPause[l_i]>0
-      waitEndMove()
-      delay(nPause[l_i])
-    else
-      movej(jPath[l_i],tHand,mMove[l_i])
-    endIf
-  endFor
-  waitEndMove()
+)" + moves_code(instructions) +
+                     R"(  waitEndMove()
 end)");
 }
 
 // The maker's name, or a model of six axes: TX40 to TX200, TX2-40 to TX2-160, RX60 to RX270.
-bool names_a_staubli(const std::string& text) {
-  static const std::regex kNames("st(a|ae|\xc3\xa4)ubli|(^|[^a-z0-9])(tx|tx2|rx)[-_ ]?[0-9]{2,3}",
-                                 std::regex::ECMAScript | std::regex::icase);
-  return std::regex_search(text, kNames);
+constexpr const char* kStaubli = "st(a|ae|\xc3\xa4)ubli|(^|[^a-z0-9])(tx|tx2|rx)[-_ ]?[0-9]{2,3}";
+
+// Returns the valve of the tool. @throws InputError for an output that is none.
+int valve_of(const planning::ExportOptions& options) {
+  const int valve = options.gripper_output.value_or(1);
+  if (valve != 1 && valve != 2) {
+    throw geometric::InputError(
+        {"gripper output", "", std::to_string(valve), "1 or 2 for VAL3, a valve of the arm", ""});
+  }
+  return valve;
 }
 
 }  // namespace
 
 std::string Val3Exporter::robot_objection(const planning::Motion& motion) const {
-  const geometric::RobotModel& model = *motion.model;
-  std::vector<std::string> names{model.name(), model.description().file.filename().string()};
-  for (const int v : motion.arm) {
-    names.push_back(model.variable(v).child);
-  }
-  return std::ranges::any_of(names, names_a_staubli)
-             ? std::string()
-             : "a Stäubli arm: VAL3 runs on its controller alone";
+  return is_robot_named(motion, kStaubli) ? std::string()
+                                          : "a Stäubli arm: VAL3 runs on its controller alone";
 }
 
-std::vector<planning::ExportedFile> Val3Exporter::do_export(const planning::Motion& motion) const {
+std::vector<planning::ExportedFile> Val3Exporter::do_export(
+    const planning::Motion& motion, const planning::ExportOptions& options) const {
   const std::vector<ArmMove> moves = arm_moves(motion);
   const std::filesystem::path folder = motion.name;
-  return {{folder / (motion.name + ".dtx"), data_file(moves)},
-          {folder / "runPath.pgx", run_path_program()},
-          {folder / "start.pgx", start_program()},
-          {folder / "stop.pgx", stop_program()},
-          {folder / (motion.name + ".pjx"), project_file(motion.name)}};
+  std::vector<planning::ExportedFile> files = {
+      {folder / (motion.name + ".dtx"), data_file(moves, valve_of(options))},
+      {folder / "runPath.pgx", run_path_program(arm_instructions(motion, options))},
+      {folder / "start.pgx", start_program()},
+      {folder / "stop.pgx", stop_program()},
+      {folder / (motion.name + ".pjx"), project_file(motion.name)}};
+  std::ranges::move(hand_target_files(motion, options), std::back_inserter(files));
+  return files;
 }
 
 }  // namespace handway::export_val3

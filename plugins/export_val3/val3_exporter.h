@@ -3,6 +3,7 @@
 #include "handway/planning/extensions/exporter.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace handway::export_val3 {
@@ -24,7 +25,8 @@ struct ArmMove {
 /// A VAL3 application for Staeubli controllers of the CS8 series and CS9, in a folder NAME: the
 /// path's waypoints as joint points in degrees and a joint move to each. Joint moves between rests
 /// are straight in the joints, so that the arm follows the certified path; the controller does not
-/// blend.
+/// blend. A motion with stages has a loop for each, with its name as a comment.
+/// ExportOptions::gripper_output 1 or 2 is the valve of the tool, which VAL3 opens and closes.
 class Val3Exporter final : public planning::Exporter {
  public:
   [[nodiscard]] std::string name() const override { return "val3"; }
@@ -38,7 +40,7 @@ class Val3Exporter final : public planning::Exporter {
 
  private:
   [[nodiscard]] std::vector<planning::ExportedFile> do_export(
-      const planning::Motion& motion) const override;
+      const planning::Motion& motion, const planning::ExportOptions& options) const override;
 };
 
 }  // namespace handway::export_val3

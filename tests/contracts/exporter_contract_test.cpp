@@ -1,6 +1,7 @@
 /// Contract of every exporter, whatever its format.
 #include "handway/planning/extensions/exporter.h"
 #include "handway/planning/extensions/plugin.h"
+#include "handway/planning/timing/timing_settings.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/motions.h"
 #include "handway_test/paths.h"
@@ -55,6 +56,17 @@ const Motion& motion() {
   return kMotion;
 }
 
+/// A motion that the exporter accepts: timed as it needs, and of an arm with as many joints.
+Motion suitable_motion(const Exporter& exporter, double speed = 1.0, bool arcs = true) {
+  const bool needs_seven = exporter.name() == "franka";
+  TimingOptions options;
+  const TimingSettings settings = exporter.settings_for({});
+  options.period = settings.period;
+  options.speed = speed;
+  options.blends.deviation = settings.blend && arcs ? settings.deviation : 0.0;
+  return needs_seven ? test::panda_motion(options) : test::tx90_sah_motion(options);
+}
+
 class EveryExporter : public testing::TestWithParam<std::string> {
  protected:
   /// The message with which the motion is refused; nothing may have been written.
@@ -68,11 +80,13 @@ class EveryExporter : public testing::TestWithParam<std::string> {
   }
 
   const Exporter& exporter_ = plugins().exporter(GetParam());
+  const ExportOptions any_robot_{.any_robot = true};
 };
 
 TEST(Exporters, AreTheOnesThatShipEachOnce) {
   const std::vector<std::string> all = names();
-  EXPECT_THAT(all, IsSupersetOf({"csv", "moveit", "ros", "split", "val3"}));
+  EXPECT_THAT(all, IsSupersetOf({"csv", "franka", "krl", "moveit", "rapid", "ros", "split",
+                                 "urscript", "urscript-servo", "val3"}));
   EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size());
 }
 
@@ -84,8 +98,9 @@ TEST(Exporters, AreRefusedByNameWithTheOnesThereAre) {
 TEST_P(EveryExporter, SaysWhatItIs) { EXPECT_THAT(exporter_.description(), Not(IsEmpty())); }
 
 TEST_P(EveryExporter, MakesTheSameFilesEveryTime) {
-  const std::vector<ExportedFile> files = exporter_.files(motion());
-  const std::vector<ExportedFile> again = exporter_.files(motion());
+  const Motion suitable = suitable_motion(exporter_);
+  const std::vector<ExportedFile> files = exporter_.files(suitable, any_robot_);
+  const std::vector<ExportedFile> again = exporter_.files(suitable, any_robot_);
   ASSERT_FALSE(files.empty());
   ASSERT_EQ(files.size(), again.size());
   std::set<fs::path> all;
@@ -101,10 +116,11 @@ TEST_P(EveryExporter, MakesTheSameFilesEveryTime) {
 TEST_P(EveryExporter, WritesWhatItMakes) {
   const test::ScratchFolder scratch;
   const fs::path out = scratch.path() / "new" / "folder";
-  const std::vector<ExportedFile> files = exporter_.files(motion());
+  const Motion suitable = suitable_motion(exporter_);
+  const std::vector<ExportedFile> files = exporter_.files(suitable, any_robot_);
   fs::create_directories((out / files.front().name).parent_path());
   std::ofstream(out / files.front().name) << "what was there before";
-  const std::vector<fs::path> written = exporter_.write(motion(), out);
+  const std::vector<fs::path> written = exporter_.write(suitable, out, any_robot_);
   ASSERT_EQ(written.size(), files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     EXPECT_EQ(written[i], out / files[i].name);
@@ -116,7 +132,7 @@ TEST_P(EveryExporter, WritesWhatItMakes) {
 }
 
 TEST_P(EveryExporter, TakesASlowMotionWithStops) {
-  EXPECT_THAT(exporter_.files(test::tx90_sah_motion(false, 0.5)), Not(IsEmpty()));
+  EXPECT_THAT(exporter_.files(suitable_motion(exporter_, 0.5, false), any_robot_), Not(IsEmpty()));
 }
 
 TEST_P(EveryExporter, RefusesNumbersThatAreNone) {
@@ -187,6 +203,26 @@ TEST_P(EveryExporter, RefusesWhatIsNoMotion) {
   EXPECT_THAT(refusal(broken), HasSubstr("limits"));
 }
 
+TEST_P(EveryExporter, RefusesStagesOutOfOrder) {
+  Motion broken = test::with_stages(motion());
+  broken.stages[2].first = 0;
+  EXPECT_THAT(refusal(broken), AllOf(HasSubstr("stage lift"), HasSubstr("waypoint 1")));
+  broken.stages[2].first = 9;
+  EXPECT_THAT(refusal(broken), HasSubstr("waypoint 10"));
+}
+
+// The controller takes one point in each of its cycles: with other points it runs at another pace.
+TEST_P(EveryExporter, RefusesPointsWithAnotherPeriodThanItNeeds) {
+  if (exporter_.point_period() == 0.0) {
+    EXPECT_EQ(exporter_.settings_for({.period = 0.003}).period, 0.003);
+    return;
+  }
+  EXPECT_EQ(exporter_.settings_for({}).period, exporter_.point_period());
+  EXPECT_THAT(test::refusal_of(
+                  [&] { static_cast<void>(exporter_.files(test::tx90_sah_motion(), any_robot_)); }),
+              HasSubstr("--period-ms"));
+}
+
 TEST_P(EveryExporter, RefusesNamesThatAreNone) {
   for (const char* name : {"", "../up", "two words", "1st", "a-b"}) {
     Motion broken = motion();
@@ -196,7 +232,11 @@ TEST_P(EveryExporter, RefusesNamesThatAreNone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Exporters, EveryExporter, testing::ValuesIn(names()),
-                         [](const auto& test) { return test.param; });
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace handway::planning

@@ -1,11 +1,14 @@
 #include "handway_test/motions.h"
 
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/planning/timing/time_path.h"
+#include "handway_test/paths.h"
 #include "handway_test/solid_robots.h"
 
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace handway::test {
 namespace {
@@ -29,6 +32,13 @@ Configuration moved(const geometric::RobotModel& model, Configuration q,
     q[model.find_variable(joint).value()] = value;
   }
   return q;
+}
+
+planning::Motion cleared(planning::TimedPath timed) {
+  if (!timed.cleared()) {
+    throw std::logic_error(timed.blends.fault + to_text(timed.preflight));
+  }
+  return std::move(timed.motion);
 }
 
 }  // namespace
@@ -56,11 +66,50 @@ planning::Motion tx90_sah_motion(bool arcs, double speed) {
   planning::TimingOptions options;
   options.speed = speed;
   options.blends.deviation = arcs ? 0.05 : 0.0;
-  planning::TimedPath timed = time_path(tx90_sah_problem(), tx90_sah_path(), "wave", options);
-  if (!timed.cleared()) {
-    throw std::logic_error(timed.blends.fault + to_text(timed.preflight));
-  }
-  return std::move(timed.motion);
+  return tx90_sah_motion(options);
+}
+
+planning::Motion tx90_sah_motion(const planning::TimingOptions& options) {
+  return cleared(time_path(tx90_sah_problem(), tx90_sah_path(), "wave", options));
+}
+
+planning::Motion panda_motion(planning::TimingOptions options) {
+  const auto model =
+      geometric::load_robot(source_dir() / "resources/robots/panda_class/panda_class.urdf");
+  const Configuration start = moved(*model, model->neutral(),
+                                    {{"joint_2", -0.785}, {"joint_4", -2.356}, {"joint_6", 1.571}});
+  const planning::Path path{{start, moved(*model, start, {{"joint_1", 0.3}, {"joint_4", -2.0}}),
+                             moved(*model, start, {{"joint_1", 0.3}, {"joint_7", -0.4}})}};
+  geometric::Scene scene = scene_of(model->description());
+  scene.start = path.waypoints.front();
+  scene.goal = path.waypoints.back();
+  options.limits = planning::rate_limits(*model);
+  options.limits.acceleration.setConstant(5.0);
+  options.limits.jerk = Configuration::Constant(model->variable_count(), 100.0);
+  options.limit_jerk = true;
+  return cleared(time_path(
+      planning::make_problem(std::make_shared<const geometric::Scene>(std::move(scene)), nullptr),
+      path, "wave", options));
+}
+
+planning::Motion with_robot_name(planning::Motion motion, const std::string& name) {
+  geometric::RobotDescription description = motion.model->description();
+  description.name = name;
+  description.file.clear();
+  motion.model = std::make_shared<const geometric::RobotModel>(description);
+  return motion;
+}
+
+planning::Motion with_stages(planning::Motion motion) {
+  motion.stages = {{.name = "approach", .step = "pick can", .first = 0},
+                   {.name = "close",
+                    .step = "pick can",
+                    .first = 1,
+                    .hand = planning::HandAction::kClose,
+                    .object = "can",
+                    .squeezed = motion.path.waypoints[3]},
+                   {.name = "lift", .step = "pick can", .first = 2}};
+  return motion;
 }
 
 }  // namespace handway::test

@@ -135,8 +135,13 @@ TEST_F(Export, RefusesBadInputInWords) {
               AllOf(HasSubstr("far.csv"), HasSubstr("shoulder"), HasSubstr("9.4")));
   line_.write("odd.csv", "a,b\n-0.4,0\n0.4,0\n");
   EXPECT_THAT(refusal("odd.csv --scene post.yaml --to csv"), HasSubstr("odd.csv"));
-  EXPECT_THAT(refusal("path.csv --scene post.yaml --to val3"), HasSubstr("--any-robot"));
-  EXPECT_THAT(refusal("path.csv --scene post.yaml --to val3 --any-robot"), HasSubstr("six"));
+  for (const std::string format : {"val3", "urscript", "urscript-servo", "krl", "rapid"}) {
+    const std::string command = "path.csv --scene post.yaml --to " + format;
+    EXPECT_THAT(refusal(command), HasSubstr("--any-robot"));
+    EXPECT_THAT(refusal(command + " --any-robot"), HasSubstr("6 revolute joints"));
+  }
+  EXPECT_THAT(refusal("path.csv --scene post.yaml --to franka --any-robot"),
+              HasSubstr("7 revolute joints"));
 }
 
 TEST_F(Export, RefusesWrongUsage) {

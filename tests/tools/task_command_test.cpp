@@ -8,7 +8,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace handway::test {
 namespace {
@@ -52,6 +55,65 @@ TEST_F(TaskCommand, WritesStagesThatPassTheCheck) {
     EXPECT_LE(stage["deviation_mm"], 1.0);
   }
   EXPECT_THAT(line_.read("plan/task.csv"), StartsWith("stage,time,joint_1,"));
+}
+
+/// The columns of a table whose last column is text: time, and that text.
+std::vector<std::pair<double, std::string>> times_and_stages(const std::string& csv) {
+  std::vector<std::pair<double, std::string>> rows;
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    rows.emplace_back(std::stod(line), line.substr(line.rfind(',') + 1));
+  }
+  return rows;
+}
+
+TEST_F(TaskCommand, ExportsTheWholeTaskAsOneProgram) {
+  const Outcome run =
+      line_.run("task " + scene() +
+                " --pick can --place-on table --out plan --export csv,val3,ros --export urscript"
+                " --gripper-output 1 --any-robot");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const char* file : {"can_on_table.csv", "can_on_table/runPath.pgx", "can_on_table.script",
+                           "can_on_table_stages_ros2.yaml"}) {
+    EXPECT_THAT(run.out, HasSubstr(std::string("plan/") + file + "\n"));
+  }
+  const auto report = nlohmann::json::parse(line_.read("plan/report.json"));
+  const auto rows = times_and_stages(line_.read("plan/can_on_table.csv"));
+  std::vector<std::string> stages;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_NEAR(rows[i].first, 0.004 * static_cast<double>(i), 1e-6) << "one time axis";
+    if (stages.empty() || stages.back() != rows[i].second) {
+      stages.push_back(rows[i].second);
+    }
+  }
+  std::vector<std::string> planned;
+  for (const auto& stage : report["stages"]) {
+    planned.push_back(stage["stage"]);
+  }
+  EXPECT_EQ(stages, planned);
+  EXPECT_NEAR(rows.back().first, report["duration_s"].get<double>(), 1e-6);
+  const std::string program = line_.read("plan/can_on_table.script");
+  EXPECT_LT(program.find("# stage: close (pick can)"), program.find("out(1, True)"));
+  EXPECT_LT(program.find("out(1, True)"), program.find("# attach: can"));
+  EXPECT_LT(program.find("# attach: can"), program.find("# stage: lift"));
+  EXPECT_LT(program.find("# detach: can"), program.find("out(1, False)"));
+}
+
+TEST_F(TaskCommand, RefusesToExportWhatAFormatCanNotHold) {
+  const std::string task = "task " + scene() + " --pick can --out plan";
+  const Outcome format = line_.run(task + " --export val4");
+  EXPECT_EQ(format.exit_code, 3);
+  EXPECT_THAT(format.err, HasSubstr("val3"));
+  EXPECT_FALSE(std::filesystem::exists(line_.folder() / "plan")) << "before it plans";
+  const Outcome robot = line_.run(task + " --export csv,krl");
+  EXPECT_EQ(robot.exit_code, 3);
+  EXPECT_THAT(robot.err, testing::AllOf(HasSubstr("KUKA"), HasSubstr("--any-robot")));
+  EXPECT_FALSE(std::filesystem::exists(line_.folder() / "plan" / "can_on_table.csv"));
+  EXPECT_EQ(line_.run("task " + scene() + " --pick can --export csv").exit_code, 2) << "no folder";
+  EXPECT_EQ(line_.run(task + " --gripper-output 1").exit_code, 2) << "no format";
+  EXPECT_EQ(line_.run(task + " --export val3 --gripper-output -1").exit_code, 2);
 }
 
 TEST_F(TaskCommand, PlansTheProgramsOfAScene) {

@@ -25,6 +25,7 @@
 #include <QVariant>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,15 +48,18 @@ void note_exported(Workbench& workbench, const QString& files) {
   workbench.log.add(LogPanel::Level::kNote, QObject::tr("Exported %1").arg(files));
 }
 
-void export_path(Workbench& workbench) {
-  auto* dialog =
-      new ExportDialog(workbench.plugins, workbench.document, workbench.player.timeline().path(),
-                       workbench.scene_name(), &workbench.window);
+void open(ExportDialog* dialog, Workbench& workbench) {
   dialog->set_margin(workbench.plan_settings.request().margin);
   QObject::connect(dialog, &ExportDialog::exported, &workbench, [&](const QStringList& files) {
     note_exported(workbench, files.join(QStringLiteral(", ")));
   });
   dialog->open();
+}
+
+void export_path(Workbench& workbench) {
+  open(new ExportDialog(workbench.plugins, workbench.document, workbench.player.timeline().path(),
+                        workbench.scene_name(), &workbench.window),
+       workbench);
 }
 
 void export_pictures(Workbench& workbench) {
@@ -102,10 +106,23 @@ void ExportRunner::write(const std::string& format,
 ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugins,
                            Document& document, planning::Path path, const QString& name,
                            QWidget* parent)
+    : ExportDialog(std::move(plugins), document, std::move(path), std::nullopt,
+                   tr("Export the path"), name, parent) {}
+
+ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugins,
+                           Document& document, const DerivedSource& source, QWidget* parent)
+    : ExportDialog(std::move(plugins), document, {}, source, source.value.title, source.value.name,
+                   parent) {}
+
+ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugins,
+                           Document& document, planning::Path path,
+                           std::optional<DerivedSource> source, const QString& title,
+                           const QString& name, QWidget* parent)
     : QDialog(parent),
       plugins_(plugins),
       document_(document),
       path_(std::move(path)),
+      source_(std::move(source)),
       export_(std::move(plugins)),
       formats_(named("export_formats", new QListWidget)),
       name_(named("export_name", new QLineEdit(QString::fromStdString(
@@ -118,7 +135,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
       folder_(named("export_folder", new QLineEdit(QDir::homePath()))),
       export_button_(named("export_now", new QPushButton(tr("Export")))),
       problem_text_(named("export_problem", new QLabel)) {
-  setWindowTitle(tr("Export the path"));
+  setWindowTitle(title);
   setAttribute(Qt::WA_DeleteOnClose);
   resize(within_window(*this, {scaled(940), scaled(600)}));
   lay_out(*this,
@@ -156,7 +173,12 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
 }
 
 void ExportDialog::take_edit(const planning::SceneState& before) {
-  if (before.scene != document_.scene()) {
+  if (before.scene == document_.scene()) {
+    return;
+  }
+  if (source_) {
+    reject();
+  } else {
     time_again();
   }
 }
@@ -270,18 +292,23 @@ void ExportDialog::time_again() {
     preview_->show_waiting(tr("No exporter is installed."));
     return;
   }
-  const bool stops = plugins_->exporter(format()).stops_at_waypoints();
+  const planning::Exporter& exporter = plugins_->exporter(format());
+  const bool stops = exporter.stops_at_waypoints();
   timing_form_->set_enabled("blend", !stops);
+  timing_form_->set_enabled("period_ms", exporter.point_period() == 0.0);
   for (const char* key : {"deviation", "arc_clearance_mm"}) {
     timing_form_->set_enabled(key, !stops && timing_settings_.blend);
   }
   preview_->show_waiting(tr("Timing the path…"));
-  planning::TimingSettings settings = timing_settings_;
-  settings.blend = settings.blend && !stops;
-  planning::TimingOptions options = timing_options(settings, *document_.robot()->model);
+  planning::TimingOptions options =
+      timing_options(exporter.settings_for(timing_settings_), *document_.robot()->model);
   options.safety = safety_;
-  timing_.start(document_.problem(), path_, planning::motion_name(name_->text().toStdString()),
-                options);
+  const std::string name = planning::motion_name(name_->text().toStdString());
+  if (source_) {
+    timing_.start(*source_, name, options);
+  } else {
+    timing_.start(document_.problem(), path_, name, options);
+  }
 }
 
 bool ExportDialog::is_allowed() const {
@@ -340,6 +367,11 @@ void add_export(Workbench& workbench) {
   });
   QObject::connect(pictures, &QAction::triggered, &workbench, [&] { export_pictures(workbench); });
   QObject::connect(path, &QAction::triggered, &workbench, [&] { export_path(workbench); });
+  QObject::connect(
+      &workbench, &Workbench::export_wanted, &workbench, [&](const DerivedSource& source) {
+        open(new ExportDialog(workbench.plugins, workbench.document, source, &workbench.window),
+             workbench);
+      });
 }
 
 }  // namespace handway::gui

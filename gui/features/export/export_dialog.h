@@ -5,6 +5,7 @@
 #include "handway/planning/timing/time_path.h"
 #include "handway/planning/timing/timing_settings.h"
 #include "model/jobs/background.h"
+#include "model/planning/motion_source.h"
 #include "model/planning/timing_runner.h"
 
 #include <QDialog>
@@ -14,6 +15,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -64,9 +66,9 @@ class ExportRunner : public QObject {
   LatestJob job_;
 };
 
-/// Dialog to export a path for a controller: format, timing, a preview of the files, and the
-/// folder. Motions that fail the pre-flight check, or that were timed before an edit, can't be
-/// exported; those that keep too little clearance only if that is confirmed.
+/// Dialog to export a path or another motion for a controller: format, timing, a preview of the
+/// files, and the folder. Motions that fail the pre-flight check, or that were timed before an
+/// edit, can't be exported; those that keep too little clearance only if that is confirmed.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -74,6 +76,10 @@ class ExportDialog : public QDialog {
   /// @param document outlives it. @param path of its robot. @param name of the scene, for files.
   ExportDialog(std::shared_ptr<const planning::PluginManager> plugins, Document& document,
                planning::Path path, const QString& name, QWidget* parent = nullptr);
+  /// Exports the motion of a source; the dialog closes when the scene is edited.
+  /// @param document outlives it; it is that of the source.
+  ExportDialog(std::shared_ptr<const planning::PluginManager> plugins, Document& document,
+               const DerivedSource& source, QWidget* parent = nullptr);
 
   /// Chooses the exporter of this name; without such an exporter, the choice is unchanged.
   void choose_format(const std::string& name);
@@ -85,6 +91,9 @@ class ExportDialog : public QDialog {
   void exported(const QStringList& files);
 
  private:
+  ExportDialog(std::shared_ptr<const planning::PluginManager> plugins, Document& document,
+               planning::Path path, std::optional<DerivedSource> source, const QString& title,
+               const QString& name, QWidget* parent);
   QWidget* make_settings();
   QWidget* make_destination();
   [[nodiscard]] std::string format() const;
@@ -100,6 +109,7 @@ class ExportDialog : public QDialog {
   std::shared_ptr<const planning::PluginManager> plugins_;
   Document& document_;
   planning::Path path_;
+  std::optional<DerivedSource> source_;  ///< Instead of the path.
   TimingRunner timing_;
   ExportRunner export_;
   QTimer settle_;  ///< Settings are timed when they have been left alone for a moment.

@@ -59,6 +59,7 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
       list_(named("task_stages", new QTreeWidget)),
       search_(new QWidget),
       play_(named("task_play", new QPushButton(tr("Play")))),
+      export_(named("task_export", new QPushButton(tr("Export…")))),
       plan_(named("task_plan", new QPushButton(tr("Plan")))) {
   note_->setWordWrap(true);
   support_->setAccessibleName(tr("Place on"));
@@ -82,6 +83,8 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
   play_->setCheckable(true);
   play_->setToolTip(tr("Show the motion of robot and object, stage after stage"));
   connect(play_, &QPushButton::clicked, this, &TaskCard::play_wanted);
+  export_->setToolTip(tr("Write the whole task as one program for a controller"));
+  connect(export_, &QPushButton::clicked, this, &TaskCard::export_wanted);
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Find a grasp, a place and the motions between them"));
   connect(plan_, &QPushButton::clicked, this, &TaskCard::plan_wanted);
@@ -97,7 +100,7 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
                      note_,
                      search_,
                      {list_, 1},
-                     play_,
+                     in_row({{play_, 1}, {export_, 1}}, 8),
                      plan_},
                     6),
           {12, 6, 8, 10});
@@ -164,6 +167,7 @@ void TaskCard::set_up(const QString& note, bool planning, bool with_list, bool p
   search_->setVisible(planning);
   list_->setVisible(with_list);
   play_->setVisible(playable);
+  export_->setVisible(playable);
   plan_->setEnabled(!planning);
   support_->setEnabled(!planning);
   return_->setEnabled(!planning);

@@ -53,6 +53,7 @@ class TaskCard : public FloatingCard {
   void stop_wanted();
   /// Play the plan, or no longer.
   void play_wanted(bool wanted);
+  void export_wanted();
   void closed();
 
  private:
@@ -67,6 +68,7 @@ class TaskCard : public FloatingCard {
   QTreeWidget* list_;
   QWidget* search_;  ///< Progress, and the button that ends the search.
   QPushButton* play_;
+  QPushButton* export_;
   QPushButton* plan_;
 };
 

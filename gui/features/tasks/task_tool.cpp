@@ -4,6 +4,7 @@
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/setup/placing.h"
 #include "handway/planning/tasks/task_file.h"
+#include "handway/planning/tasks/timed_task.h"
 #include "handway/planning/timing/time_path.h"
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
@@ -44,23 +45,23 @@ std::vector<std::string> supports_of(const geometric::Scene& scene,
   return names;
 }
 
-void add_stage(const planning::TaskStage& stage, std::size_t index, const std::string& object,
-               const std::stop_token& stop, FilmedTask& task) {
-  planning::TimingOptions timing;
-  timing.period = kFrameTime / 1000.0;
-  timing.stop = stop;
-  const planning::TimedPath timed = time_stage(stage, "stage", timing);
-  if (!timed.cleared()) {
-    task.plan.solved = false;
-    task.plan.reason = to_text(timed.preflight);
-    return;
-  }
-  task.stages.push_back({stage.kind, timed.preflight.duration, timed.preflight.min_clearance,
-                         QString::fromStdString(timed.preflight.closest_pair)});
-  const geometric::SceneObject& moved = *stage.state.find(object);
-  for (const planning::TrajectoryPoint& point : timed.motion.trajectory.points) {
-    task.frames.push_back(
-        {index, point.position, object_pose(*stage.state.scene, point.position, moved)});
+// Adds what is shown of a timed task, or the fault of the first stage that is not cleared.
+void add_film(const planning::TimedTask& timed, const std::string& object, FilmedTask& task) {
+  for (std::size_t i = 0; i < timed.stages.size(); ++i) {
+    const planning::TimedPath& stage = timed.stages[i];
+    const planning::TaskStage& planned = task.plan.stages[i];
+    if (!stage.cleared()) {
+      task.plan.solved = false;
+      task.plan.reason = to_text(stage.preflight);
+      return;
+    }
+    task.stages.push_back({planned.kind, stage.preflight.duration, stage.preflight.min_clearance,
+                           QString::fromStdString(stage.preflight.closest_pair)});
+    const geometric::SceneObject& moved = *planned.state.find(object);
+    for (const planning::TrajectoryPoint& point : stage.motion.trajectory.points) {
+      task.frames.push_back(
+          {i, point.position, object_pose(*planned.state.scene, point.position, moved)});
+    }
   }
 }
 
@@ -78,6 +79,7 @@ TaskTool::TaskTool(Document& document, SceneEditor& editor, SceneView& view,
   connect(&film_, &QTimer::timeout, this, &TaskTool::show_next_frame);
   connect(card_, &TaskCard::plan_wanted, this, &TaskTool::start);
   connect(card_, &TaskCard::play_wanted, this, &TaskTool::play);
+  connect(card_, &TaskCard::export_wanted, this, &TaskTool::ask_for_export);
   connect(card_, &TaskCard::closed, this, &TaskTool::end);
   connect(card_, &TaskCard::stop_wanted, this, [this] {
     job_.cancel();
@@ -128,11 +130,13 @@ void TaskTool::start() {
     planning::TaskOptions options;
     options.threads = 2;
     FilmedTask filmed;
+    filmed.task = task;
     try {
       filmed.plan = plan_task(state, task, *planner, options, stop);
-      for (std::size_t i = 0; i < filmed.plan.stages.size() && filmed.plan.solved; ++i) {
-        add_stage(filmed.plan.stages[i], i, object, stop, filmed);
-      }
+      planning::TimingOptions timing;
+      timing.period = kFrameTime / 1000.0;
+      timing.stop = stop;
+      add_film(time_task(task, filmed.plan, "task", timing), object, filmed);
     } catch (const geometric::PreparationStopped&) {
       return nullptr;
     }
@@ -167,6 +171,18 @@ void TaskTool::play(bool wanted) {
     film_.start();
     show_next_frame();
   }
+}
+
+void TaskTool::ask_for_export() {
+  end_film();
+  MotionSource source;
+  source.title = tr("Export the task");
+  source.name = QStringLiteral("place_") + QString::fromStdString(object_);
+  source.time = [task = task_.value.task, plan = task_.value.plan](
+                    const std::string& name, const planning::TimingOptions& options) {
+    return whole_task(time_task(task, plan, name, options));
+  };
+  emit export_wanted({std::move(source), task_.made_from});
 }
 
 void TaskTool::show_next_frame() {
@@ -243,6 +259,7 @@ void add_tasks(Workbench& workbench) {
                      : QString());
   };
   QObject::connect(pick, &QAction::triggered, &tool, &TaskTool::begin);
+  QObject::connect(&tool, &TaskTool::export_wanted, &workbench, &Workbench::export_wanted);
   QObject::connect(&tool, &TaskTool::handles_welcome, &workbench, &Workbench::handles_welcome);
   QObject::connect(&workbench.document, &Document::opened, pick, update_enabled);
   QObject::connect(&workbench.document, &Document::edited, pick, update_enabled);

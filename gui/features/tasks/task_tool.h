@@ -5,6 +5,7 @@
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/tasks/task.h"
 #include "model/jobs/background.h"
+#include "model/planning/motion_source.h"
 
 #include <QObject>
 #include <QPoint>
@@ -33,6 +34,7 @@ struct TaskFrame {
 
 /// A planned task, with all that is shown of it.
 struct FilmedTask {
+  planning::Task task;
   planning::TaskPlan plan;
   std::vector<ShownStage> stages;
   std::vector<TaskFrame> frames;  ///< One every 20 ms.
@@ -58,11 +60,14 @@ class TaskTool : public QObject {
   /// Emitted when there is room in the view for the handles of the selection, or not because they
   /// would hide the object.
   void handles_welcome(bool welcome);
+  /// The plan is to be exported.
+  void export_wanted(const handway::gui::DerivedSource& source);
 
  private:
   void start();
   void take(const planning::Derived<FilmedTask>& task);
   void play(bool wanted);
+  void ask_for_export();
   void show_next_frame();
   /// Shows the scene as it is, instead of a moment of the task.
   void end_film();

@@ -87,6 +87,33 @@ void check_groups(const Motion& motion) {
   }
 }
 
+// Refuses a motion whose points are not `period` (s) apart; the last step may be shorter.
+void check_period(const Motion& motion, double period, const std::string& format) {
+  const auto& points = motion.trajectory.points;
+  constexpr double kTolerance = 1e-9;  // s
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double step = points[i].time - points[i - 1].time;
+    const bool is_last = i + 1 == points.size();
+    if (step > period + kTolerance || (!is_last && step < period - kTolerance)) {
+      throw InputError({"the motion", "period", fmt::format("points {:g} ms apart", 1e3 * step),
+                        fmt::format("points every {:g} ms for {}", 1e3 * period, format),
+                        fmt::format("Time it with --period-ms {:g}", 1e3 * period)});
+    }
+  }
+}
+
+void check_stages(const Motion& motion) {
+  for (std::size_t i = 0; i < motion.stages.size(); ++i) {
+    const std::size_t first = motion.stages[i].first;
+    const bool in_order = i == 0 ? first == 0 : first >= motion.stages[i - 1].first;
+    if (!in_order || first >= motion.path.waypoints.size()) {
+      throw InputError({"the motion", "stage " + motion.stages[i].name,
+                        fmt::format("waypoint {}", first + 1), "waypoints in order from the first",
+                        ""});
+    }
+  }
+}
+
 }  // namespace
 
 void check_motion(const Motion& motion) {
@@ -101,6 +128,7 @@ void check_motion(const Motion& motion) {
   check_groups(motion);
   const std::vector<int> fixed = resting_joints(motion);
   check_waypoints(motion, fixed);
+  check_stages(motion);
   const auto faults = check_trajectory(*motion.model, motion.trajectory, motion.limits, fixed);
   if (!faults.empty()) {
     throw InputError({"the motion", "", faults.front().text,
@@ -119,15 +147,28 @@ std::vector<ExportedFile> Exporter::files(const Motion& motion,
          fmt::format("a robot that does not seem to suit {}", name()), expected,
          "If it does, export with --any-robot, or with \"Any robot\" in the workbench"});
   }
-  return do_export(motion);
+  if (const double period = point_period(); period > 0.0) {
+    check_period(motion, period, name());
+  }
+  return do_export(motion, options);
+}
+
+TimingSettings Exporter::settings_for(TimingSettings settings) const {
+  settings.blend = settings.blend && !stops_at_waypoints();
+  settings.period = point_period() > 0.0 ? point_period() : settings.period;
+  return settings;
 }
 
 std::vector<std::filesystem::path> Exporter::write(const Motion& motion,
                                                    const std::filesystem::path& folder,
                                                    const ExportOptions& options) const {
-  const std::vector<ExportedFile> made = files(motion, options);
+  return write_files(files(motion, options), folder);
+}
+
+std::vector<std::filesystem::path> write_files(const std::vector<ExportedFile>& files,
+                                               const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> written;
-  for (const ExportedFile& file : made) {
+  for (const ExportedFile& file : files) {
     const std::filesystem::path place = folder / file.name;
     make_folder(place.parent_path());
     geometric::replace_file(place, file.content);

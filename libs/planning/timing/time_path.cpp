@@ -163,6 +163,17 @@ void check(const char* what, double value, double above, double most) {
 
 }  // namespace
 
+const MotionStage* stage_at(const Motion& motion, double time) {
+  constexpr double kRounding = 1e-9;  // s
+  const MotionStage* at = motion.stages.empty() ? nullptr : &motion.stages.front();
+  for (const MotionStage& stage : motion.stages) {
+    if (motion.waypoint_times[stage.first] < time - kRounding) {
+      at = &stage;
+    }
+  }
+  return at;
+}
+
 PreflightReport preflight(const PlanningProblem& problem, const Trajectory& trajectory,
                           const TimingOptions& options) {
   PreflightReport report;

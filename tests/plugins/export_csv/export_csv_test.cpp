@@ -120,5 +120,39 @@ TEST(SplitExporter, NeedsAnArmAndAHand) {
               HasSubstr("no hand"));
 }
 
+TEST(CsvExporter, HasTheStageOfEachRow) {
+  const planning::Motion motion = test::with_stages(test::tx90_sah_motion(false));
+  std::vector<planning::ExportedFile> files = CsvExporter().files(motion);
+  for (const planning::ExportedFile& file : SplitExporter().files(motion)) {
+    files.push_back(file);
+  }
+  ASSERT_THAT(files, SizeIs(3));
+  for (const planning::ExportedFile& file : files) {
+    std::istringstream lines(file.content);
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(cells(line).back(), "stage");
+    const std::size_t columns = cells(line).size();
+    for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
+      std::getline(lines, line);
+      ASSERT_EQ(cells(line).size(), columns);
+      const double time = point.time - 1e-9;
+      ASSERT_EQ(cells(line).back(), time < motion.waypoint_times[1]   ? "approach"
+                                    : time < motion.waypoint_times[2] ? "close"
+                                                                      : "lift")
+          << point.time;
+    }
+  }
+}
+
+TEST(CsvExporter, WritesAPathFileOfAMotionWithStages) {
+  const planning::Motion motion = test::with_stages(test::tx90_sah_motion(false));
+  const test::ScratchFolder scratch;
+  const auto written = CsvExporter().write(motion, scratch.path());
+  const planning::Path path = planning::read_path(*motion.model, written[0]);
+  ASSERT_EQ(path.waypoints.size(), motion.trajectory.points.size());
+  EXPECT_EQ(path.waypoints.back(), motion.path.waypoints.back());
+}
+
 }  // namespace
 }  // namespace handway::export_csv

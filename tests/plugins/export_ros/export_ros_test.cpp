@@ -127,5 +127,31 @@ TEST(MoveItExporter, WritesDisplayTrajectories) {
   }
 }
 
+TEST(RosExporter, WritesTheStagesOneAfterAnother) {
+  const planning::Motion motion = test::with_stages(test::tx90_sah_motion(false));
+  const auto files = contents(RosExporter(), motion);
+  ASSERT_THAT(files, SizeIs(8));
+  expect_trajectory(YAML::Load(files.at("wave_ros2.yaml")), motion, "sec", "nanosec");
+  const YAML::Node sequence = YAML::Load(files.at("wave_stages_ros2.yaml"));
+  EXPECT_EQ(nlohmann::json::parse(files.at("wave_stages_ros1.json")).size(), 3U);
+  ASSERT_EQ(sequence.size(), 3U);
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_THAT(keys(sequence[i]), ElementsAre("stage", "step", "trajectory"));
+    EXPECT_EQ(sequence[i]["stage"].as<std::string>(), motion.stages[i].name);
+    const YAML::Node all = sequence[i]["trajectory"]["points"];
+    const YAML::Node first = all[0];
+    const YAML::Node last = all[all.size() - 1];
+    EXPECT_EQ(first["time_from_start"]["nanosec"].as<int>(), 0) << "each begins at 0";
+    for (const int v : {0, 3}) {
+      EXPECT_EQ(first["positions"][v].as<double>(), motion.path.waypoints[i][v]);
+      EXPECT_EQ(last["positions"][v].as<double>(), motion.path.waypoints[i + 1][v]);
+      EXPECT_NEAR(last["velocities"][v].as<double>(), 0.0, 1e-9);
+    }
+    points += all.size();
+  }
+  EXPECT_EQ(points, motion.trajectory.points.size() + 2) << "borders are of both stages";
+}
+
 }  // namespace
 }  // namespace handway::export_ros

@@ -28,8 +28,12 @@ using testing::UnorderedElementsAre;
 /// An application as a controller would read it.
 class Application {
  public:
-  explicit Application(const planning::Motion& motion) {
-    for (const planning::ExportedFile& file : Val3Exporter().files(motion)) {
+  explicit Application(const planning::Motion& motion,
+                       const planning::ExportOptions& options = {}) {
+    for (const planning::ExportedFile& file : Val3Exporter().files(motion, options)) {
+      if (file.name == "wave_hand_targets.csv") {
+        continue;
+      }
       EXPECT_EQ(file.name.parent_path(), motion.name);
       pugi::xml_document& document = documents_[file.name.filename().string()];
       EXPECT_TRUE(document.load_string(file.content.c_str(),
@@ -93,25 +97,16 @@ TEST(Val3Application, IsMadeOfTheFilesThatItsProjectNames) {
   EXPECT_TRUE(named.contains("start.pgx") && named.contains("stop.pgx")) << "mandatory";
 }
 
-/// The motion of the same arm under another name, without a file.
-planning::Motion motion_of(const std::string& robot) {
-  planning::Motion named = motion();
-  geometric::RobotDescription description = named.model->description();
-  description.name = robot;
-  description.file.clear();
-  named.model = std::make_shared<const geometric::RobotModel>(description);
-  return named;
-}
-
 TEST(Val3Exporter, ObjectsToArmsOfOtherMakersUnlessItIsKnownBetter) {
   for (const char* robot : {"tx90_sah", "TX90 SA Hand Right", "cell_tx2-60l", "staubli", "RX160"}) {
-    EXPECT_THAT(Val3Exporter().robot_objection(motion_of(robot)), IsEmpty()) << robot;
+    EXPECT_THAT(Val3Exporter().robot_objection(test::with_robot_name(motion(), robot)), IsEmpty())
+        << robot;
   }
   for (const char* robot : {"ur5", "iiwa14", "matrix600", "tx"}) {
-    const planning::Motion other = motion_of(robot);
+    const planning::Motion other = test::with_robot_name(motion(), robot);
     EXPECT_THAT(test::refusal_of([&] { static_cast<void>(Val3Exporter().files(other)); }),
                 AllOf(HasSubstr(robot), HasSubstr("Stäubli"), HasSubstr("--any-robot")));
-    EXPECT_EQ(Val3Exporter().files(other, {.any_robot = true}).size(), 5U);
+    EXPECT_EQ(Val3Exporter().files(other, {.any_robot = true}).size(), 6U);
   }
 }
 
@@ -179,6 +174,36 @@ TEST(Val3Application, HasProgramsThatKeepTheGrammar) {
     }
     EXPECT_THAT(test::val3_faults(program.child_value("Code"), known), IsEmpty()) << name;
   }
+}
+
+TEST(Val3Application, NamesStagesAndDrivesTheHand) {
+  const planning::Motion staged = test::with_stages(motion());
+  const auto code_of = [&](const planning::ExportOptions& options) {
+    const Application application(staged, options);
+    const std::string code =
+        application.file("runPath.pgx").child("Programs").child("Program").child_value("Code");
+    std::set<std::string> known = application.variables();
+    known.insert({"l_i", "l_jHere"});
+    EXPECT_THAT(test::val3_faults(code, known), IsEmpty());
+    return code;
+  };
+  const std::string without = code_of({});
+  EXPECT_THAT(without, AllOf(HasSubstr("  // stage: approach (pick can)\n  for l_i=1 to 1\n"),
+                             HasSubstr("  // hand: closes, see wave_hand_targets.csv\n"
+                                       "  for l_i=2 to 2\n"),
+                             HasSubstr("  // stage: lift (pick can)\n  for l_i=3 to 3\n")));
+  EXPECT_THAT(without, testing::Not(HasSubstr("close(")));
+  const std::string with = code_of({.gripper_output = 2, .gripper_time = 9.0});
+  EXPECT_THAT(with, AllOf(HasSubstr("  close(tHand)\n  for l_i=2 to 2\n"), HasSubstr("delay(")));
+  EXPECT_STREQ(Application(staged, {.gripper_output = 2})
+                   .data("tHand")
+                   .child("Value")
+                   .attribute("ioLink")
+                   .value(),
+               "ValveIO\\valve2");
+  EXPECT_THAT(test::refusal_of(
+                  [&] { static_cast<void>(Val3Exporter().files(staged, {.gripper_output = 3})); }),
+              HasSubstr("1 or 2"));
 }
 
 TEST(Val3Grammar, FindsWhatIsWrong) {

@@ -16,9 +16,9 @@ const std::set<std::string, std::less<>> kLanguage = {
 
 /// Words of the library that six-axis applications use (VAL3 reference manual, chapters 3 to 8).
 const std::set<std::string, std::less<>> kLibrary = {
-    "abs",       "delay",     "disablePower", "enablePower", "herej",
-    "isInRange", "isPowered", "movej",        "popUpMsg",    "resetMotion",
-    "stopMove",  "wait",      "isSettled",    "waitEndMove", "runPath"};
+    "abs",      "close",     "delay",     "open",        "disablePower", "enablePower",
+    "herej",    "isInRange", "isPowered", "movej",       "popUpMsg",     "resetMotion",
+    "stopMove", "wait",      "isSettled", "waitEndMove", "runPath"};
 
 bool is_fields_name(const std::string& word) {
   return word.size() == 2 && word[0] == 'j' && word[1] >= '1' && word[1] <= '6';
@@ -48,7 +48,8 @@ class Scan {
   void scan(const std::string& line) {
     int round = 0;
     int square = 0;
-    for (std::size_t i = 0; i < line.size();) {
+    const std::size_t end_of_code = std::min(line.find("//"), line.size());
+    for (std::size_t i = 0; i < end_of_code;) {
       const char c = line[i];
       if (c == '"') {
         const std::size_t end = line.find('"', i + 1);

@@ -1,15 +1,22 @@
 #include "features/tasks/task_tool.h"
 
 #include "features/editing/editing_test.h"
+#include "features/export/export_dialog.h"
+#include "handway_test/paths.h"
 #include "view3d/scene_view.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
 
 #include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
 
 namespace handway::test {
 namespace {
@@ -50,6 +57,38 @@ TEST_F(PickAndPlace, PlansAndPlaysWithTheMouseAlone) {
   EXPECT_EQ(editor().state(), before) << "only shown";
   ASSERT_TRUE(QTest::qWaitFor([&] { return play.text() == "Play"; }, 20000));
   EXPECT_EQ(editor().state(), before);
+}
+
+TEST_F(PickAndPlace, ExportsTheWholeTask) {
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
+  ASSERT_TRUE(part<QPushButton>("task_export").isVisible());
+  click("task_export");
+  auto* dialog = window().findChild<gui::ExportDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->windowTitle(), "Export the task");
+  const ScratchFolder folder;
+  dialog->set_folder(QString::fromStdString((folder.path() / "out").string()));
+  dialog->choose_format("val3");
+  QStringList written;
+  QObject::connect(dialog, &gui::ExportDialog::exported, &window(),
+                   [&](const QStringList& files) { written = files; });
+  auto& too_close = *dialog->findChild<QCheckBox*>("export_too_close");
+  auto& now = *dialog->findChild<QPushButton*>("export_now");
+  const auto is_ready = [&] {
+    if (too_close.isVisible() && !too_close.isChecked()) {
+      too_close.click();
+    }
+    return now.isEnabled();
+  };
+  ASSERT_TRUE(QTest::qWaitFor(is_ready, 120000));
+  now.click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !written.isEmpty(); }, 20000));
+  std::ifstream file(folder.path() / "out" / "place_can" / "runPath.pgx");
+  const std::string program(std::istreambuf_iterator<char>(file), {});
+  for (const char* stage : {"// stage: lift (pick can)", "// stage: open (place on table)"}) {
+    EXPECT_THAT(program, ::testing::HasSubstr(stage));
+  }
 }
 
 TEST_F(PickAndPlace, ForgetsThePlanWhenTheSceneIsEdited) {

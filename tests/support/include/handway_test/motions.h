@@ -2,6 +2,9 @@
 
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/exporter.h"
+#include "handway/planning/timing/time_path.h"
+
+#include <string>
 
 namespace handway::test {
 
@@ -13,5 +16,18 @@ namespace handway::test {
 
 /// Returns that path timed at `speed`, with arcs or with stops.
 [[nodiscard]] planning::Motion tx90_sah_motion(bool arcs = true, double speed = 1.0);
+/// Returns that path timed with these options.
+[[nodiscard]] planning::Motion tx90_sah_motion(const planning::TimingOptions& options);
+
+/// Returns a motion with limited jerk of the shipped arm of seven joints, panda_class.
+/// @param options whose limits are replaced.
+[[nodiscard]] planning::Motion panda_motion(planning::TimingOptions options = {});
+
+/// Returns the motion of the same robot under another name, without a file.
+[[nodiscard]] planning::Motion with_robot_name(planning::Motion motion, const std::string& name);
+
+/// Returns tx90_sah_motion() with stages: "approach", "close" of the object "can", while the hand
+/// moves alone, and "lift".
+[[nodiscard]] planning::Motion with_stages(planning::Motion motion);
 
 }  // namespace handway::test

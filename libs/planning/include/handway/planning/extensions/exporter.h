@@ -3,8 +3,10 @@
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/export.h"
 #include "handway/planning/timing/time_path.h"
+#include "handway/planning/timing/timing_settings.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,11 @@ struct ExportedFile {
 struct ExportOptions {
   /// Export in spite of robot_objection().
   bool any_robot = false;
+  /// Number of the controller's digital output that closes the hand when it is on. Programs for an
+  /// arm set it in stages that close or open the hand; formats without outputs ignore it. Without a
+  /// number the hand is driven by another controller.
+  std::optional<int> gripper_output = {};
+  double gripper_time = 0.5;  ///< s, least wait after the output is set.
 };
 
 /// Writes motions in the format of a controller or another program.
@@ -35,13 +42,19 @@ class HANDWAY_PLANNING_EXPORT Exporter {
   /// Returns whether the program that executes the files stops at every waypoint, so that the
   /// motion has to be timed without arcs.
   [[nodiscard]] virtual bool stops_at_waypoints() const { return false; }
+  /// Returns the time between points that the program needs, s; 0: any. The motion has to be timed
+  /// with this period.
+  [[nodiscard]] virtual double point_period() const { return 0.0; }
+  /// Returns the settings with which a motion for the format is timed: without arcs if it stops at
+  /// waypoints, and with the period that it needs.
+  [[nodiscard]] TimingSettings settings_for(TimingSettings settings) const;
   /// Robots that the format is for, if the motion's robot seems to be another one; else empty.
   [[nodiscard]] virtual std::string robot_objection(const Motion& /*motion*/) const { return {}; }
 
   /// Makes the files for a motion without writing them.
   /// @throws InputError naming joint, time and value if the motion can't run (see
   /// check_trajectory()), or the data that the format needs and the motion lacks, the right robot
-  /// included.
+  /// and period included.
   [[nodiscard]] std::vector<ExportedFile> files(const Motion& motion,
                                                 const ExportOptions& options = {}) const;
 
@@ -54,8 +67,14 @@ class HANDWAY_PLANNING_EXPORT Exporter {
 
  protected:
   /// The derived class's files; the motion is checked.
-  [[nodiscard]] virtual std::vector<ExportedFile> do_export(const Motion& motion) const = 0;
+  [[nodiscard]] virtual std::vector<ExportedFile> do_export(const Motion& motion,
+                                                            const ExportOptions& options) const = 0;
 };
+
+/// Writes each file as a whole; creates missing folders.
+/// @returns the files written. @throws InputError for a file that can't be written.
+HANDWAY_PLANNING_EXPORT std::vector<std::filesystem::path> write_files(
+    const std::vector<ExportedFile>& files, const std::filesystem::path& folder);
 
 /// Throws the errors of Exporter::files() for a motion that no format can hold.
 HANDWAY_PLANNING_EXPORT void check_motion(const Motion& motion);

@@ -5,6 +5,7 @@
 #include "handway/planning/paths/safety_clearance.h"
 #include "handway/planning/timing/blended_path.h"
 #include "handway/planning/timing/kinematic_limits.h"
+#include "handway/planning/timing/motion_stage.h"
 #include "handway/planning/timing/trajectory.h"
 
 #include <memory>
@@ -19,14 +20,20 @@ namespace handway::planning {
 struct Motion {
   std::string name;  ///< Letters, digits and "_"; the first a letter: for files and programs.
   std::shared_ptr<const geometric::RobotModel> model;
-  geometric::JointIndices arm;         ///< Joints of the arm, in order.
-  geometric::JointIndices hand;        ///< Joints of the hand, in order.
-  JointKinematicLimits limits;         ///< The robot's, at full speed.
-  double speed = 1.0;                  ///< Share of full speed in (0, 1] of the timing.
-  Path path;                           ///< The waypoints, …
-  std::vector<double> waypoint_times;  ///< … and their times, s; shape [waypoints].
-  Trajectory trajectory;               ///< At a fixed period.
+  geometric::JointIndices arm;           ///< Joints of the arm, in order.
+  geometric::JointIndices hand;          ///< Joints of the hand, in order.
+  JointKinematicLimits limits;           ///< The robot's, at full speed.
+  double speed = 1.0;                    ///< Share of full speed in (0, 1] of the timing.
+  Path path;                             ///< The waypoints, …
+  std::vector<double> waypoint_times;    ///< … and their times, s; shape [waypoints].
+  Trajectory trajectory;                 ///< At a fixed period.
+  std::vector<MotionStage> stages = {};  ///< In their order, the first from waypoint 0; or none.
 };
+
+/// Returns the stage in which a motion is at `time` (s); null if it has no stages. At the border of
+/// two stages it is the one that ends there.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT const MotionStage* stage_at(const Motion& motion,
+                                                                  double time);
 
 /// Options of timing a path.
 struct TimingOptions {

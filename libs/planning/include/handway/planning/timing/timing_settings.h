@@ -20,6 +20,8 @@ struct TimingSettings {
   double margin = 0.0;  ///< m
   /// Following error of joints at their velocity limit, rad or m; negative: it is assumed.
   double following_error = -1.0;
+
+  bool operator==(const TimingSettings&) const = default;
 };
 
 /// Describes the settings.
