@@ -237,8 +237,8 @@ const std::vector<Figure>& figures_there_are() {
        "The hand along a path: planned in all joints of the hand, and with principal motion "
        "directions",
        "hand",
-       {{"can_on_table", "full-prm", "All joints of the hand (full-prm)"},
-        {"can_on_table", "pmd-prm", "Principal motion directions (pmd-prm)"}}},
+       {{"two_cans_on_table", "full-prm", "All joints of the hand (full-prm)"},
+        {"two_cans_on_table", "pmd-prm", "Principal motion directions (pmd-prm)"}}},
       {17,
        "Paths of the four problems",
        "task",

@@ -44,7 +44,7 @@ struct TaskCommand {
   TaskRequest request;
   planning::TimingSettings timing;
   fs::path out;
-  std::vector<std::string> formats;  ///< Of exporters.
+  std::vector<std::string> formats;  ///< Names of exporters.
   planning::ExportOptions export_options;
 };
 

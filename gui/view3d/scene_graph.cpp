@@ -445,7 +445,9 @@ std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s&
       const double nearness = backwards_.dot(point);
       if (nearness > most) {
         most = nearness;
-        nearest = SceneHit{item_of_path(*picked->getPath()), point};
+        const SbVec3f& n = picked->getNormal();
+        nearest =
+            SceneHit{item_of_path(*picked->getPath()), point, Eigen::Vector3d(n[0], n[1], n[2])};
       }
     }
   };

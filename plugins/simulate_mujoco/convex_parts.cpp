@@ -78,8 +78,8 @@ Vector3d normal_of(const Cap& cap) {
 
 /// A part that may be cut further.
 struct Part {
-  std::vector<Triangle> surface;  ///< Of the mesh.
-  std::vector<Cap> caps;          ///< Of a solid, the faces of its cuts, which make it closed.
+  std::vector<Triangle> surface;  ///< Triangles of the mesh.
+  std::vector<Cap> caps;          ///< Faces of the cuts of a solid, which close it.
   bool closed = false;
   TriangleMesh hull;
   double hull_volume = 0.0;

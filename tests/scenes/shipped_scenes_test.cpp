@@ -99,7 +99,7 @@ TEST(ShippedScenes, AreThePaperBenchmarkItsFourHarderTasksAndOtherRobots) {
   EXPECT_EQ(scene_names(),
             (std::vector<std::string>{"can_in_box", "can_on_table", "cans_in_shelf", "cans_on_desk",
                                       "iiwa_and_allegro", "panda_and_leap", "t_shape",
-                                      "ur5e_and_shadow"}));
+                                      "two_cans_on_table", "ur5e_and_shadow"}));
 }
 
 TEST_P(ShippedScene, LoadsWithoutWarningsAndSaysWhatItIs) {

@@ -36,7 +36,7 @@ TEST_F(HandwayReproduce, WritesAllTablesQuicklyInAFreshFolder) {
                             Not(HasSubstr("nan")), Not(HasSubstr("inf"))));
   EXPECT_THAT(line_.read("reproduce/report.html"), HasSubstr("<td>915.3</td>"));
   EXPECT_THAT(line_.read("reproduce/report.csv"),
-              AllOf(HasSubstr("2,Reduced search space,Reduced,3,"),
+              AllOf(HasSubstr("2,Reduced search space,\"pmd-prm: print, literal\",3,"),
                     HasSubstr("4,2: Can in a box,\"auto, our scene\",3,")));
   for (const char* part : {"paper_table_2", "paper_table_4"}) {
     EXPECT_TRUE(std::filesystem::exists(line_.folder() / "reproduce" / part / "runs.sqlite"));
@@ -68,8 +68,8 @@ TEST_F(HandwayReproduce, MakesFilmStripsOfPaths) {
   EXPECT_THAT(report,
               AllOf(HasSubstr("## Fig. 14"), Not(HasSubstr("Table")), Not(HasSubstr("Fig. 17"))));
   EXPECT_THAT(line_.read("films/figure_14.yaml"),
-              HasSubstr("path: figure_14/can_on_table_pmd-prm"));
-  EXPECT_THAT(line_.read("films/figure_14/can_on_table_full-prm.csv"), HasSubstr("time,"));
+              HasSubstr("path: figure_14/two_cans_on_table_pmd-prm"));
+  EXPECT_THAT(line_.read("films/figure_14/two_cans_on_table_full-prm.csv"), HasSubstr("time,"));
   if (std::filesystem::exists(std::filesystem::path(HANDWAY_PROGRAM).parent_path() /
                               "handway-figures")) {
     EXPECT_THAT(line_.read("films/figure_14.png"), testing::StartsWith("\x89PNG")) << report;

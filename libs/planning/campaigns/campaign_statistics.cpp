@@ -1,10 +1,10 @@
 #include "handway/planning/campaigns/campaign_statistics.h"
 
 #include "handway/geometric/math/units.h"
+#include "handway/sampling/sequences/random_stream.h"
 
 #include <Eigen/Core>
 #include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,12 +43,17 @@ Interval mean_interval(std::span<const double> values, double confidence) {
   if (values.size() < 2) {
     return {kNan, kNan};
   }
-  const auto n = static_cast<double>(values.size());
-  const boost::math::students_t t(n - 1.0);
-  const double half =
-      boost::math::quantile(t, 0.5 + confidence / 2.0) * deviation_of(values) / std::sqrt(n);
-  const double mean = mean_of(values);
-  return {mean - half, mean + half};
+  constexpr int kResamples = 2000;
+  sampling::RandomStream random(1);
+  std::vector<double> means(kResamples);
+  for (double& mean : means) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      sum += values[random.below(values.size())];
+    }
+    mean = sum / static_cast<double>(values.size());
+  }
+  return {quantile_of(means, 0.5 - confidence / 2.0), quantile_of(means, 0.5 + confidence / 2.0)};
 }
 
 Interval wilson_interval(std::size_t successes, std::size_t trials, double confidence) {

@@ -11,7 +11,7 @@ namespace handway::planning {
 /// object's frame.
 struct Chord {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();      ///< Its middle, m.
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< Of length 1.
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< Unit vector.
   double length = 0.0;                                   ///< m
 };
 

@@ -182,6 +182,22 @@ TEST_F(Pointing, RowsAreDraggedIntoTheView) {
   EXPECT_EQ(editor().undo_stack().undoText(), QStringLiteral("Move post"));
 }
 
+TEST_F(Pointing, NewObjectsStandOnTheFurnitureThatIsSeen) {
+  const std::vector<std::pair<const char*, double>> furniture = {// height of its top, m
+                                                                 {"can_on_table", 0.68},
+                                                                 {"two_cans_on_table", 0.68},
+                                                                 {"ur5e_and_shadow", 0.68}};
+  for (const auto& [scene_name, top] : furniture) {
+    open(source_dir() / "scenes" / (std::string(scene_name) + ".yaml"));
+    part<QAction>("box").trigger();
+    const geometric::SceneObject& box = object("box");
+    const double foot =
+        box.X_PO.translation().z() - 0.5 * std::get<geometric::Box>(box.shape).size.z();
+    EXPECT_NEAR(foot, top, 2e-3) << scene_name;
+    editor().undo_stack().undo();
+  }
+}
+
 TEST_F(Pointing, AMeshSaysItsUnitAndWhatIsUpwards) {
   // A slab of 200 x 300 x 100 mm, in millimetres, on its y side.
   const std::filesystem::path file = cell().folder() / "slab.obj";

@@ -26,7 +26,9 @@ struct Interval {
 
 using sampling::quantile_of;
 
-/// Interval of the mean, by Student's t distribution. NaN for fewer than two values.
+/// Interval of the mean by the percentile bootstrap with a fixed seed (B. Efron, R. J. Tibshirani,
+/// "An Introduction to the Bootstrap", 1993, chapter 13). It lies within the values, so that times
+/// and counts never get a negative bound. NaN for fewer than two values.
 /// @param confidence in (0, 1).
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Interval mean_interval(std::span<const double> values,
                                                              double confidence = 0.95);

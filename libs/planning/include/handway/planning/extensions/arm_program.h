@@ -30,7 +30,7 @@ struct ArmMove {
 /// A time in which the arm rests.
 struct ArmWait {
   double duration = 0.0;  ///< s
-  /// Whether the motion has a waypoint at its end, where only the hand has moved. Otherwise the
+  /// True if the motion has a waypoint at its end, where only the hand has moved. Otherwise the
   /// time is added to the motion.
   bool is_waypoint = true;
 };

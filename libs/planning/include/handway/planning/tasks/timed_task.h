@@ -11,7 +11,7 @@ namespace handway::planning {
 
 /// A planned task, timed from its beginning to its end.
 struct TimedTask {
-  std::vector<TimedPath> stages;  ///< Of TaskPlan::stages, each checked in its own scene.
+  std::vector<TimedPath> stages;  ///< Those of TaskPlan::stages, each checked in its own scene.
   /// All stages one after another, with MotionStage marks; empty unless cleared(). The robot rests
   /// between them.
   Motion motion = {};

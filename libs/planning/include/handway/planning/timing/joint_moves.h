@@ -14,10 +14,10 @@ namespace handway::planning {
 /// brake and stop together.
 struct JointMove {
   Eigen::VectorXd target;           ///< Shape [arm], rad or m.
-  double duration = 0.0;            ///< Of this part of the motion, s.
+  double duration = 0.0;            ///< Duration of this part of the motion, s.
   bool waits = false;               ///< The arm stays, for example while the hand moves.
-  double largest_change = 0.0;      ///< Of the joint that moves the farthest, rad or m.
-  double velocity_limit = 0.0;      ///< Of the share of the move that is done, 1/s, at full speed.
+  double largest_change = 0.0;      ///< Largest change of a joint, rad or m.
+  double velocity_limit = 0.0;      ///< Rate of the finished share at full speed, 1/s.
   double acceleration_limit = 0.0;  ///< 1/s², at full speed.
 
   /// Returns the share of the joints' velocity limits at which a move with this share of their
