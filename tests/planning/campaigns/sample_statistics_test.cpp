@@ -1,9 +1,11 @@
 /// Means, quantiles and intervals against published values.
 #include "handway/planning/campaigns/campaign_statistics.h"
+#include "handway/sampling/sequences/random_stream.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
