@@ -101,7 +101,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kReadSlice{20};
+constexpr milliseconds kDatagramWait{20};
 // Step back by which the sender's clock must have been reset, not datagrams overtaken, s.
 constexpr double kRestart = 1.0;
 
@@ -153,7 +153,7 @@ TrackerInfo UdpTracker::do_connect(const std::stop_token& stop) {
       Session{UdpReceiver(address_, parse_udp_address(address_)), {}, {}});
   const auto end = Clock::now() + settings_.timeout;
   while (session_->samples.empty() && Clock::now() < end && !stop.stop_requested()) {
-    take_datagram(kReadSlice);
+    take_datagram(kDatagramWait);
   }
   if (session_->samples.empty()) {
     session_.reset();
@@ -170,7 +170,7 @@ TrackerReading UdpTracker::do_next(milliseconds timeout, const std::stop_token& 
   while (session_->samples.empty() && !stop.stop_requested()) {
     const auto now = Clock::now();
     const auto left = std::chrono::ceil<milliseconds>(end - now);
-    take_datagram(std::clamp(left, milliseconds(0), kReadSlice));
+    take_datagram(std::clamp(left, milliseconds(0), kDatagramWait));
     if (!session_->samples.empty()) {
       break;
     }

@@ -12,7 +12,7 @@ namespace handway::device {
 [[nodiscard]] bool is_matlab_file(const std::filesystem::path& file);
 
 /// The matrices of real numbers in a MATLAB file (version 5 or 7.3), by name, those of a structure
-/// as "structure.field"; other contents are ignored.
+/// as "structure.field", those of cells as "name{row,column}"; other contents are ignored.
 /// @throws geometric::InputError if it can't be read.
 [[nodiscard]] std::map<std::string, Eigen::MatrixXd> read_matlab_file(
     const std::filesystem::path& file);

@@ -1,4 +1,4 @@
-#include "glove/matlab_file.h"
+#include "recordings/matlab_file.h"
 
 #include "handway/geometric/io/input_error.h"
 
@@ -61,7 +61,32 @@ Eigen::MatrixXd matrix(const matvar_t& variable) {
 }
 
 void add_matrices(const std::filesystem::path& file, mat_t& opened, const std::string& name,
+                  matvar_t& variable, std::map<std::string, Eigen::MatrixXd>& matrices);
+
+// Adds the matrices in the cells of an array of cells, as "name{row,column}".
+void add_cells(const std::filesystem::path& file, mat_t& opened, const std::string& name,
+               matvar_t& variable, std::map<std::string, Eigen::MatrixXd>& matrices) {
+  constexpr std::size_t kMostCells = 100000;
+  if (variable.rank != 2 || variable.dims[0] > kMostCells || variable.dims[1] > kMostCells ||
+      variable.dims[0] * variable.dims[1] > kMostCells || variable.data == nullptr) {
+    return;
+  }
+  for (std::size_t i = 0; i < variable.dims[0] * variable.dims[1]; ++i) {
+    matvar_t* cell = Mat_VarGetCell(&variable, static_cast<int>(i));
+    if (cell != nullptr && cell->class_type != MAT_C_CELL && cell->class_type != MAT_C_STRUCT) {
+      add_matrices(
+          file, opened,
+          fmt::format("{}{{{},{}}}", name, i % variable.dims[0] + 1, i / variable.dims[0] + 1),
+          *cell, matrices);
+    }
+  }
+}
+
+void add_matrices(const std::filesystem::path& file, mat_t& opened, const std::string& name,
                   matvar_t& variable, std::map<std::string, Eigen::MatrixXd>& matrices) {
+  if (variable.class_type == MAT_C_CELL) {
+    add_cells(file, opened, name, variable, matrices);
+  }
   if (variable.class_type == MAT_C_STRUCT && variable.rank == 2 && variable.dims[0] == 1 &&
       variable.dims[1] == 1) {
     char* const* fields = Mat_VarGetStructFieldnames(&variable);

@@ -1,8 +1,9 @@
-#include "glove/landmark_dump.h"
+#include "recordings/landmark_dump.h"
 
-#include "glove/recording_readers.h"
+#include "glove/finger_bending.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/table_times.h"
+#include "recordings/recording_formats.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -217,16 +218,23 @@ bool is_left(const std::vector<SeenHand>& hands) {
 
 }  // namespace
 
-double bending(const HandLandmarks& points, bool left) {
+RecordingHeader landmark_header(const std::filesystem::path& file) {
+  RecordingHeader header;
+  header.kind = RecordingKind::kAngles;
+  header.device = "landmarks of a hand";
+  header.origin = file.filename().string();
+  header.sensors = landmark_sensors();
+  return header;
+}
+
+std::vector<double> landmark_row(const RecordingHeader& header, const HandLandmarks& points,
+                                 bool left) {
   const GloveAngles angles = glove_angles(in_palm_frame(points, left));
-  double sum = 0.0;
-  for (std::size_t sensor = 0; sensor < angles.angles.size(); ++sensor) {
-    const std::string_view name = cyberglove_sensors()[sensor].name;
-    if (name.ends_with("PIJ") || name.ends_with("DIJ")) {
-      sum += std::isfinite(angles.angles[sensor]) ? angles.angles[sensor] : 0.0;
-    }
+  std::vector<double> row;
+  for (const int sensor : header.sensors) {
+    row.push_back(angles.angles.at(static_cast<std::size_t>(sensor)));
   }
-  return sum;
+  return row;
 }
 
 Recording recording_of_hands(const std::filesystem::path& file, const std::vector<SeenHand>& all) {
@@ -410,6 +418,28 @@ Recording read_landmark_document(const std::filesystem::path& file, std::string_
     }
   }
   return recording_of_hands(file, finder.hands());
+}
+
+namespace {
+
+class LandmarkDocuments final : public RecordingFormat {
+ public:
+  [[nodiscard]] RecordingKindOfFile kind() const override {
+    return {"landmark document", "JSON that contains arrays of 21 landmarks of a hand."};
+  }
+  [[nodiscard]] bool recognises(const RecordingFile& file) const override {
+    return file.first_line() != nullptr && is_landmark_document(file.text());
+  }
+  [[nodiscard]] Recording read(const RecordingFile& file) const override {
+    return read_landmark_document(file.path(), file.text(), file.lines());
+  }
+};
+
+}  // namespace
+
+const RecordingFormat& landmark_document_format() {
+  static const LandmarkDocuments kFormat;
+  return kFormat;
 }
 
 }  // namespace handway::device
