@@ -78,7 +78,9 @@ bool has_landmarks(const RecordingVariable& variable) {
 std::string ArrayFile::listed() const {
   std::string text;
   for (std::size_t i = 0; i < std::min(variables_.size(), kMostNamed); ++i) {
-    text += (i > 0 ? ", " : "") + to_string(variables_[i]);
+    const std::string& problem = variables_[i].problem;
+    text +=
+        (i > 0 ? ", " : "") + to_string(variables_[i]) + (problem.empty() ? "" : " of " + problem);
   }
   if (variables_.size() > kMostNamed) {
     text += fmt::format(" and {} more", variables_.size() - kMostNamed);

@@ -3,6 +3,7 @@
 #include "glove/finger_bending.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/table_times.h"
+#include "handway/geometric/math/units.h"
 #include "recordings/recording_formats.h"
 
 #include <fmt/format.h>
@@ -166,15 +167,27 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+double palm_length(const HandLandmarks& points) {
+  return (points.col(base_landmark(Finger::kMiddle)) - points.col(kWristLandmark)).norm();
+}
+
+// World landmarks are around the middle of the hand or relative to its wrist, or have distances
+// from a camera. In a picture only points estimated beyond its edge are negative, and depth is
+// relative to the wrist.
+bool is_in_picture(const HandLandmarks& points) {
+  constexpr double kNone = 0.05;  // of the length of the palm
+  const auto across = points.topRows<2>();
+  const auto wrist = points.col(kWristLandmark);
+  const double palm = palm_length(points);
+  return across.minCoeff() > -0.25 * (across.maxCoeff() - across.minCoeff()) &&
+         std::abs(wrist.z()) < palm && wrist.head<2>().norm() > kNone * palm;
+}
+
 // Converts coordinates of a picture or of another unit to metres.
 // @returns the unit inferred; empty for metres.
 std::string settle_units(std::vector<SeenHand>& hands) {
-  // World landmarks are around the middle of the hand; in a picture only points estimated beyond
-  // its edge are negative.
-  const auto in_picture = std::ranges::count_if(hands, [](const SeenHand& hand) {
-    const auto across = hand.points.topRows<2>();
-    return across.minCoeff() > -0.25 * (across.maxCoeff() - across.minCoeff());
-  });
+  const auto in_picture =
+      std::ranges::count_if(hands, [](const SeenHand& hand) { return is_in_picture(hand.points); });
   double most = 0.0;
   for (const SeenHand& hand : hands) {
     most = std::max(most, hand.points.lpNorm<Eigen::Infinity>());
@@ -187,12 +200,18 @@ std::string settle_units(std::vector<SeenHand>& hands) {
       hand.points.row(0) *= kUsualPicture;
       hand.points.row(2) *= kUsualPicture;
     }
-    palms.push_back(
-        (hand.points.col(base_landmark(Finger::kMiddle)) - hand.points.col(kWristLandmark)).norm());
+    palms.push_back(palm_length(hand.points));
   }
   const double palm = median(palms);
   if (!picture && palm >= kShortestPalm && palm <= kLongestPalm) {
     return "";
+  }
+  if (const double metres = geometric::metres(palm);
+      !picture && metres >= kShortestPalm && metres <= kLongestPalm) {
+    for (SeenHand& hand : hands) {
+      hand.points *= geometric::kMillimetre;
+    }
+    return "mm";
   }
   const HandLandmarks typical = hand_landmarks(GloveAngles{});
   const double usual = typical.col(base_landmark(Finger::kMiddle)).norm();

@@ -17,9 +17,16 @@ std::unique_ptr<ArrayFile> RecordingFormat::open(const RecordingFile& /*file*/) 
 
 const std::vector<const RecordingFormat*>& recording_formats() {
   static const std::vector<const RecordingFormat*> kFormats{
-      &joint_message_format(),     &table_map_format(),     &matlab_format(),
-      &landmark_document_format(), &landmark_line_format(), &handway_recording_format(),
-      &virtual_hand_log_format(),  &text_table_format(),
+      &joint_message_format(),
+      &table_map_format(),
+      &matlab_format(),
+      &numpy_format(),
+      &hdf5_format(),
+      &landmark_document_format(),
+      &landmark_line_format(),
+      &handway_recording_format(),
+      &virtual_hand_log_format(),
+      &text_table_format(),
   };
   return kFormats;
 }

@@ -16,6 +16,12 @@ namespace handway::device {
 [[nodiscard]] const RecordingFormat& table_map_format();
 /// MATLAB files of version 5 to 7.3.
 [[nodiscard]] const RecordingFormat& matlab_format();
+/// Arrays of NumPy (.npy, .npz).
+[[nodiscard]] const RecordingFormat& numpy_format();
+/// Data sets of HDF5.
+[[nodiscard]] const RecordingFormat& hdf5_format();
+/// Bags of ROS 2 in SQLite.
+[[nodiscard]] const RecordingFormat& ros_bag_format();
 /// Any JSON that contains arrays of 21 points.
 [[nodiscard]] const RecordingFormat& landmark_document_format();
 /// Lines of JSON with the landmarks of a hand.

@@ -15,19 +15,19 @@
 namespace handway::device {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using PoseJson = nlohmann::ordered_json;
 
 constexpr int kLastSensor = 255;
 
 template <int Count>
-std::optional<Eigen::Matrix<double, Count, 1>> numbers(const Json& object, const char* key) {
+std::optional<Eigen::Matrix<double, Count, 1>> numbers(const PoseJson& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_array() || found->size() != Count) {
     return std::nullopt;
   }
   Eigen::Matrix<double, Count, 1> values;
   Eigen::Index k = 0;
-  for (const Json& value : *found) {
+  for (const PoseJson& value : *found) {
     if (!value.is_number()) {
       return std::nullopt;
     }
@@ -37,7 +37,7 @@ std::optional<Eigen::Matrix<double, Count, 1>> numbers(const Json& object, const
 }
 
 // Reads sensor, time and button. @returns whether they are valid.
-bool read_rest(const Json& object, TrackerSample& sample) {
+bool read_rest(const PoseJson& object, TrackerSample& sample) {
   const auto time = object.find("time");
   if (time == object.end() || !time->is_number() || !std::isfinite(time->get<double>())) {
     return false;
@@ -65,7 +65,7 @@ std::optional<TrackerSample> read_pose_datagram(std::span<const std::uint8_t> da
   if (datagram.size() > kLongestPoseDatagram) {
     return std::nullopt;
   }
-  const Json object = Json::parse(datagram.begin(), datagram.end(), nullptr, false);
+  const PoseJson object = PoseJson::parse(datagram.begin(), datagram.end(), nullptr, false);
   if (!object.is_object()) {
     return std::nullopt;
   }
@@ -87,10 +87,10 @@ std::optional<TrackerSample> read_pose_datagram(std::span<const std::uint8_t> da
 std::string write_pose_datagram(const TrackerSample& sample) {
   const Eigen::Vector3d p = sample.X_ST.translation();
   const Eigen::Quaterniond q(sample.X_ST.linear());
-  Json object{{"sensor", sample.sensor},
-              {"time", sample.time},
-              {"position", {p.x(), p.y(), p.z()}},
-              {"quaternion", {q.x(), q.y(), q.z(), q.w()}}};
+  PoseJson object{{"sensor", sample.sensor},
+                  {"time", sample.time},
+                  {"position", {p.x(), p.y(), p.z()}},
+                  {"quaternion", {q.x(), q.y(), q.z(), q.w()}}};
   if (sample.button) {
     object["button"] = *sample.button;
   }
