@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <functional>
 #include <iterator>
 #include <numeric>
+#include <system_error>
 
 namespace handway::device {
 namespace {
@@ -56,6 +58,51 @@ const RecordingVariable* nearest(const std::vector<RecordingVariable>& all,
   }
 }
 
+/// Some columns of a variable: "qpos[0:7]".
+struct ColumnRange {
+  std::string_view variable;
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+std::optional<ColumnRange> column_range(std::string_view name) {
+  const std::size_t open = name.rfind('[');
+  const std::size_t colon = name.find(':', std::min(open, name.size()));
+  if (open == std::string_view::npos || colon == std::string_view::npos || !name.ends_with(']')) {
+    return std::nullopt;
+  }
+  ColumnRange range{name.substr(0, open)};
+  const auto read = [](std::string_view digits, std::size_t& number) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return error == std::errc() && end == digits.data() + digits.size();
+  };
+  return read(name.substr(open + 1, colon - open - 1), range.first) &&
+                 read(name.substr(colon + 1, name.size() - colon - 2), range.end)
+             ? std::optional(range)
+             : std::nullopt;
+}
+
+Series columns_of_series(const std::filesystem::path& file, Series series,
+                         const ColumnRange& range) {
+  const auto columns = static_cast<std::size_t>(series.values.cols());
+  if (range.first >= range.end || range.end > columns) {
+    throw InputError({file.string(), fmt::format("variable {}", range.variable),
+                      fmt::format("columns {} to {}", range.first, range.end),
+                      fmt::format("a part of its {} columns, counted from 0", columns), ""});
+  }
+  const std::size_t count = range.end - range.first;
+  series.values =
+      series.values
+          .middleCols(static_cast<Eigen::Index>(range.first), static_cast<Eigen::Index>(count))
+          .eval();
+  if (!series.names.empty()) {
+    const auto first = series.names.begin() + static_cast<std::ptrdiff_t>(range.first);
+    series.names = {first, first + static_cast<std::ptrdiff_t>(count)};
+  }
+  series.variable.shape = {static_cast<std::size_t>(series.values.rows()), count};
+  return series;
+}
+
 }  // namespace
 
 std::size_t columns_of(const RecordingVariable& variable) {
@@ -91,12 +138,14 @@ std::string ArrayFile::listed() const {
 Series ArrayFile::series(std::string_view name) const {
   const auto found = std::ranges::find(variables_, name, &RecordingVariable::name);
   if (found == variables_.end()) {
+    if (const std::optional<ColumnRange> range = column_range(name)) {
+      return columns_of_series(path_, series(range->variable), *range);
+    }
     std::vector<std::string> known;
     std::ranges::transform(variables_, std::back_inserter(known), &RecordingVariable::name);
-    throw InputError(
-        {path_.string(), fmt::format("variable {}", name), "no variable of that name",
-         "one of " + listed(),
-         geometric::nearest_name(name, known).empty() ? "" : geometric::advise_name(name, known)});
+    const bool is_near = !geometric::nearest_name(name, known).empty();
+    throw InputError({path_.string(), fmt::format("variable {}", name), "no variable of that name",
+                      "one of " + listed(), is_near ? geometric::advise_name(name, known) : ""});
   }
   if (!found->problem.empty()) {
     throw InputError({path_.string(), fmt::format("variable {}", name), found->problem,

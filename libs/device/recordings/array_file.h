@@ -46,6 +46,7 @@ class ArrayFile {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const std::vector<RecordingVariable>& variables() const { return variables_; }
+  /// @param name of a variable; columns of it, counted from 0, as "qpos[0:7]".
   /// @throws InputError if there is no such variable, or it can't be read.
   [[nodiscard]] Series series(std::string_view name) const;
   /// Returns the names of a variable's columns, if the file has them.

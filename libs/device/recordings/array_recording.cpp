@@ -96,6 +96,7 @@ TableLayout layout_of_series(const std::filesystem::path& file, const Series& se
     if (timed) {  // the times are known: columns are measurements
       table.values.conservativeResize(Eigen::NoChange, columns);
       table.names.resize(series.names.size());
+      table.contents.pop_back();
     }
     layout = layout_of(file, table);
   }
@@ -110,7 +111,8 @@ TableLayout layout_of_series(const std::filesystem::path& file, const Series& se
 
 std::string choose_advice(const std::string& variable) {
   return fmt::format(
-      "Choose a variable by FILE#{}, or name it and its columns in a map (YAML). "
+      "Choose a variable by FILE#{0}, columns of it by FILE#{0}[0:22], or name it and its columns "
+      "in a map (YAML). "
       "handway pca --joints-of ROBOT reads the joints of a robot hand.",
       variable);
 }

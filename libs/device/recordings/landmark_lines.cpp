@@ -1,3 +1,4 @@
+#include "glove/finger_bending.h"
 #include "handway/device/core/line_protocol.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/landmark_line.h"

@@ -22,6 +22,7 @@ const std::vector<const RecordingFormat*>& recording_formats() {
       &matlab_format(),
       &numpy_format(),
       &hdf5_format(),
+      &ros_bag_format(),
       &landmark_document_format(),
       &landmark_line_format(),
       &handway_recording_format(),

@@ -1,6 +1,7 @@
 #include "recordings/series_table.h"
 
 #include <cmath>
+#include <cstddef>
 
 namespace handway::device {
 
@@ -17,6 +18,8 @@ NumberTable table_of(const Series& series) {
       table.names.emplace_back("time");
     }
   }
+  table.contents.assign(static_cast<std::size_t>(table.values.cols()),
+                        geometric::CellContent::kNumbers);
   table.values =
       table.values.unaryExpr([](double value) { return std::isfinite(value) ? value : kGap; });
   return table;
