@@ -35,7 +35,8 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolde
      {"edits", "core", "spaces", "paths", "roadmap", "timing", "planners", "queries", "extensions",
       "replanning", "grasps", "tasks", "campaigns"}},
     {"device",
-     {"core", "glove", "retargeting", "tracker", "arm", "hand", "ros", "haptic", "emulators"}},
+     {"core", "glove", "recordings", "retargeting", "tracker", "arm", "hand", "ros", "haptic",
+      "emulators"}},
     {"execution", {"motion", "guidance"}},
     {"report", {"document", "plots", "rendering", "studies"}},
 };

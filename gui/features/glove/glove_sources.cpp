@@ -46,10 +46,11 @@ QList<GlovePort> find_glove_ports(const QString& devices) {
 
 QString recording_filter() {
   return QObject::tr(
-      "Recordings of hands (*.csv *.txt *.dat *.json *.jsonl *.mat *.yaml *.yml);;"
+      "Recordings of hands (*.csv *.txt *.dat *.json *.jsonl *.mat *.npy *.npz *.h5 *.hdf5 "
+      "*.db3 *.yaml *.yml);;"
       "Tables, of this window and of other programs (*.csv *.txt *.dat);;"
       "Hand landmarks (*.json *.jsonl);;"
-      "MATLAB data sets (*.mat);;"
+      "Arrays and bags (*.mat *.npy *.npz *.h5 *.hdf5 *.db3);;"
       "Maps of a table's columns (*.yaml *.yml);;"
       "All files (*)");
 }

@@ -9,7 +9,6 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
-#include "recording_readers.h"
 
 #include <fmt/format.h>
 

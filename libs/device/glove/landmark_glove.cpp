@@ -2,7 +2,7 @@
 
 #include "core/links.h"
 #include "core/ports.h"
-#include "glove/landmark_dump.h"
+#include "glove/finger_bending.h"
 #include "glove/recording_player.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/core/line_protocol.h"

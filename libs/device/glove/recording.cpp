@@ -1,15 +1,9 @@
 #include "handway/device/glove/recording.h"
 
-#include "glove/landmark_dump.h"
-#include "glove/matlab_file.h"
-#include "glove/table_reader.h"
-#include "glove/text_files.h"
+#include "glove/recording_mark.h"
 #include "handway/device/glove/glove_layout.h"
-#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
-#include "handway/geometric/io/text_file.h"
-#include "recording_readers.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -90,8 +84,6 @@ std::string row_text(const RecordingHeader& header, double time, std::span<const
   return text + '\n';
 }
 
-constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // some 30 hours at 100 Hz
-
 }  // namespace
 
 std::string to_string(RecordingKind kind) {
@@ -132,38 +124,6 @@ RecordingHeader recording_header(const GloveInfo& info) {
 int column_of(const RecordingHeader& header, int sensor) {
   const auto found = std::ranges::find(header.sensors, sensor);
   return found == header.sensors.end() ? -1 : static_cast<int>(found - header.sensors.begin());
-}
-
-Recording read_recording(const std::filesystem::path& file) {
-  if (has_joint_messages(geometric::head_of(file))) {
-    throw geometric::InputError({file.string(), "", "messages of a robot's joints",
-                                 "a recording of a glove",
-                                 "handway pca --joints-of ROBOT reads them"});
-  }
-  if (geometric::has_extension(file, ".yaml") || geometric::has_extension(file, ".yml")) {
-    return read_mapped_table(file);
-  }
-  if (is_matlab_file(file)) {
-    return read_matlab_recording(file);
-  }
-  std::string text = geometric::read_text_file(file, "a recording of a glove", kLargestFile);
-  if (text.find('\n') == std::string::npos) {  // as old Macintoshs end lines
-    std::ranges::replace(text, '\r', '\n');
-  }
-  const std::vector<TextLine> lines = text_lines(text);
-  const auto first =
-      std::ranges::find_if(lines, [](const TextLine& line) { return !trimmed(line.text).empty(); });
-  if (first != lines.end() && is_landmark_document(text)) {
-    return read_landmark_document(file, text, lines);
-  }
-  if (first != lines.end() && is_landmark_row(*first)) {
-    return read_landmark_recording(file, lines);
-  }
-  if (first != lines.end() && trimmed(first->text) == kRecordingMark) {
-    return read_csv_recording(file, lines);
-  }
-  return first != lines.end() && is_virtual_hand_row(*first) ? read_virtual_hand_log(file, lines)
-                                                             : read_other_table(file, lines);
 }
 
 void write_recording(const Recording& recording, const std::filesystem::path& file) {

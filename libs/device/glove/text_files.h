@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ using geometric::separator_of;
 using geometric::text_lines;
 using geometric::TextLine;
 using geometric::trimmed;
+
+/// "FILE:LINE".
+[[nodiscard]] std::string at_line(const std::filesystem::path& file, const TextLine& line);
 
 /// Writes `key: "text"` as a line; nothing for an empty text.
 [[nodiscard]] std::string text_field(const std::string& key, const std::string& text);

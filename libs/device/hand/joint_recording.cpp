@@ -6,6 +6,9 @@
 #include "handway/geometric/io/table_times.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
+#include "recordings/array_recording.h"
+#include "recordings/joint_series.h"
+#include "recordings/recording_formats.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +17,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -166,9 +170,37 @@ void turn_to_radians(const RobotModel& hand, Eigen::MatrixXd& values,
 
 }  // namespace
 
+namespace {
+
+// Values in a file with arrays or topics, or in text.
+JointTable read_rows(const fs::path& given, const RobotModel& hand,
+                     std::vector<std::string>& warnings) {
+  const RecordingFile file(given);
+  const JointLookup lookup = variables_of(hand);
+  if (const std::unique_ptr<ArrayFile> arrays = open_arrays(file)) {
+    return read_joint_series(*arrays, file.variable(), {lookup, hand.variable_count(), hand.name()},
+                             warnings);
+  }
+  return geometric::read_joint_table(given, lookup, hand.variable_count(), kWhat);
+}
+
+// Returns whether a file with arrays or topics has one with values of half of the joints.
+bool has_joint_arrays(const ArrayFile& arrays, const std::string& variable,
+                      const RobotModel& hand) {
+  const JointLookup lookup = variables_of(hand);
+  const std::vector<RecordingVariable> fitting =
+      joint_variables(arrays, {lookup, hand.variable_count(), hand.name()});
+  return std::ranges::any_of(fitting, [&](const RecordingVariable& one) {
+    return (variable.empty() || one.name == variable) &&
+           2 * columns_of(one) >= static_cast<std::size_t>(hand.variable_count());
+  });
+}
+
+}  // namespace
+
 Recording read_joint_recording(const fs::path& file, const RobotModel& hand) {
-  JointTable rows =
-      geometric::read_joint_table(file, variables_of(hand), hand.variable_count(), kWhat);
+  Recording recording;
+  JointTable rows = read_rows(file, hand, recording.warnings);
   const bool messages = rows.lines.empty();
   const auto is_known = [](const Eigen::VectorXd& row) { return !row.array().isNaN().all(); };
   if (std::ranges::none_of(rows.values, is_known)) {
@@ -177,7 +209,6 @@ Recording read_joint_recording(const fs::path& file, const RobotModel& hand) {
                                : "a header with the names of its joints, and rows of their values",
                       fmt::format("Its joints are {}", fmt::join(OwnJoints(hand).joints(), ", "))});
   }
-  Recording recording;
   recording.header.kind = RecordingKind::kAngles;
   recording.header.origin = "joints of " + hand.name();
   name_others(rows, recording.warnings);
@@ -204,6 +235,11 @@ Recording read_joint_recording(const fs::path& file, const RobotModel& hand) {
 }
 
 bool is_joint_recording(const fs::path& file, const RobotModel& hand) {
+  const RecordingFile recording(file);
+  if (const std::unique_ptr<ArrayFile> arrays = open_arrays(recording)) {
+    return recordable_variables(*arrays).empty() &&
+           has_joint_arrays(*arrays, recording.variable(), hand);
+  }
   const std::string head = geometric::head_of(file);
   if (has_joint_messages(head)) {
     return true;

@@ -15,19 +15,19 @@
 namespace handway::device {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using PoseJson = nlohmann::ordered_json;
 
 constexpr int kLastSensor = 255;
 
 template <int Count>
-std::optional<Eigen::Matrix<double, Count, 1>> numbers(const Json& object, const char* key) {
+std::optional<Eigen::Matrix<double, Count, 1>> numbers(const PoseJson& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_array() || found->size() != Count) {
     return std::nullopt;
   }
   Eigen::Matrix<double, Count, 1> values;
   Eigen::Index k = 0;
-  for (const Json& value : *found) {
+  for (const PoseJson& value : *found) {
     if (!value.is_number()) {
       return std::nullopt;
     }
@@ -37,7 +37,7 @@ std::optional<Eigen::Matrix<double, Count, 1>> numbers(const Json& object, const
 }
 
 // Reads sensor, time and button. @returns whether they are valid.
-bool read_rest(const Json& object, TrackerSample& sample) {
+bool read_rest(const PoseJson& object, TrackerSample& sample) {
   const auto time = object.find("time");
   if (time == object.end() || !time->is_number() || !std::isfinite(time->get<double>())) {
     return false;
@@ -65,7 +65,7 @@ std::optional<TrackerSample> read_pose_datagram(std::span<const std::uint8_t> da
   if (datagram.size() > kLongestPoseDatagram) {
     return std::nullopt;
   }
-  const Json object = Json::parse(datagram.begin(), datagram.end(), nullptr, false);
+  const PoseJson object = PoseJson::parse(datagram.begin(), datagram.end(), nullptr, false);
   if (!object.is_object()) {
     return std::nullopt;
   }
@@ -87,10 +87,10 @@ std::optional<TrackerSample> read_pose_datagram(std::span<const std::uint8_t> da
 std::string write_pose_datagram(const TrackerSample& sample) {
   const Eigen::Vector3d p = sample.X_ST.translation();
   const Eigen::Quaterniond q(sample.X_ST.linear());
-  Json object{{"sensor", sample.sensor},
-              {"time", sample.time},
-              {"position", {p.x(), p.y(), p.z()}},
-              {"quaternion", {q.x(), q.y(), q.z(), q.w()}}};
+  PoseJson object{{"sensor", sample.sensor},
+                  {"time", sample.time},
+                  {"position", {p.x(), p.y(), p.z()}},
+                  {"quaternion", {q.x(), q.y(), q.z(), q.w()}}};
   if (sample.button) {
     object["button"] = *sample.button;
   }
@@ -101,7 +101,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kReadSlice{20};
+constexpr milliseconds kDatagramWait{20};
 // Step back by which the sender's clock must have been reset, not datagrams overtaken, s.
 constexpr double kRestart = 1.0;
 
@@ -153,7 +153,7 @@ TrackerInfo UdpTracker::do_connect(const std::stop_token& stop) {
       Session{UdpReceiver(address_, parse_udp_address(address_)), {}, {}});
   const auto end = Clock::now() + settings_.timeout;
   while (session_->samples.empty() && Clock::now() < end && !stop.stop_requested()) {
-    take_datagram(kReadSlice);
+    take_datagram(kDatagramWait);
   }
   if (session_->samples.empty()) {
     session_.reset();
@@ -170,7 +170,7 @@ TrackerReading UdpTracker::do_next(milliseconds timeout, const std::stop_token& 
   while (session_->samples.empty() && !stop.stop_requested()) {
     const auto now = Clock::now();
     const auto left = std::chrono::ceil<milliseconds>(end - now);
-    take_datagram(std::clamp(left, milliseconds(0), kReadSlice));
+    take_datagram(std::clamp(left, milliseconds(0), kDatagramWait));
     if (!session_->samples.empty()) {
       break;
     }

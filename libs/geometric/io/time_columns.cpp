@@ -37,9 +37,9 @@ std::optional<double> unit_called(const std::string& word) {
 }
 
 bool names_time(const std::string& word) {
-  return is_one_of(word, {"time", "times", "timestamp", "timestamps", "stamp", "datetime", "zeit",
-                          "zeitstempel", "uhrzeit", "zeitpunkt", "temps", "horodatage", "tiempo",
-                          "tempo", "orario", "hora", "tijd"});
+  return is_one_of(word, {"time", "times", "timestamp", "timestamps", "stamp", "stamps", "datetime",
+                          "zeit", "zeitstempel", "uhrzeit", "zeitpunkt", "temps", "horodatage",
+                          "tiempo", "tempo", "orario", "hora", "tijd"});
 }
 
 /// Finds "timems", "timestampns": a word that ends in a unit.

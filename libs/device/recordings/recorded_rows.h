@@ -1,53 +1,22 @@
 #pragma once
 
 #include "glove/text_files.h"
-#include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
 
-/// The kinds of file that read_recording() distinguishes; messages as documented there.
+/// Rows of a recording, collected while a text is read.
 
 namespace handway::device {
-
-/// The first line of every recording of Handway.
-inline constexpr const char* kRecordingMark = "# handway glove recording 1";
 
 /// Largest values: counts from 0 to, and angles in rad from minus to, this.
 inline constexpr double kHighestCounts = 255.0;
 inline constexpr double kWidestAngle = 2.0 * std::numbers::pi;
-
-/// Handway's own recordings.
-[[nodiscard]] Recording read_csv_recording(const std::filesystem::path& file,
-                                           const std::vector<TextLine>& lines);
-
-/// Returns whether a line is a row of a VirtualHand log.
-[[nodiscard]] bool is_virtual_hand_row(const TextLine& line);
-
-/// Rows of date, time, switch and 23 angles.
-[[nodiscard]] Recording read_virtual_hand_log(const std::filesystem::path& file,
-                                              const std::vector<TextLine>& lines);
-
-/// Returns whether a line is a row of landmarks: JSON.
-[[nodiscard]] bool is_landmark_row(const TextLine& line);
-
-/// Rows of 21 landmarks of a hand, as JSON lines; the recording holds the angles between them.
-[[nodiscard]] Recording read_landmark_recording(const std::filesystem::path& file,
-                                                const std::vector<TextLine>& lines);
-
-/// Header for the angles between landmarks of a hand in a file.
-[[nodiscard]] RecordingHeader landmark_header(const std::filesystem::path& file);
-
-/// A row of such a recording: rad, shape [header.sensors].
-[[nodiscard]] std::vector<double> landmark_row(const RecordingHeader& header,
-                                               const HandLandmarks& points, bool left);
-
-/// "FILE:LINE".
-[[nodiscard]] std::string at_line(const std::filesystem::path& file, const TextLine& line);
 
 /// Passes every line that isn't blank to `take`, except a last one that is cut off, as a program
 /// leaves that is killed while it writes: a warning names it.

@@ -1,7 +1,7 @@
-#include "glove/number_table.h"
+#include "recordings/number_table.h"
 
-#include "glove/recording_readers.h"
 #include "handway/geometric/io/input_error.h"
+#include "recordings/recorded_rows.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "glove/number_table.h"
 #include "handway/device/glove/recording.h"
+#include "recordings/number_table.h"
 
 #include <Eigen/Core>
 
@@ -59,6 +59,12 @@ void find_times(const NumberTable& table, TableLayout& layout);
 /// Columns in the order of a glove's records, from column `first` on.
 /// @param sensors 18 or 22.
 [[nodiscard]] std::vector<ColumnUse> glove_columns(int sensors, Eigen::Index first);
+
+/// Columns of a glove without names, from column `first` on.
+/// @param count 18 or 22, in the order of a glove's records; or VirtualHand's.
+/// @param virtual_hand whether they are VirtualHand's 23 angles, or its first 22.
+[[nodiscard]] TableLayout layout_of_columns(Eigen::Index count, Eigen::Index first,
+                                            bool virtual_hand);
 
 /// The columns by the names of their header; without such names by their number, as a glove's or
 /// VirtualHand's.

@@ -1,18 +1,13 @@
-#include "glove/table_reader.h"
-
-#include "glove/landmark_dump.h"
-#include "glove/matlab_file.h"
-#include "glove/recording_readers.h"
-#include "glove/table_layout.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/math/units.h"
+#include "recordings/landmark_dump.h"
+#include "recordings/recording_formats.h"
+#include "recordings/table_layout.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -60,8 +55,9 @@ std::vector<SeenHand> hands_in(const std::filesystem::path& file, const NumberTa
   return hands;
 }
 
-}  // namespace
-
+/// Reads text of other programs: columns by the names of their header, as sensors are called by
+/// Handway or others; without names, those of a glove's records or of VirtualHand. Unit and signs
+/// are inferred from the numbers; warnings report the inference, and the columns and rows left out.
 Recording read_other_table(const std::filesystem::path& file, const std::vector<TextLine>& lines) {
   const NumberTable table = read_text_table(file, lines);
   std::vector<std::string> warnings;
@@ -73,62 +69,22 @@ Recording read_other_table(const std::filesystem::path& file, const std::vector<
   return recording_by_numbers(file, table, layout_of(file, table));
 }
 
-namespace {
-
-bool is_of_glove(Eigen::Index columns) { return columns == 18 || columns == kGloveSensors; }
-
-/// The matrices that may come from a glove, by name, with its sensors as columns. If there are
-/// several, those with the names of Ninapro's files: "angles", which are calibrated, before
-/// "glove".
-std::map<std::string, Eigen::MatrixXd> glove_matrices(
-    const std::map<std::string, Eigen::MatrixXd>& all) {
-  std::map<std::string, Eigen::MatrixXd> fitting;
-  for (const auto& [name, matrix] : all) {
-    if (matrix.rows() > 1 && is_of_glove(matrix.cols())) {
-      fitting[name] = matrix;
-    } else if (is_of_glove(matrix.rows()) && matrix.cols() > kGloveSensors) {
-      fitting[name] = matrix.transpose();
-    }
+class TextTables final : public RecordingFormat {
+ public:
+  [[nodiscard]] RecordingKindOfFile kind() const override {
+    return {"table", "A table of text with or without a header, of any program."};
   }
-  for (const char* known : {"angles", "glove"}) {
-    for (const auto& [name, matrix] : fitting) {
-      if (name == known || name.ends_with(std::string(".") + known)) {
-        return {{name, matrix}};
-      }
-    }
+  [[nodiscard]] bool recognises(const RecordingFile& /*file*/) const override { return true; }
+  [[nodiscard]] Recording read(const RecordingFile& file) const override {
+    return read_other_table(file.path(), file.lines());
   }
-  return fitting;
-}
+};
 
 }  // namespace
 
-Recording read_matlab_recording(const std::filesystem::path& file) {
-  const std::map<std::string, Eigen::MatrixXd> matrices = read_matlab_file(file);
-  const std::map<std::string, Eigen::MatrixXd> fitting = glove_matrices(matrices);
-  if (fitting.size() != 1) {
-    throw geometric::InputError(
-        {file.string(), "", names_of(matrices),
-         "\"angles\" (degrees) or \"glove\" (counts), or one matrix, of 18 or 22 columns",
-         "Name the variable and its columns in a map of the table (YAML)."});
-  }
-  const auto& [name, matrix] = *fitting.begin();
-  const NumberTable table{
-      {}, matrix.unaryExpr([](double v) { return std::isfinite(v) ? v : kGap; }), {}, {}};
-  TableLayout layout;
-  layout.columns = glove_columns(static_cast<int>(matrix.cols()), 0);
-  const auto rate = matrices.find("frequency");
-  const bool has_rate = rate != matrices.end() && rate->second.size() == 1 && rate->second(0) > 0.0;
-  layout.rate = has_rate ? rate->second(0) : kUsualRate;
-  if (name == "angles") {
-    for (ColumnUse& use : layout.columns) {
-      use.gain = geometric::kDegree;
-    }
-    Recording recording = recording_of(file, table, layout);
-    recording.warnings.push_back(
-        fmt::format("{}: variable \"angles\" taken for degrees", file.string()));
-    return recording;
-  }
-  return recording_by_numbers(file, table, layout);
+const RecordingFormat& text_table_format() {
+  static const TextTables kFormat;
+  return kFormat;
 }
 
 }  // namespace handway::device

@@ -1,8 +1,10 @@
-#include "glove/landmark_dump.h"
+#include "recordings/landmark_dump.h"
 
-#include "glove/recording_readers.h"
+#include "glove/finger_bending.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/table_times.h"
+#include "handway/geometric/math/units.h"
+#include "recordings/recording_formats.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -165,15 +167,27 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+double palm_length(const HandLandmarks& points) {
+  return (points.col(base_landmark(Finger::kMiddle)) - points.col(kWristLandmark)).norm();
+}
+
+// World landmarks are around the middle of the hand or relative to its wrist, or have distances
+// from a camera. In a picture only points estimated beyond its edge are negative, and depth is
+// relative to the wrist.
+bool is_in_picture(const HandLandmarks& points) {
+  constexpr double kNone = 0.05;  // of the length of the palm
+  const auto across = points.topRows<2>();
+  const auto wrist = points.col(kWristLandmark);
+  const double palm = palm_length(points);
+  return across.minCoeff() > -0.25 * (across.maxCoeff() - across.minCoeff()) &&
+         std::abs(wrist.z()) < palm && wrist.head<2>().norm() > kNone * palm;
+}
+
 // Converts coordinates of a picture or of another unit to metres.
 // @returns the unit inferred; empty for metres.
 std::string settle_units(std::vector<SeenHand>& hands) {
-  // World landmarks are around the middle of the hand; in a picture only points estimated beyond
-  // its edge are negative.
-  const auto in_picture = std::ranges::count_if(hands, [](const SeenHand& hand) {
-    const auto across = hand.points.topRows<2>();
-    return across.minCoeff() > -0.25 * (across.maxCoeff() - across.minCoeff());
-  });
+  const auto in_picture =
+      std::ranges::count_if(hands, [](const SeenHand& hand) { return is_in_picture(hand.points); });
   double most = 0.0;
   for (const SeenHand& hand : hands) {
     most = std::max(most, hand.points.lpNorm<Eigen::Infinity>());
@@ -186,12 +200,18 @@ std::string settle_units(std::vector<SeenHand>& hands) {
       hand.points.row(0) *= kUsualPicture;
       hand.points.row(2) *= kUsualPicture;
     }
-    palms.push_back(
-        (hand.points.col(base_landmark(Finger::kMiddle)) - hand.points.col(kWristLandmark)).norm());
+    palms.push_back(palm_length(hand.points));
   }
   const double palm = median(palms);
   if (!picture && palm >= kShortestPalm && palm <= kLongestPalm) {
     return "";
+  }
+  if (const double metres = geometric::metres(palm);
+      !picture && metres >= kShortestPalm && metres <= kLongestPalm) {
+    for (SeenHand& hand : hands) {
+      hand.points *= geometric::kMillimetre;
+    }
+    return "mm";
   }
   const HandLandmarks typical = hand_landmarks(GloveAngles{});
   const double usual = typical.col(base_landmark(Finger::kMiddle)).norm();
@@ -217,16 +237,23 @@ bool is_left(const std::vector<SeenHand>& hands) {
 
 }  // namespace
 
-double bending(const HandLandmarks& points, bool left) {
+RecordingHeader landmark_header(const std::filesystem::path& file) {
+  RecordingHeader header;
+  header.kind = RecordingKind::kAngles;
+  header.device = "landmarks of a hand";
+  header.origin = file.filename().string();
+  header.sensors = landmark_sensors();
+  return header;
+}
+
+std::vector<double> landmark_row(const RecordingHeader& header, const HandLandmarks& points,
+                                 bool left) {
   const GloveAngles angles = glove_angles(in_palm_frame(points, left));
-  double sum = 0.0;
-  for (std::size_t sensor = 0; sensor < angles.angles.size(); ++sensor) {
-    const std::string_view name = cyberglove_sensors()[sensor].name;
-    if (name.ends_with("PIJ") || name.ends_with("DIJ")) {
-      sum += std::isfinite(angles.angles[sensor]) ? angles.angles[sensor] : 0.0;
-    }
+  std::vector<double> row;
+  for (const int sensor : header.sensors) {
+    row.push_back(angles.angles.at(static_cast<std::size_t>(sensor)));
   }
-  return sum;
+  return row;
 }
 
 Recording recording_of_hands(const std::filesystem::path& file, const std::vector<SeenHand>& all) {
@@ -410,6 +437,28 @@ Recording read_landmark_document(const std::filesystem::path& file, std::string_
     }
   }
   return recording_of_hands(file, finder.hands());
+}
+
+namespace {
+
+class LandmarkDocuments final : public RecordingFormat {
+ public:
+  [[nodiscard]] RecordingKindOfFile kind() const override {
+    return {"landmark document", "JSON that contains arrays of 21 landmarks of a hand."};
+  }
+  [[nodiscard]] bool recognises(const RecordingFile& file) const override {
+    return file.first_line() != nullptr && is_landmark_document(file.text());
+  }
+  [[nodiscard]] Recording read(const RecordingFile& file) const override {
+    return read_landmark_document(file.path(), file.text(), file.lines());
+  }
+};
+
+}  // namespace
+
+const RecordingFormat& landmark_document_format() {
+  static const LandmarkDocuments kFormat;
+  return kFormat;
 }
 
 }  // namespace handway::device

@@ -30,9 +30,12 @@ using LandmarkColumns = std::array<std::size_t, 63>;
 [[nodiscard]] std::optional<LandmarkColumns> landmark_columns(
     const std::vector<std::string>& names);
 
-/// Bending of the fingers towards the palm, rad, summed over their middle and outer joints: below 0
-/// if these are landmarks of the other hand.
-[[nodiscard]] double bending(const HandLandmarks& points, bool left);
+/// Header for the angles between landmarks of a hand in a file.
+[[nodiscard]] RecordingHeader landmark_header(const std::filesystem::path& file);
+
+/// A row of such a recording: rad, shape [header.sensors].
+[[nodiscard]] std::vector<double> landmark_row(const RecordingHeader& header,
+                                               const HandLandmarks& points, bool left);
 
 /// A recording of the angles between landmarks. Coordinates within a picture are taken for those of
 /// a picture of 4:3 or in pixels; other units than metres are scaled to a hand of usual size. A

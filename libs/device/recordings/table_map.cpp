@@ -1,18 +1,20 @@
-#include "glove/matlab_file.h"
 #include "glove/sensor_names.h"
-#include "glove/table_layout.h"
-#include "glove/table_reader.h"
 #include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
+#include "recordings/array_file.h"
+#include "recordings/recording_formats.h"
+#include "recordings/series_table.h"
+#include "recordings/table_layout.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -80,14 +82,29 @@ int whole_number(const YamlElement& element) {
   return static_cast<int>(value);
 }
 
-NumberTable read_table(const YamlElement& top, const std::filesystem::path& file) {
-  if (is_matlab_file(file)) {
-    const YamlElement variable = top.need("variable");
-    const auto matrices = read_matlab_file(file);
-    if (const auto found = matrices.find(variable.text()); found != matrices.end()) {
-      return {{}, found->second, {}, {}};
-    }
-    variable.refuse(variable.found(), "one of " + names_of(matrices));
+/// Reads the chosen variable of a file with arrays; the only one if none is named.
+Series read_variable(const YamlElement& top, const ArrayFile& arrays) {
+  const std::optional<YamlElement> variable = top.find("variable");
+  if (!variable && arrays.variables().size() == 1) {
+    return arrays.series(arrays.variables().front().name);
+  }
+  const YamlElement named = top.need("variable");
+  if (std::ranges::count(arrays.variables(), named.text(), &RecordingVariable::name) == 0) {
+    named.refuse(named.found(), "one of " + arrays.listed());
+  }
+  return arrays.series(named.text());
+}
+
+struct MappedTable {
+  NumberTable table;
+  std::vector<ColumnUse> times;  ///< Times that the file itself has.
+  std::optional<double> time_unit;
+};
+
+MappedTable read_table(const YamlElement& top, const std::filesystem::path& file) {
+  if (const std::unique_ptr<ArrayFile> arrays = open_arrays(RecordingFile(file))) {
+    const Series series = read_variable(top, *arrays);
+    return {table_of(series), time_columns_of(series), series.time_unit};
   }
   std::string text = geometric::read_text_file(file, "a table of postures", kLargestTable);
   if (text.find('\n') == std::string::npos) {
@@ -97,10 +114,9 @@ NumberTable read_table(const YamlElement& top, const std::filesystem::path& file
   const auto separator = choice<std::optional<char>>(
       top, "separator",
       {{"any", std::nullopt}, {",", ','}, {";", ';'}, {"tab", '\t'}, {"blank", ' '}});
-  return read_text_table(file, text_lines(text), skip ? whole_number(*skip) : 0, separator);
+  return {
+      read_text_table(file, text_lines(text), skip ? whole_number(*skip) : 0, separator), {}, {}};
 }
-
-}  // namespace
 
 Recording read_mapped_table(const std::filesystem::path& map) {
   enum class Unit { kRad, kDegrees, kCounts };
@@ -110,7 +126,8 @@ Recording read_mapped_table(const std::filesystem::path& map) {
       {"table", "variable", "separator", "skip", "unit", "signs", "rate", "time", "columns"});
   const std::filesystem::path file =
       std::filesystem::absolute(map).parent_path() / top.need("table").text();
-  const NumberTable table = read_table(top, file);
+  const MappedTable source = read_table(top, file);
+  const NumberTable& table = source.table;
   const Unit unit = choice<Unit>(
       top, "unit", {{"rad", Unit::kRad}, {"deg", Unit::kDegrees}, {"counts", Unit::kCounts}});
   const Signs signs = choice<Signs>(top, "signs",
@@ -141,15 +158,41 @@ Recording read_mapped_table(const std::filesystem::path& map) {
     layout.times = {column_use(*time, table)};
     layout.time_unit = 1.0;
   }
-  if (const std::optional<YamlElement> rate = top.find("rate")) {
+  const std::optional<YamlElement> rate = top.find("rate");
+  if (rate) {
     layout.rate = rate->number();
     if (!(layout.rate > 0.0)) {
       rate->refuse(rate->found(), "rows a second, above 0");
     }
   }
+  if (layout.times.empty() && !rate) {
+    layout.times = source.times;
+    layout.time_unit = source.time_unit;
+  }
   Recording recording = recording_of(file, table, layout);
   recording.header.device = "table " + file.filename().string();
   return recording;
+}
+
+class TableMaps final : public RecordingFormat {
+ public:
+  [[nodiscard]] RecordingKindOfFile kind() const override {
+    return {"map of a table", "A YAML file that names a table and the use of its columns."};
+  }
+  [[nodiscard]] bool recognises(const RecordingFile& file) const override {
+    return geometric::has_extension(file.path(), ".yaml") ||
+           geometric::has_extension(file.path(), ".yml");
+  }
+  [[nodiscard]] Recording read(const RecordingFile& file) const override {
+    return read_mapped_table(file.path());
+  }
+};
+
+}  // namespace
+
+const RecordingFormat& table_map_format() {
+  static const TableMaps kFormat;
+  return kFormat;
 }
 
 }  // namespace handway::device

@@ -1,11 +1,11 @@
-#include "glove/table_layout.h"
+#include "recordings/table_layout.h"
 
-#include "glove/recording_readers.h"
 #include "glove/sensor_names.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/table_times.h"
 #include "handway/geometric/math/units.h"
+#include "recordings/recorded_rows.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -237,16 +237,8 @@ TableLayout numbered_layout(const std::filesystem::path& file, const NumberTable
   const auto [first, end, times] = measured_columns(table);
   const Eigen::Index measured = end - first;
   const bool labelled = end < table.values.cols();
-  TableLayout layout;
-  layout.rate = kUsualRate;
-  if (measured == kAngles || (measured == kAnglesWithLabel && labelled)) {
-    layout.columns = virtual_hand_columns(first, measured);
-    layout.rate = 1.0;  // postures, rather than a motion
-    layout.order = "VirtualHand, whose signs were turned";
-  } else if (measured == 18 || measured == kGloveSensors) {
-    layout.columns = glove_columns(static_cast<int>(measured), first);
-    layout.order = fmt::format("a glove of {} sensors", measured);
-  } else {
+  const bool virtual_hand = measured == kAngles || (measured == kAnglesWithLabel && labelled);
+  if (!virtual_hand && measured != 18 && measured != kGloveSensors) {
     throw InputError(
         {file.string(), "",
          fmt::format("{} columns {}", measured + std::ssize(times),
@@ -256,11 +248,26 @@ TableLayout numbered_layout(const std::filesystem::path& file, const NumberTable
          "Write a map of the table's columns (YAML); handway pca --joints-of ROBOT reads "
          "tables of a robot hand's joints"});
   }
+  TableLayout layout = layout_of_columns(measured, first, virtual_hand);
   layout.times = times;
   return layout;
 }
 
 }  // namespace
+
+TableLayout layout_of_columns(Eigen::Index count, Eigen::Index first, bool virtual_hand) {
+  TableLayout layout;
+  if (virtual_hand) {
+    layout.columns = virtual_hand_columns(first, count);
+    layout.rate = 1.0;  // postures, rather than a motion
+    layout.order = "VirtualHand, whose signs were turned";
+  } else {
+    layout.columns = glove_columns(static_cast<int>(count), first);
+    layout.rate = kUsualRate;
+    layout.order = fmt::format("a glove of {} sensors", count);
+  }
+  return layout;
+}
 
 TableLayout layout_of(const std::filesystem::path& file, const NumberTable& table) {
   const auto known = std::ranges::count_if(

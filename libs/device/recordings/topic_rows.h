@@ -1,0 +1,36 @@
+#pragma once
+
+#include "recordings/array_file.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Rows of numbers in the messages of a topic of ROS 2.
+
+namespace handway::device {
+
+/// Collects the rows of one topic.
+class TopicRows {
+ public:
+  virtual ~TopicRows() = default;
+
+  /// Adds the rows of a message.
+  /// @param received s since 1970, the time of messages without a stamp.
+  /// @throws CdrError if it is damaged.
+  virtual void add(std::string_view message, double received) = 0;
+  /// The size of the rows so far, without their number.
+  [[nodiscard]] virtual std::vector<std::size_t> row_shape() const = 0;
+  [[nodiscard]] virtual std::size_t row_count() const = 0;
+  [[nodiscard]] virtual std::vector<std::string> names() const { return {}; }
+  /// The rows with their times; values that were not received before are NaN.
+  [[nodiscard]] virtual Series series() const = 0;
+};
+
+/// Returns rows for the messages of a type, as "sensor_msgs/msg/JointState"; nullptr for a type
+/// that is not read.
+[[nodiscard]] std::unique_ptr<TopicRows> rows_of_type(std::string_view type);
+
+}  // namespace handway::device
