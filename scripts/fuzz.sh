@@ -33,7 +33,7 @@ fuzz_one() {
 # runs_of TARGET: how many inputs it takes in about five seconds.
 runs_of() {
   case $1 in
-    mesh) echo 150 ;;
+    mesh | recorded_hdf5) echo 150 ;;
     cache_entry) echo 2000 ;;
     rosbridge) echo 5000 ;;
     hand | moveit) echo 8000 ;;
