@@ -26,12 +26,6 @@ bool has_glove_columns(std::size_t columns) {
   return columns == 18 || columns == kGloveSensors || columns == kVirtualHandAngles;
 }
 
-bool are_sensors(const std::vector<std::string>& names) {
-  const auto known = std::ranges::count_if(
-      names, [](const std::string& name) { return sensor_by_any_name(name).has_value(); });
-  return known > 0 && 2 * known >= std::ssize(names);
-}
-
 bool is_recordable(const ArrayFile& arrays, const RecordingVariable& variable) {
   if (!variable.problem.empty() || variable.type == kText || variable.shape.size() < 2 ||
       variable.shape.front() < 2) {
@@ -108,6 +102,12 @@ TableLayout layout_of_series(const std::filesystem::path& file, const Series& se
 }
 
 }  // namespace
+
+bool are_sensors(const std::vector<std::string>& names) {
+  const auto known = std::ranges::count_if(
+      names, [](const std::string& name) { return sensor_by_any_name(name).has_value(); });
+  return known > 0 && 2 * known >= std::ssize(names);
+}
 
 std::string choose_advice(const std::string& variable) {
   return fmt::format(

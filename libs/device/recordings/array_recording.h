@@ -17,6 +17,9 @@ namespace handway::device {
 /// @throws InputError naming all variables with their sizes if none or several fit.
 [[nodiscard]] Recording read_array_recording(const ArrayFile& arrays, const std::string& variable);
 
+/// Returns whether half of the names of columns are those of sensors, at least.
+[[nodiscard]] bool are_sensors(const std::vector<std::string>& names);
+
 /// Advice to choose a variable, with an example.
 [[nodiscard]] std::string choose_advice(const std::string& variable);
 

@@ -119,9 +119,8 @@ class SingleArray final : public NumpyArrays {
 /// Arrays in a ZIP archive, each as a file NAME.npy.
 class ArchivedArrays final : public NumpyArrays {
  public:
-  explicit ArchivedArrays(const std::filesystem::path& file) : NumpyArrays(file) {
-    int error = 0;
-    archive_ = {zip_open(file.c_str(), ZIP_RDONLY, &error), zip_discard};
+  explicit ArchivedArrays(const std::filesystem::path& file)
+      : NumpyArrays(file), archive_(zip_open(file.c_str(), ZIP_RDONLY, nullptr), zip_discard) {
     if (!archive_) {
       throw InputError({file.string(), "", "a damaged ZIP archive", "arrays of NumPy (.npz)",
                         "Save them again by numpy.savez()."});
@@ -172,7 +171,7 @@ class ArchivedArrays final : public NumpyArrays {
                       "an array", "Save the arrays again by numpy.savez()."});
   }
 
-  std::unique_ptr<zip_t, void (*)(zip_t*)> archive_{nullptr, zip_discard};
+  std::unique_ptr<zip_t, void (*)(zip_t*)> archive_;
   std::map<std::string, zip_uint64_t> indices_;
 };
 

@@ -7,6 +7,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/table_times.h"
+#include "recordings/array_recording.h"
 #include "recordings/joint_series.h"
 #include "recordings/recording_formats.h"
 #include "recordings/table_bytes.h"
@@ -188,13 +189,16 @@ RecordedTable read_other_recording(const RecordingFile& file, const std::excepti
                                                                                : file.variable()));
   }
   try {
-    return table_of_joint_text(file.path());
+    RecordedTable table = table_of_joint_text(file.path());
+    if (!are_sensors(table.names)) {
+      return table;
+    }
   } catch (const InputError&) {
     if (has_joint_messages(file.head())) {
       throw;
     }
-    std::rethrow_exception(reason);
   }
+  std::rethrow_exception(reason);
 }
 
 std::string csv_cell(const std::string& name) {

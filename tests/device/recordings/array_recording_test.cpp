@@ -1,4 +1,5 @@
 /// Recordings in arrays and topics: NumPy, HDF5 and bags of ROS 2; also cut off and damaged.
+#include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/recordings/recorded_table.h"
 #include "handway/device/recordings/recording_contents.h"
@@ -8,8 +9,10 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <matio.h>
 #include <sqlite3.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -228,6 +231,56 @@ TEST_F(Arrays, OfBagsHoldTheLastPositionOfEachJoint) {
   EXPECT_THAT(test::refusal_of([&] { static_cast<void>(read_recording(file)); }),
               HasSubstr("--joints-of"));
   EXPECT_THAT(recording_contents(file).variables[1].problem, HasSubstr("tf2_msgs"));
+}
+
+TEST_F(Arrays, OfKeypointsAreLandmarksInMetresOrMillimetres) {
+  GloveAngles bent;
+  bent.angles.fill(0.3);
+  const HandLandmarks points = hand_landmarks(bent);
+  for (const double unit : {1.0, 1000.0}) {
+    std::vector<double> elements;
+    for (int frame = 0; frame < 3; ++frame) {
+      const HandLandmarks scaled = unit * points;
+      elements.insert(elements.end(), scaled.data(), scaled.data() + scaled.size());
+    }
+    const Recording recording =
+        read_recording(write("hands.npy", npy("<f8", "(3, 21, 3)", bytes_of(elements))));
+    ASSERT_EQ(recording.times.size(), 3);
+    const int index = column_of(recording.header, *find_sensor("IndexPIJ"));
+    const GloveAngles expected = glove_angles(in_palm_frame(points, false));
+    EXPECT_NEAR(recording.values(2, index),
+                expected.angles.at(static_cast<std::size_t>(*find_sensor("IndexPIJ"))), 1e-6);
+    EXPECT_THAT(recording.warnings.back(), unit > 1.0 ? HasSubstr("in mm") : HasSubstr("hand"));
+    EXPECT_THAT(recording.warnings.back(), testing::Not(HasSubstr("usual size")));
+  }
+}
+
+TEST_F(Arrays, OfMatlabCellsAreNamedByRowAndColumn) {
+  const fs::path file = folder_.path() / "cells.mat";
+  mat_t* opened = Mat_CreateVer(file.c_str(), nullptr, MAT_FT_MAT5);
+  std::array<std::size_t, 2> size{2, 23};
+  std::array<std::size_t, 2> cell_count{1, 2};
+  std::vector<std::vector<double>> values{std::vector<double>(46, 0.25),
+                                          std::vector<double>(46, 0.5)};
+  std::array<matvar_t*, 2> cells{};
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells.at(i) =
+        Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(), values[i].data(), 0);
+  }
+  matvar_t* all = Mat_VarCreate("q", MAT_C_CELL, MAT_T_CELL, 2, cell_count.data(), cells.data(), 0);
+  Mat_VarWrite(opened, all, MAT_COMPRESSION_ZLIB);
+  Mat_VarFree(all);
+  Mat_Close(opened);
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(read_recording(file)); }),
+              AllOf(HasSubstr("q{1,1} (2 x 23)"), HasSubstr("q{1,2} (2 x 23)")));
+  const Recording second = read_recording(file.string() + "#q{1,2}");
+  EXPECT_NEAR(std::abs(second.values(1, 0)), 0.5, 1e-12);
+}
+
+TEST_F(Arrays, OfAGloveWithAnImpossibleValueAreNotReadAsJoints) {
+  const fs::path file = write("glove.csv", "time,IndexMPJ,IndexPIJ\n0,0.1,0.2\n0.1,0.1,5000.5\n");
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(read_recorded_table(file)); }),
+              HasSubstr("5000.5"));
 }
 
 TEST_F(Arrays, OfDamagedMessagesAreRefusedByTheirNumber) {
