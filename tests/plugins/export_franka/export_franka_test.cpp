@@ -9,6 +9,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::export_franka {
@@ -33,10 +34,11 @@ std::vector<std::vector<double>> rows(const std::string& text, std::string& head
   std::vector<std::vector<double>> all;
   for (std::string line; std::getline(lines, line);) {
     std::istringstream cells(line);
-    std::vector<double>& row = all.emplace_back();
+    std::vector<double> row;
     for (std::string cell; std::getline(cells, cell, ',');) {
       row.push_back(std::stod(cell));
     }
+    all.push_back(std::move(row));
   }
   return all;
 }
