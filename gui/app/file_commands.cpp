@@ -10,6 +10,7 @@
 #include "widgets/panels/log_panel.h"
 #include "widgets/style/actions.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/menu_text.h"
 
 #include <QFileDialog>
 #include <QFileIconProvider>
@@ -67,7 +68,7 @@ void RecentFiles::rebuild() {
   clear();
   for (const QString& file : files()) {
     QAction* action =
-        addAction(QFileInfo(file).fileName(), this, [this, file] { emit chosen(file); });
+        addAction(menu_text(QFileInfo(file).fileName()), this, [this, file] { emit chosen(file); });
     action->setToolTip(file);
     action->setStatusTip(file);
   }

@@ -298,10 +298,9 @@ void CampaignsPanel::end(const QString& problem) {
     state_->setText(colored(problem, colors_of(current_theme()).bad));
   } else {
     state_->setText(tr("%1: %2 runs, %3 with a path%4")
-                        .arg(name_.toHtmlEscaped())
-                        .arg(table_->rowCount())
-                        .arg(solved)
-                        .arg(complete ? QString() : tr("; stopped before its end")));
+                        .arg(name_.toHtmlEscaped(), QString::number(table_->rowCount()),
+                             QString::number(solved),
+                             complete ? QString() : tr("; stopped before its end")));
   }
   draw();
 }

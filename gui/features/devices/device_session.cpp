@@ -259,10 +259,11 @@ void DeviceSession::time_again() {
       backwards_ = true;
       std::ranges::reverse(path.waypoints);
     } else if (from_start.angle > options.start_tolerance) {
-      panel_->show_elsewhere(tr("The robot is not at the start of the path: %1 is %2° away.")
-                                 .arg(QString::fromStdString(
-                                     document_.robot()->model->variable(from_start.variable).name))
-                                 .arg(geometric::degrees(from_start.angle), 0, 'f', 1));
+      panel_->show_elsewhere(
+          tr("The robot is not at the start of the path: %1 is %2° away.")
+              .arg(QString::fromStdString(
+                       document_.robot()->model->variable(from_start.variable).name),
+                   QString::number(geometric::degrees(from_start.angle), 'f', 1)));
       return;
     }
   }

@@ -62,8 +62,8 @@ struct SizeText {
   }
   QString operator()(const geometric::Mesh& mesh) const {
     return QStringLiteral("mesh %1, %2 triangles")
-        .arg(QString::fromStdString(mesh.file.filename().string()))
-        .arg(mesh.triangles ? mesh.triangles->triangles.size() : 0);
+        .arg(QString::fromStdString(mesh.file.filename().string()),
+             QString::number(mesh.triangles ? mesh.triangles->triangles.size() : 0));
   }
 };
 
@@ -307,10 +307,10 @@ void SceneTree::add_robot(const geometric::RobotInstance& robot) {
   const geometric::RobotModel& model = *robot.model;
   QTreeWidgetItem* top =
       make_row(QString::fromStdString(robot.name), icon("robot"), {Kind::kRobot, robot.name, ""});
-  top->setToolTip(0, tr("%1: %2 links, %3 independent joints")
-                         .arg(QString::fromStdString(model.name()))
-                         .arg(model.link_count())
-                         .arg(model.variable_count()));
+  top->setToolTip(
+      0, tr("%1: %2 links, %3 independent joints")
+             .arg(QString::fromStdString(model.name()), QString::number(model.link_count()),
+                  QString::number(model.variable_count())));
   addTopLevelItem(top);
   const std::map<std::string, QTreeWidgetItem*> parts = add_parts(robot, *top);
   std::vector<QTreeWidgetItem*> rows;
@@ -373,7 +373,8 @@ QTreeWidgetItem* SceneTree::group_row(const geometric::Scene& scene,
   row->setCheckState(0, hidden == 0                     ? Qt::Checked
                         : hidden == std::ssize(members) ? Qt::Unchecked
                                                         : Qt::PartiallyChecked);
-  row->setToolTip(0, tr("%1: group of %2 objects").arg(row->text(0)).arg(std::ssize(members)));
+  row->setToolTip(0,
+                  tr("%1: group of %2 objects").arg(row->text(0), QString::number(members.size())));
   if (locked) {
     row->setIcon(1, icon("lock"));
   }

@@ -5,6 +5,7 @@
 #include "features/glove/joint_label.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/file_dialogs.h"
+#include "widgets/style/menu_text.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -68,7 +69,7 @@ void BasisOptions::set_joints(const std::vector<std::string>& joints,
   joints_ = joints;
   free_->menu()->clear();
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    QAction* action = free_->menu()->addAction(joint_label(joints_[j]));
+    QAction* action = free_->menu()->addAction(menu_text(joint_label(joints_[j])));
     action->setCheckable(true);
     action->setChecked(std::ranges::count(free, static_cast<int>(j)) > 0);
     connect(action, &QAction::toggled, this, [this] {

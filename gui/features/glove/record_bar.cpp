@@ -30,7 +30,7 @@ std::filesystem::path new_recording_file(const std::filesystem::path& folder) {
                                    file.errorString().toStdString(), "a file that can be written",
                                    "Check whether the disk is full or the folder is read-only"});
     }
-    file.setFileName(QStringLiteral("%1-%2.csv").arg(stem).arg(i));
+    file.setFileName(QStringLiteral("%1-%2.csv").arg(stem, QString::number(i)));
   }
   return file.fileName().toStdString();
 }

@@ -65,9 +65,10 @@ void CollisionLabel::show_report(const CollisionReport& report) {
   }
   if (!all.empty()) {
     const int others = all.size() - 1;
-    show_words(colors.bad,
-               others > 0 ? tr("%1 (and %2 more)").arg(all.front()).arg(others) : all.front(),
-               all.join(QLatin1Char('\n')));
+    show_words(
+        colors.bad,
+        others > 0 ? tr("%1 (and %2 more)").arg(all.front(), QString::number(others)) : all.front(),
+        all.join(QLatin1Char('\n')));
     return;
   }
   const QString words =

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/setup/moving_group.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/menu_text.h"
 
 #include <QLabel>
 #include <QMenu>
@@ -39,10 +40,11 @@ void GroupChoice::show_scene() {
   const QString list = names.join(QStringLiteral(", "));
   constexpr int kFits = 24;  // letters
   button_->setEnabled(has_robot);
-  button_->setText(names.isEmpty() ? all
-                   : list.size() <= kFits
-                       ? list
-                       : tr("%1 and %2 more").arg(names.front()).arg(names.size() - 1));
+  button_->setText(
+      names.isEmpty() ? all
+      : list.size() <= kFits
+          ? menu_text(list)
+          : tr("%1 and %2 more").arg(menu_text(names.front()), QString::number(names.size() - 1)));
   button_->setToolTip(names.isEmpty()
                           ? tr("All joints of the robot may move")
                           : tr("Joints that move: %1. All others stay at the start.").arg(list));
@@ -70,7 +72,7 @@ void GroupChoice::fill_menu() {
 
 void GroupChoice::add_choice(QMenu& menu, const std::string& name) {
   const std::vector<std::string>& chosen = editor_.state().scene->group;
-  QAction* action = menu.addAction(QString::fromStdString(name));
+  QAction* action = menu.addAction(menu_text(name));
   action->setCheckable(true);
   action->setChecked(std::ranges::count(chosen, name) > 0);
   connect(action, &QAction::triggered, this, [this, name](bool on) { toggle(name, on); });

@@ -19,8 +19,7 @@ constexpr double kSame = 1e-3;  // rad or m
 QString note_of(const planning::PlanningProblem& problem, const planning::Path& path,
                 const planning::JointsAtRest& rest, const QString& file) {
   QString note = QObject::tr("Opened %1: %2 waypoints.")
-                     .arg(QFileInfo(file).fileName())
-                     .arg(path.waypoints.size());
+                     .arg(QFileInfo(file).fileName(), QString::number(path.waypoints.size()));
   if (const std::string remark = rest.remark(QFileInfo(file).fileName().toStdString());
       !remark.empty()) {
     note += QStringLiteral(" %1.").arg(QString::fromStdString(remark));

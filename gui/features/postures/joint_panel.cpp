@@ -212,9 +212,8 @@ void PmdPanel::add_axis(const QString& name, double half_side, double variance) 
   row->setObjectName(name);
   if (variance > 0.0) {
     row->setToolTip(tr("%1: standard deviation %2 of the normalised joints, half side %3")
-                        .arg(name)
-                        .arg(std::sqrt(variance), 0, 'f', 3)
-                        .arg(half_side, 0, 'f', 3));
+                        .arg(name, QString::number(std::sqrt(variance), 'f', 3),
+                             QString::number(half_side, 'f', 3)));
   }
   connect(row, &SliderRow::value_edited, this, [this] { move_hand(); });
   axes_layout_->addWidget(row);

@@ -3,6 +3,7 @@
 #include "handway/geometric/io/resources.h"
 #include "model/document/document.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/menu_text.h"
 #include "widgets/style/theme.h"
 
 #include <QDir>
@@ -177,7 +178,7 @@ QMenu* LikenessMeter::make_choices() {
   auto* menu = new QMenu(this);
   const QDir shipped(QString::fromStdString((geometric::resource_dir() / "bases").string()));
   for (const QFileInfo& file : shipped.entryInfoList({QStringLiteral("*_postures.csv")})) {
-    menu->addAction(file.completeBaseName().remove(QStringLiteral("_postures")), this,
+    menu->addAction(menu_text(file.completeBaseName().remove(QStringLiteral("_postures"))), this,
                     [this, file] { recorded_.choose(file.filePath().toStdString()); });
   }
   menu->addSeparator();

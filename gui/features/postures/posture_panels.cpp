@@ -12,6 +12,7 @@
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/actions.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/menu_text.h"
 #include "widgets/style/theme.h"
 
 #include <QAction>
@@ -73,8 +74,8 @@ void PostureBar::list_postures(const geometric::Scene& scene) {
   const auto add = [this](const geometric::NamedPosture& posture) {
     const QString name = QString::fromStdString(posture.name);
     const QString group = QString::fromStdString(posture.group);
-    menu_->addAction(group.isEmpty() ? name : QStringLiteral("%1: %2").arg(group, name), this,
-                     [this, posture] { emit posture_requested(posture); });
+    menu_->addAction(menu_text(group.isEmpty() ? name : QStringLiteral("%1: %2").arg(group, name)),
+                     this, [this, posture] { emit posture_requested(posture); });
   };
   std::ranges::for_each(scene.postures, add);
   menu_->addSeparator();
@@ -86,7 +87,7 @@ void PostureBar::list_postures(const geometric::Scene& scene) {
     forget->setObjectName(QStringLiteral("forget_posture"));
     for (const geometric::NamedPosture& posture : scene.postures) {
       const QString name = QString::fromStdString(posture.name);
-      forget->addAction(name, this, [this, name] { emit forget_requested(name); });
+      forget->addAction(menu_text(name), this, [this, name] { emit forget_requested(name); });
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "features/workbench.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/style/menu_text.h"
 
 #include <QInputDialog>
 #include <QMainWindow>
@@ -38,9 +39,7 @@ void SavedViews::fill() {
   menu_->addMenu(forget);
   menu_->addSeparator();
   for (const geometric::SavedView& view : views) {
-    // An ampersand would make a mnemonic of what follows it.
-    const QString name =
-        QString::fromStdString(view.name).replace(QLatin1Char('&'), QLatin1String("&&"));
+    const QString name = menu_text(view.name);
     connect(menu_->addAction(name), &QAction::triggered, this, [this, view] {
       workbench_.view.set_camera({view.target, view.distance, view.azimuth, view.elevation});
     });

@@ -115,8 +115,8 @@ void ShapeForm::rebuild() {
     auto* file =
         note(tr("%1, %2 triangles")
                  .arg(mesh->file.empty() ? tr("made by an importer")
-                                         : QString::fromStdString(mesh->file.filename().string()))
-                 .arg(mesh->triangles ? mesh->triangles->triangles.size() : 0));
+                                         : QString::fromStdString(mesh->file.filename().string()),
+                      QString::number(mesh->triangles ? mesh->triangles->triangles.size() : 0)));
     file->setWordWrap(true);
     layout_->addRow(file);
     add_scale();

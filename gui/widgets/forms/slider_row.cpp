@@ -68,10 +68,8 @@ SliderRow::SliderRow(const QString& label, const Range& range, QWidget* parent)
   layout->addWidget(slider_, 0, 1);
   layout->addWidget(field_, 0, 2);
   setToolTip(QStringLiteral("%1: %2%4 to %3%4")
-                 .arg(label)
-                 .arg(range.lower * range.scale, 0, 'f', range.decimals)
-                 .arg(range.upper * range.scale, 0, 'f', range.decimals)
-                 .arg(range.unit));
+                 .arg(label, QString::number(range.lower * range.scale, 'f', range.decimals),
+                      QString::number(range.upper * range.scale, 'f', range.decimals), range.unit));
 
   connect(slider_, &QSlider::valueChanged, this, [this](int step) {
     edit(range_.lower + (range_.upper - range_.lower) * step / kSliderSteps);

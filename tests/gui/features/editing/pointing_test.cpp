@@ -7,6 +7,7 @@
 #include "handway/planning/edits/arranging.h"
 #include "patience.h"
 #include "pressed_mouse.h"
+#include "widgets/style/menu_text.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -19,6 +20,10 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace handway::test {
 namespace {
@@ -196,6 +201,16 @@ TEST_F(Pointing, NewObjectsStandOnTheFurnitureThatIsSeen) {
     EXPECT_NEAR(foot, top, 2e-3) << scene_name;
     editor().undo_stack().undo();
   }
+}
+
+TEST_F(Pointing, NamesWithPercentSignsAndAmpersandsAreShownAsTheyAre) {
+  editor().add("lid", geometric::Cylinder{0.03, 0.01}, {}, {-0.5, -0.5, 0.13});
+  editor().move_into_group({"post", "lid"}, "R%2 & co");
+  const auto rows =
+      tree().findItems(QStringLiteral("R%2 & co"), Qt::MatchExactly | Qt::MatchRecursive);
+  ASSERT_EQ(rows.size(), 1);
+  EXPECT_EQ(rows.front()->toolTip(0), QStringLiteral("R%2 & co: group of 2 objects"));
+  EXPECT_EQ(gui::menu_text(std::string("R%2 & co")), QStringLiteral("R%2 && co"));
 }
 
 TEST_F(Pointing, AMeshSaysItsUnitAndWhatIsUpwards) {
