@@ -189,9 +189,9 @@ TEST_F(Pointing, RowsAreDraggedIntoTheView) {
 
 TEST_F(Pointing, NewObjectsStandOnTheFurnitureThatIsSeen) {
   const std::vector<std::pair<const char*, double>> furniture = {// height of its top, m
-                                                                 {"can_on_table", 0.68},
+                                                                 {"can_on_table", 0.74},
                                                                  {"two_cans_on_table", 0.68},
-                                                                 {"ur5e_and_shadow", 0.68}};
+                                                                 {"ur5e_and_shadow", 0.74}};
   for (const auto& [scene_name, top] : furniture) {
     open(source_dir() / "scenes" / (std::string(scene_name) + ".yaml"));
     part<QAction>("box").trigger();

@@ -2,6 +2,7 @@
 
 #include "features/editing/editing_test.h"
 #include "features/export/export_dialog.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 #include "view3d/scene_view.h"
 
@@ -16,6 +17,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
 
 namespace handway::test {
@@ -59,7 +61,16 @@ TEST_F(PickAndPlace, PlansAndPlaysWithTheMouseAlone) {
   EXPECT_EQ(editor().state(), before);
 }
 
-TEST_F(PickAndPlace, ExportsTheWholeTask) {
+class PickAndPlaceWithPlugins : public PickAndPlace {
+ protected:
+  [[nodiscard]] std::shared_ptr<planning::PluginManager> plugins() const override {
+    auto all = std::make_shared<planning::PluginManager>();
+    all->load_plugins(planning::plugin_directory());
+    return all;
+  }
+};
+
+TEST_F(PickAndPlaceWithPlugins, ExportsTheWholeTask) {
   plan();
   ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
   ASSERT_TRUE(part<QPushButton>("task_export").isVisible());
@@ -81,7 +92,14 @@ TEST_F(PickAndPlace, ExportsTheWholeTask) {
     }
     return now.isEnabled();
   };
-  ASSERT_TRUE(QTest::qWaitFor(is_ready, 120000));
+  const auto said = [&] {
+    QStringList texts;
+    for (const QLabel* label : dialog->findChildren<QLabel*>()) {
+      texts << label->text();
+    }
+    return texts.join(QLatin1Char('\n')).toStdString();
+  };
+  ASSERT_TRUE(QTest::qWaitFor(is_ready, 60000)) << said();
   now.click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !written.isEmpty(); }, 20000));
   std::ifstream file(folder.path() / "out" / "place_can" / "runPath.pgx");
