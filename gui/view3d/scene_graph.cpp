@@ -445,9 +445,7 @@ std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s&
       const double nearness = backwards_.dot(point);
       if (nearness > most) {
         most = nearness;
-        const SbVec3f& n = picked->getNormal();
-        nearest =
-            SceneHit{item_of_path(*picked->getPath()), point, Eigen::Vector3d(n[0], n[1], n[2])};
+        nearest = SceneHit{item_of_path(*picked->getPath()), point};
       }
     }
   };

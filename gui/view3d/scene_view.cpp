@@ -19,8 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 
 /// Mouse and keyboard handling of the 3-D view.
 
@@ -199,48 +197,10 @@ void SceneView::update_gizmo() {
   }
 }
 
-namespace {
-
-// A surface of an object that faces up.
-struct VisibleTop {
-  int hits = 0;
-  int distance = std::numeric_limits<int>::max();   // of the point from the middle of the view
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // world, m
-};
-
-// Tops that are seen around the middle of the view, by their objects.
-std::map<std::string, VisibleTop> visible_tops(SceneView& view) {
-  constexpr int kSteps = 4;        // of the grid, from the middle to each side
-  constexpr double kShare = 0.35;  // of the view, from the middle to each side
-  constexpr double kUp = 0.95;     // cosine: surfaces that are steeper carry nothing
-  std::map<std::string, VisibleTop> tops;
-  for (int row = -kSteps; row <= kSteps; ++row) {
-    for (int column = -kSteps; column <= kSteps; ++column) {
-      const QPoint offset(static_cast<int>(kShare * view.width() * column / kSteps),
-                          static_cast<int>(kShare * view.height() * row / kSteps));
-      const auto hit = view.pick_at(view.rect().center() + offset);
-      if (!hit || hit->item.kind != SceneItem::Kind::kObject || hit->normal.z() < kUp) {
-        continue;
-      }
-      VisibleTop& top = tops[hit->item.name];
-      ++top.hits;
-      if (const int distance = row * row + column * column; distance < top.distance) {
-        top.distance = distance;
-        top.point = hit->point;
-      }
-    }
-  }
-  return tops;
-}
-
-}  // namespace
-
 Eigen::Vector3d SceneView::place_for_new() {
-  const std::map<std::string, VisibleTop> tops = visible_tops(*this);
-  const auto largest =
-      std::ranges::max_element(tops, {}, [](const auto& named) { return named.second.hits; });
-  if (largest != tops.end()) {
-    return largest->second.point;
+  if (const auto hit = pick_at(rect().center());
+      hit && hit->item.kind == SceneItem::Kind::kObject) {
+    return hit->point;
   }
   Eigen::Vector3d place = camera_.placement().target;
   place.z() = 0.0;

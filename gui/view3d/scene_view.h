@@ -141,8 +141,8 @@ class SceneView : public QOpenGLWidget {
   void look_from(StandardView view);
   void set_camera(const OrbitCamera::Placement& placement);
 
-  /// Returns the place for a new object (world, m): on the object whose top is seen most around the
-  /// middle of the view, as near to the middle as it is seen, or else on the floor.
+  /// Returns the place for a new object: the visible point in the middle, or the floor there
+  /// (world, m).
   [[nodiscard]] Eigen::Vector3d place_for_new();
   /// Returns the visible item at a position in the widget.
   [[nodiscard]] std::optional<SceneHit> pick_at(const QPoint& position);

@@ -40,8 +40,7 @@ struct SceneItem {
 /// Hit of a pointer in the view.
 struct SceneHit {
   SceneItem item;
-  Eigen::Vector3d point;                              ///< World, m.
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Outward normal of the surface, world.
+  Eigen::Vector3d point;  ///< World, m.
 };
 
 /// Selected items: any number of objects, or one item of another kind.

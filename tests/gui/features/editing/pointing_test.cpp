@@ -21,9 +21,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace handway::test {
 namespace {
@@ -185,22 +182,6 @@ TEST_F(Pointing, RowsAreDraggedIntoTheView) {
   EXPECT_LT((at - there).head<2>().norm(), 0.004);
   EXPECT_NEAR(at.z() - 0.2, 0.1 + geometric::kRestingGap, 1e-6) << "it stands on the table";
   EXPECT_EQ(editor().undo_stack().undoText(), QStringLiteral("Move post"));
-}
-
-TEST_F(Pointing, NewObjectsStandOnTheFurnitureThatIsSeen) {
-  const std::vector<std::pair<const char*, double>> furniture = {// height of its top, m
-                                                                 {"can_on_table", 0.74},
-                                                                 {"two_cans_on_table", 0.68},
-                                                                 {"ur5e_and_shadow", 0.74}};
-  for (const auto& [scene_name, top] : furniture) {
-    open(source_dir() / "scenes" / (std::string(scene_name) + ".yaml"));
-    part<QAction>("box").trigger();
-    const geometric::SceneObject& box = object("box");
-    const double foot =
-        box.X_PO.translation().z() - 0.5 * std::get<geometric::Box>(box.shape).size.z();
-    EXPECT_NEAR(foot, top, 2e-3) << scene_name;
-    editor().undo_stack().undo();
-  }
 }
 
 TEST_F(Pointing, NamesWithPercentSignsAndAmpersandsAreShownAsTheyAre) {
