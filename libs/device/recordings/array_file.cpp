@@ -191,4 +191,21 @@ std::vector<std::string> NamedArrays::words(const RecordingVariable& /*variable*
   return {};
 }
 
+std::string only_variable(const ArrayFile& arrays, const std::vector<RecordingVariable>& fitting,
+                          const std::string& expected,
+                          const std::function<std::string(const std::string&)>& advice) {
+  if (fitting.size() == 1) {
+    return fitting.front().name;
+  }
+  std::string found;
+  for (const RecordingVariable& variable : fitting) {
+    found += (found.empty() ? "" : ", ") + to_string(variable);
+  }
+  throw InputError({arrays.path().string(), "",
+                    fitting.empty()
+                        ? arrays.listed()
+                        : fmt::format("{} variables that may be meant: {}", fitting.size(), found),
+                    expected, advice(fitting.empty() ? "NAME" : fitting.front().name)});
+}
+
 }  // namespace handway::device

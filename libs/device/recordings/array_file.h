@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -84,6 +85,14 @@ class NamedArrays : public ArrayFile {
   /// The texts of an array of type kText.
   [[nodiscard]] virtual std::vector<std::string> words(const RecordingVariable& variable) const;
 };
+
+/// Returns the name of the only one of some variables.
+/// @param expected what is looked for. @param advice how to choose, with the name of one as
+/// example.
+/// @throws InputError with both, and the variables of the file, if there are none or several.
+[[nodiscard]] std::string only_variable(
+    const ArrayFile& arrays, const std::vector<RecordingVariable>& fitting,
+    const std::string& expected, const std::function<std::string(const std::string&)>& advice);
 
 /// The type of variables that contain text.
 inline constexpr const char* kText = "text";

@@ -40,21 +40,11 @@ bool is_recordable(const ArrayFile& arrays, const RecordingVariable& variable) {
 
 /// The variable to read. @throws InputError if it is not clear.
 std::string chosen_variable(const ArrayFile& arrays) {
-  const std::vector<RecordingVariable> fitting = recordable_variables(arrays);
-  if (fitting.size() == 1) {
-    return fitting.front().name;
-  }
-  std::string found;
-  for (const RecordingVariable& variable : fitting) {
-    found += (found.empty() ? "" : ", ") + to_string(variable);
-  }
-  throw InputError(
-      {arrays.path().string(), "",
-       fitting.empty() ? arrays.listed()
-                       : fmt::format("{} variables that may be meant: {}", fitting.size(), found),
-       "one array of a glove (18, 22 or 23 columns, or columns named as its sensors) or of "
-       "landmarks (n x 21 x 3, or n x 63)",
-       choose_advice(fitting.empty() ? "NAME" : fitting.front().name)});
+  return only_variable(
+      arrays, recordable_variables(arrays),
+      "one array of a glove (18, 22 or 23 columns, or columns named as its sensors) or of "
+      "landmarks (n x 21 x 3, or n x 63)",
+      choose_advice);
 }
 
 Recording recording_of_landmarks(const std::filesystem::path& file, const Series& series) {

@@ -64,23 +64,13 @@ std::vector<RecordingVariable> positions_first(const std::vector<RecordingVariab
       [](const RecordingVariable& variable) { return names_positions(variable.name); });
 }
 
-/// The only one of some variables.
+/// The only one of some variables, of which `columns` are taken as an example.
 std::string only_of(const ArrayFile& arrays, const std::vector<RecordingVariable>& fitting,
                     const std::string& expected, std::size_t columns) {
-  if (fitting.size() == 1) {
-    return fitting.front().name;
-  }
-  std::string found;
-  for (const RecordingVariable& variable : fitting) {
-    found += (found.empty() ? "" : ", ") + to_string(variable);
-  }
-  throw InputError(
-      {arrays.path().string(), "",
-       fitting.empty() ? arrays.listed()
-                       : fmt::format("{} variables that may be meant: {}", fitting.size(), found),
-       expected,
-       fmt::format("Choose a variable by FILE#{0}, and columns of it by FILE#{0}[0:{1}].",
-                   fitting.empty() ? "NAME" : fitting.front().name, columns)});
+  return only_variable(arrays, fitting, expected, [columns](const std::string& name) {
+    return fmt::format("Choose a variable by FILE#{0}, and columns of it by FILE#{0}[0:{1}].", name,
+                       columns);
+  });
 }
 
 /// The joint of each column. @throws InputError if columns have no names and another number.

@@ -1,7 +1,8 @@
 #include "handway/geometric/io/existing_file.h"
 
+#include "handway/geometric/io/lower_case.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <iterator>
 #include <mutex>
@@ -16,12 +17,6 @@ namespace handway::geometric {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 // The only entry of `folder` that `name` may mean.
 std::optional<fs::path> entry_like(const fs::path& folder, const std::string& name) {

@@ -1,7 +1,8 @@
 #include "handway/geometric/io/input_error.h"
 
+#include "handway/geometric/io/lower_case.h"
+
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 #include <utility>
 
@@ -53,13 +54,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-std::string lower_case(std::string_view word) {
-  std::string lower(word);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
 }  // namespace
 
 std::optional<std::string> slip_of(std::string_view word, std::span<const std::string> names) {
@@ -72,7 +66,8 @@ std::optional<std::string> slip_of(std::string_view word, std::span<const std::s
     if (longer > kLongest) {
       continue;
     }
-    const std::size_t distance = edit_distance(lower_case(word), lower_case(name));
+    const std::size_t distance =
+        edit_distance(lower_case(std::string(word)), lower_case(std::string(name)));
     if (distance < least && distance < longer) {
       least = distance;
       meant = name;

@@ -1,5 +1,7 @@
 #include "handway/planning/extensions/program_text.h"
 
+#include "handway/geometric/io/lower_case.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,13 +10,6 @@
 
 namespace handway::planning {
 namespace {
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
 
 // FNV-1a, 32 bits.
 std::uint32_t hash_of(std::string_view text) {
@@ -48,8 +43,9 @@ std::string printable_line(std::string_view text, std::size_t longest) {
 
 std::string program_name(const std::string& name, std::size_t longest,
                          std::span<const std::string_view> keywords) {
-  std::string result =
-      std::ranges::find(keywords, lower_case(name)) != keywords.end() ? "hw_" + name : name;
+  std::string result = std::ranges::find(keywords, geometric::lower_case(name)) != keywords.end()
+                           ? "hw_" + name
+                           : name;
   if (result.size() > longest) {
     constexpr std::size_t kEnd = 5;
     result = fmt::format("{}_{:04x}", result.substr(0, longest - kEnd), hash_of(name) & 0xffffU);

@@ -237,19 +237,26 @@ bool NarrowPhaseQuery::field_keeps_apart(const TriangleCorners& s) const {
              s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()})) >= reach;
 }
 
+void NarrowPhaseQuery::measure(const TriangleCorners& s, const TriangleCorners& t) {
+  ClosestPoints points;
+  const double distance = triangle_distance(s, t, points);
+  if (distance < least_) {
+    closest_B_ = points;
+  }
+  found(distance);
+}
+
 void NarrowPhaseQuery::compare_triangle(const TriangleCorners& s) {
   const TrianglePlane plane(s);
   for (const std::uint32_t other : near_) {
     const TriangleCorners t = corners(*b_.mesh, other);
     if (!plane.is_beside(t, reach_) && !TrianglePlane(t).is_beside(s, reach_)) {
       // In a search for contact, most pairs left by planes cross; otherwise hardly any.
-      const bool touch = ends_at_ > 0.0 && surely_cross(s, t);
-      ClosestPoints points;
-      const double distance = touch ? 0.0 : triangle_distance(s, t, points);
-      if (distance < least_) {
-        closest_B_ = points;
+      if (ends_at_ > 0.0 && surely_cross(s, t)) {
+        found(0.0);
+      } else {
+        measure(s, t);
       }
-      found(distance);
       if (least_ < ends_at_ || least_ <= 0.0) {
         return;
       }

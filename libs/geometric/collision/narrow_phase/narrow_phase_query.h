@@ -86,6 +86,8 @@ class NarrowPhaseQuery {
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
   /// Returns whether the field shows that a triangle, in B's frame, is at least `reach_` away.
   [[nodiscard]] bool field_keeps_apart(const TriangleCorners& s) const;
+  /// Takes the distance of two triangles, in B's frame, into account.
+  void measure(const TriangleCorners& s, const TriangleCorners& t);
   /// Compares with the triangles in `near_`.
   void compare_triangle(const TriangleCorners& s);
 
