@@ -5,10 +5,14 @@
 
 #include <malloc.h>
 
+#include <array>
+
 namespace handway::gui {
 namespace {
 
-constexpr int kPauseMs = 1000;           // after the last work
+// After the last work, and between one return and the next: workers, plots and the fine picture free
+// what they held some time after they are done.
+constexpr std::array<int, 3> kPausesMs = {1000, 2000, 8000};
 constexpr int kBlockOfItsOwn = 1 << 19;  // bytes; larger ones go back as soon as they are freed
 
 }  // namespace
@@ -16,20 +20,27 @@ constexpr int kBlockOfItsOwn = 1 << 19;  // bytes; larger ones go back as soon a
 FreedMemory::FreedMemory(Workbench& workbench) : QObject(&workbench), workbench_(workbench) {
   mallopt(M_MMAP_THRESHOLD, kBlockOfItsOwn);  // else it grows with the largest block so far
   pause_.setSingleShot(true);
-  pause_.setInterval(kPauseMs);
   connect(&pause_, &QTimer::timeout, this, &FreedMemory::give_back_when_idle);
-  const auto wait = [this] { pause_.start(); };
+  const auto wait = [this] { wait_for_idleness(); };
   connect(&workbench.document, &Document::opened, this, wait);
   connect(&workbench.document, &Document::edited, this, wait);
   connect(&workbench.session, &PlanningSession::ended, this, wait);
 }
 
+void FreedMemory::wait_for_idleness() {
+  returns_ = 0;
+  pause_.start(kPausesMs.front());
+}
+
 void FreedMemory::give_back_when_idle() {
   if (workbench_.is_busy()) {
-    pause_.start();
+    wait_for_idleness();
     return;
   }
   run_in_background([] { malloc_trim(0); });
+  if (++returns_ < kPausesMs.size()) {
+    pause_.start(kPausesMs[returns_]);
+  }
 }
 
 }  // namespace handway::gui

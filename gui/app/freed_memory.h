@@ -3,6 +3,8 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstddef>
+
 namespace handway::gui {
 
 class Workbench;
@@ -17,10 +19,12 @@ class FreedMemory : public QObject {
   explicit FreedMemory(Workbench& workbench);
 
  private:
+  void wait_for_idleness();
   void give_back_when_idle();
 
   Workbench& workbench_;
   QTimer pause_;
+  std::size_t returns_ = 0;  ///< Of memory since the last work.
 };
 
 }  // namespace handway::gui

@@ -18,8 +18,7 @@ namespace {
 void add_joints(geometric::JointIndices& joints, const geometric::JointIndices& more) {
   joints.insert(joints.end(), more.begin(), more.end());
   std::ranges::sort(joints);
-  const auto repeated = std::ranges::unique(joints);
-  joints.erase(repeated.begin(), repeated.end());
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
 }
 
 MotionStage mark_of(const Task& task, const TaskStage& stage, const std::string& carried) {
