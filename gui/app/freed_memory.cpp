@@ -10,8 +10,8 @@
 namespace handway::gui {
 namespace {
 
-// After the last work, and between one return and the next: workers, plots and the fine picture free
-// what they held some time after they are done.
+// After the last work, and between one return and the next: workers, plots and the fine picture
+// free what they held some time after they are done.
 constexpr std::array<int, 3> kPausesMs = {1000, 2000, 8000};
 constexpr int kBlockOfItsOwn = 1 << 19;  // bytes; larger ones go back as soon as they are freed
 

@@ -314,8 +314,7 @@ TEST(MujocoHoldTest, HoldsTheCanOfThePaper) {
       planning::load_scene(test::source_dir() / "scenes" / "can_on_table.yaml", {});
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   for (const double mass : {0.1, 0.3, 0.6}) {  // kg
-    const planning::Pregrasps grasps =
-        planning::find_pregrasps(problem, "can", {.payload = mass});
+    const planning::Pregrasps grasps = planning::find_pregrasps(problem, "can", {.payload = mass});
     ASSERT_FALSE(grasps.found.empty());
     const MujocoHoldTest test(problem, "can", grasps.palm);
     const HoldResult result = test.test(grasps.found.front(), {.mass = mass}, {}, {});
