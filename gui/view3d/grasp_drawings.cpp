@@ -10,6 +10,7 @@
 #include <Inventor/nodes/SoMatrixTransform.h>
 #include <Inventor/nodes/SoSeparator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -83,6 +84,22 @@ Drawing make_grasp_node(const geometric::Pose& X_WO, const Eigen::Vector3d& p_O,
   if (torque.norm() > kLeast) {
     add_arrow(*separator.get(),
               arc_about(centre, torque.normalized(), 0.5 * kLength * torque.norm()), kWeakestColor);
+  }
+  return separator;
+}
+
+Drawing make_forces_node(std::span<const planning::ContactForce> forces) {
+  constexpr double kLengthPerNewton = 0.015;  // m
+  constexpr double kLongest = 0.09;           // m
+  constexpr double kLeast = 0.05;             // N that is worth an arrow
+  auto separator = make_seen_through();
+  for (const planning::ContactForce& force : forces) {
+    const double size = force.f_W.norm();
+    if (size >= kLeast) {
+      const double length = std::min(kLongest, kLengthPerNewton * size);
+      add_arrow(*separator.get(), {force.p_W - length / size * force.f_W, force.p_W},
+                kContactColor);
+    }
   }
   return separator;
 }

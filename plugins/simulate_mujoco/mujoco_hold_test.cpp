@@ -322,13 +322,31 @@ class Simulation {
   }
 
   [[nodiscard]] planning::HoldFrame frame(double time) const {
-    planning::HoldFrame frame{load_, time, grasp_.closed, X_WP_ * object_pose()};
+    planning::HoldFrame frame{load_, time, grasp_.closed, X_WP_ * object_pose(), contact_forces()};
     for (const HandJoint& joint : hand_.joints) {
       if (joint.actuator >= 0) {
         frame.q[robot_.mimic_mapping(joint.link).variable] = data_->qpos[joint.position];
       }
     }
     return frame;
+  }
+
+  // Contacts are between the hand and the object only.
+  [[nodiscard]] std::vector<planning::ContactForce> contact_forces() const {
+    using Axes = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    std::vector<planning::ContactForce> forces;
+    for (int i = 0; i < data_->ncon; ++i) {
+      const mjContact& contact = data_->contact[i];
+      std::array<mjtNum, 6> wrench{};
+      mj_contactForce(model_.get(), data_.get(), i, wrench.data());
+      // MuJoCo's force acts on the second body, in axes whose first is the normal.
+      const Vector3d force_P = Eigen::Map<const Axes>(contact.frame).transpose() *
+                               Eigen::Map<const Vector3d>(wrench.data());
+      const bool is_second = model_->geom_bodyid[contact.geom2] == hand_.object_body;
+      forces.push_back({X_WP_ * Vector3d(contact.pos),
+                        X_WP_.linear() * (is_second ? force_P : Vector3d(-force_P))});
+    }
+    return forces;
   }
 
   void apply(const Load& load) {

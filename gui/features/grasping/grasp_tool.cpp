@@ -13,6 +13,7 @@
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/panels/film_bar.h"
 #include "widgets/style/actions.h"
 #include "widgets/style/theme.h"
 
@@ -114,6 +115,7 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
       search_(new QWidget),
       progress_(named("grasp_progress", new QProgressBar)),
       film_(named("grasp_film", new QPushButton(tr("Watch the test")))),
+      film_bar_(new FilmBar),
       plan_(named("grasp_plan", new QPushButton(tr("Plan to this grasp")))) {
   note_->setWordWrap(true);
   list_->setAccessibleName(tr("Grasps"));
@@ -174,7 +176,7 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
     hide();
     emit chosen(row());
   });
-  lay_out(*details_, in_column({note_, search_, {list_, 1}, film_}, 6));
+  lay_out(*details_, in_column({note_, search_, {list_, 1}, film_bar_, film_}, 6));
   lay_out(*this,
           in_column({in_row({{title_, 1}, {fold_, 0, Qt::AlignTop}, {close, 0, Qt::AlignTop}}),
                      {details_, 1},
@@ -288,6 +290,7 @@ void GraspCard::set_up(const QString& note, bool with_list, bool searching) {
   list_->setVisible(with_list);
   plan_->setVisible(with_list);
   film_->setVisible(with_list && !list_->isColumnHidden(kHeldColumn));
+  film_bar_->setVisible(film_->isVisibleTo(this));
   fold_->setVisible(with_list);
   appear();
 }
@@ -319,11 +322,10 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
       card_(new GraspCard(&view, [this] { return to_be_seen(); })),
       make_hold_test_(make_hold_test) {
   card_->show_tests(make_hold_test_ != nullptr);
-  constexpr int kFrameTime = 20;  // ms, as HoldWatcher's
-  film_.setInterval(kFrameTime);
-  connect(&film_, &QTimer::timeout, this, &GraspTool::show_next_frame);
+  connect(&card_->film(), &FilmBar::shown, this, &GraspTool::show_frame);
+  connect(&card_->film(), &FilmBar::ended, this, &GraspTool::show_scene);
   connect(card_, &GraspCard::film_wanted, this,
-          [this](int index, bool wanted) { wanted ? begin_film(index) : look_at(index); });
+          [this](int index, bool wanted) { wanted ? begin_film(index) : card_->film().end(); });
   connect(&document_, &Document::opened, this, &GraspTool::end);
   connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document_.scene()) {
@@ -352,7 +354,7 @@ void GraspTool::begin() {
   }
   emit handles_welcome(false);
   object_ = object->name;
-  end_film();
+  card_->film().end();
   test_job_.cancel();
   tests_.clear();
   grasps_ = {};
@@ -416,7 +418,7 @@ void GraspTool::take_progress(int search, std::vector<planning::Pregrasp> found,
 }
 
 void GraspTool::look_at(int index) {
-  end_film();
+  card_->film().end();
   const planning::Pregrasp& grasp = grasps_.value[static_cast<std::size_t>(index)];
   view_.preview_ghost(false, grasp.closed.size() > 0 ? grasp.closed : grasp.q);
   const geometric::SceneObject* object = geometric::find_object(*document_.scene(), object_);
@@ -466,32 +468,22 @@ void GraspTool::take_test(int search, FilmedTest test) {
 
 void GraspTool::begin_film(int index) {
   filmed_ = static_cast<std::size_t>(index);
-  next_frame_ = 0;
   if (filmed_ >= tests_.size()) {
     return;
   }
   view_.preview_ghost(false, std::nullopt);
-  view_.set_overlay(Overlay::kGrasp, nullptr);
-  film_.start();
+  card_->film().begin(static_cast<int>(tests_[filmed_].frames.size()));
 }
 
-void GraspTool::show_next_frame() {
-  const std::vector<planning::HoldFrame>& frames = tests_[filmed_].frames;
-  if (next_frame_ >= frames.size()) {
-    look_at(static_cast<int>(filmed_));
-    return;
-  }
-  const planning::HoldFrame& frame = frames[next_frame_++];
+void GraspTool::show_frame(int index) {
+  const planning::HoldFrame& frame = tests_[filmed_].frames[static_cast<std::size_t>(index)];
   view_.set_configuration(frame.q);
   view_.preview(object_item(object_), frame.X_WO);
+  view_.set_overlay(Overlay::kGrasp, make_forces_node(frame.forces));
   card_->show_film(load_text(frame.load));
 }
 
-void GraspTool::end_film() {
-  if (!film_.isActive()) {
-    return;
-  }
-  film_.stop();
+void GraspTool::show_scene() {
   card_->show_film({});
   const std::shared_ptr<const geometric::Scene> scene = document_.scene();
   const auto* object = scene ? geometric::find_object(*scene, object_) : nullptr;
@@ -501,10 +493,13 @@ void GraspTool::end_film() {
   if (document_.robot()) {
     view_.set_configuration(document_.configuration());
   }
+  if (grasps_.made_from == document_.revision() && filmed_ < grasps_.value.size()) {
+    look_at(static_cast<int>(filmed_));
+  }
 }
 
 void GraspTool::end() {
-  end_film();
+  card_->film().end();
   job_.cancel();
   test_job_.cancel();
   tests_.clear();

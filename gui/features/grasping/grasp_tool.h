@@ -9,7 +9,6 @@
 
 #include <QObject>
 #include <QPoint>
-#include <QTimer>
 
 #include <Eigen/Core>
 
@@ -29,6 +28,7 @@ class QTreeWidget;
 namespace handway::gui {
 
 class Document;
+class FilmBar;
 class PlanningSession;
 class SceneEditor;
 class SceneView;
@@ -58,6 +58,7 @@ class GraspCard : public FloatingCard {
   /// Shows in words what is simulated at the moment; empty: the film is over.
   void show_film(const QString& what);
   [[nodiscard]] int row() const;
+  [[nodiscard]] FilmBar& film() { return *film_bar_; }
 
  signals:
   /// The row that is looked at.
@@ -87,6 +88,7 @@ class GraspCard : public FloatingCard {
   QWidget* search_;  ///< Progress and button to end the search.
   QProgressBar* progress_;
   QPushButton* film_;
+  FilmBar* film_bar_;
   QPushButton* plan_;
   QString note_before_film_;
   std::vector<planning::Pregrasp> listed_;
@@ -133,8 +135,8 @@ class GraspTool : public QObject {
   void test(int palm);
   void take_test(int search, FilmedTest test);
   void begin_film(int index);
-  void show_next_frame();
-  void end_film();
+  void show_frame(int index);
+  void show_scene();
   /// Takes the grasps that a search has found so far. @param search the number of the search.
   void take_progress(int search, std::vector<planning::Pregrasp> found, double fraction);
   /// Returns the points of the view that should stay visible: of the object, and of the hand in
@@ -153,9 +155,7 @@ class GraspTool : public QObject {
   std::shared_ptr<std::stop_source> ends_search_;
   planning::MakeHoldTest make_hold_test_;
   std::vector<FilmedTest> tests_;
-  QTimer film_;
-  std::size_t filmed_ = 0;      ///< Index of the grasp whose film is shown,
-  std::size_t next_frame_ = 0;  ///< and of its next frame.
+  std::size_t filmed_ = 0;  ///< Index of the grasp whose film is shown.
   LatestJob test_job_;
   LatestJob job_;
 };

@@ -1,7 +1,10 @@
 #include "features/tasks/task_card.h"
 
 #include "handway/geometric/math/units.h"
+#include "handway/planning/grasps/pregrasp_search.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/parameter_form.h"
+#include "widgets/panels/film_bar.h"
 #include "widgets/style/actions.h"
 #include "widgets/style/theme.h"
 
@@ -11,10 +14,13 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
 #include <QToolButton>
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 namespace handway::gui {
@@ -54,16 +60,29 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
       to_be_seen_(std::move(to_be_seen)),
       title_(heading()),
       support_(named("task_support", new QComboBox)),
+      mass_(named("task_mass", new NumberField(0.001, 1000.0))),
+      speed_(named("task_speed", new QSpinBox)),
       return_(named("task_return", new QCheckBox(tr("Return to the start")))),
       note_(named("task_note", note())),
       list_(named("task_stages", new QTreeWidget)),
       search_(new QWidget),
       play_(named("task_play", new QPushButton(tr("Play")))),
+      simulate_(named("task_simulate", new QPushButton(tr("Simulate")))),
       export_(named("task_export", new QPushButton(tr("Export…")))),
+      film_(new FilmBar),
       plan_(named("task_plan", new QPushButton(tr("Plan")))) {
   note_->setWordWrap(true);
   support_->setAccessibleName(tr("Place on"));
   support_->setToolTip(tr("Object on whose upward faces the grasped object is placed, anywhere"));
+  mass_->setSuffix(tr(" kg"));
+  mass_->setValue(planning::PregraspOptions{}.payload);
+  mass_->setAccessibleName(tr("Mass"));
+  mass_->setToolTip(tr("Mass of the object: the hand squeezes so hard that friction carries it"));
+  speed_->setRange(1, 100);
+  speed_->setValue(100);
+  speed_->setSuffix(tr(" %"));
+  speed_->setAccessibleName(tr("Speed"));
+  speed_->setToolTip(tr("Share of the full speed that the joint limits allow"));
   return_->setToolTip(tr("Move back to the scene's start at the end"));
   return_->setChecked(true);
   list_->setAccessibleName(tr("Stages"));
@@ -83,38 +102,59 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
   play_->setCheckable(true);
   play_->setToolTip(tr("Show the motion of robot and object, stage after stage"));
   connect(play_, &QPushButton::clicked, this, &TaskCard::play_wanted);
+  simulate_->setToolTip(tr("Simulate whether the hand holds the object while it is carried"));
+  connect(simulate_, &QPushButton::clicked, this, &TaskCard::simulation_wanted);
   export_->setToolTip(tr("Write the whole task as one program for a controller"));
   connect(export_, &QPushButton::clicked, this, &TaskCard::export_wanted);
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Find a grasp, a place and the motions between them"));
   connect(plan_, &QPushButton::clicked, this, &TaskCard::plan_wanted);
+  connect(support_, qOverload<int>(&QComboBox::currentIndexChanged), this, &TaskCard::changed);
+  connect(return_, &QCheckBox::toggled, this, &TaskCard::changed);
+  connect(mass_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &TaskCard::changed);
+  connect(speed_, qOverload<int>(&QSpinBox::valueChanged), this, &TaskCard::changed);
   QToolButton* close = make_close("task_close", tr("Close; the scene stays as it is"));
   connect(close, &QToolButton::clicked, this, [this] {
     hide();
     emit closed();
   });
-  lay_out(*this,
-          in_column({in_row({{title_, 1}, {close, 0, Qt::AlignTop}}),
-                     in_row({new QLabel(tr("Place on")), {support_, 1}}, 8),
-                     return_,
-                     note_,
-                     search_,
-                     {list_, 1},
-                     in_row({{play_, 1}, {export_, 1}}, 8),
-                     plan_},
-                    6),
-          {12, 6, 8, 10});
+  lay_out(
+      *this,
+      in_column(
+          {in_row({{title_, 1}, {close, 0, Qt::AlignTop}}),
+           in_row({new QLabel(tr("Place on")), {support_, 1}}, 8),
+           in_row({new QLabel(tr("Mass")), {mass_, 1}, new QLabel(tr("Speed")), {speed_, 1}}, 8),
+           return_,
+           note_,
+           search_,
+           {list_, 1},
+           film_,
+           in_row({{play_, 1}, {simulate_, 1}, {export_, 1}}, 8),
+           plan_},
+          6),
+      {12, 6, 8, 10});
 }
 
-void TaskCard::ask(const QString& object, const QStringList& supports, int proposed) {
+void TaskCard::ask(const QString& object, const QStringList& supports, int proposed,
+                   bool simulates) {
   title_->setText(tr("Pick and place %1").arg(object));
+  const QSignalBlocker quiet(support_);
   support_->clear();
   support_->addItems(supports);
   support_->setCurrentIndex(proposed);
-  set_up(tr("The hand grasps the object, carries it, and puts it down."), false, false, false);
+  simulates_ = simulates;
+  ask_again();
 }
 
-void TaskCard::show_planning() { set_up(tr("Planning all stages…"), true, false, false); }
+void TaskCard::ask_again() {
+  set_up(tr("The hand grasps the object, carries it, and puts it down."), State::kAsking);
+}
+
+void TaskCard::show_planning() { set_up(tr("Planning all stages…"), State::kWorking); }
+
+void TaskCard::show_simulating() { set_up(tr("Simulating the grasp…"), State::kWorking); }
+
+void TaskCard::show_simulated(const QString& verdict) { set_up(verdict, State::kPlanned); }
 
 void TaskCard::show_plan(const std::vector<ShownStage>& stages, double planned_in) {
   list_->clear();
@@ -133,7 +173,7 @@ void TaskCard::show_plan(const std::vector<ShownStage>& stages, double planned_i
   set_up(tr("A motion of %1 s, planned in %2 s. Every stage is free of collisions.")
              .arg(duration, 0, 'f', 1)
              .arg(planned_in, 0, 'f', 1),
-         false, true, true);
+         State::kPlanned);
 }
 
 void TaskCard::show_failure(const QString& reason,
@@ -149,7 +189,7 @@ void TaskCard::show_failure(const QString& reason,
       item->setToolTip(column, QString::fromStdString(one.reason));
     }
   }
-  set_up(reason, false, !trials.empty(), false);
+  set_up(reason, State::kFailed);
 }
 
 void TaskCard::show_played(int stage) {
@@ -162,15 +202,22 @@ QString TaskCard::support() const { return support_->currentText(); }
 
 bool TaskCard::returns() const { return return_->isChecked(); }
 
-void TaskCard::set_up(const QString& note, bool planning, bool with_list, bool playable) {
+double TaskCard::mass() const { return mass_->value(); }
+
+double TaskCard::speed() const { return speed_->value() / 100.0; }
+
+void TaskCard::set_up(const QString& note, State state) {
   note_->setText(note);
-  search_->setVisible(planning);
-  list_->setVisible(with_list);
-  play_->setVisible(playable);
-  export_->setVisible(playable);
-  plan_->setEnabled(!planning);
-  support_->setEnabled(!planning);
-  return_->setEnabled(!planning);
+  search_->setVisible(state == State::kWorking);
+  const bool has_rows = list_->topLevelItemCount() > 0;
+  list_->setVisible(state == State::kPlanned || (state == State::kFailed && has_rows));
+  play_->setVisible(state == State::kPlanned);
+  simulate_->setVisible(state == State::kPlanned && simulates_);
+  export_->setVisible(state == State::kPlanned);
+  film_->setVisible(state == State::kPlanned);
+  for (QWidget* asked : std::initializer_list<QWidget*>{support_, mass_, speed_, return_, plan_}) {
+    asked->setEnabled(state != State::kWorking);
+  }
   appear();
 }
 

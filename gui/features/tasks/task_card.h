@@ -15,9 +15,13 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QSpinBox;
 class QTreeWidget;
 
 namespace handway::gui {
+
+class FilmBar;
+class NumberField;
 
 /// A stage of a planned task, as the card shows it.
 struct ShownStage {
@@ -36,20 +40,33 @@ class TaskCard : public FloatingCard {
   TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen);
 
   /// Asks where to place an object. @param supports objects that it can be placed on.
-  /// @param proposed index of one of them.
-  void ask(const QString& object, const QStringList& supports, int proposed);
+  /// @param proposed index of one of them. @param simulates whether plans can be simulated.
+  void ask(const QString& object, const QStringList& supports, int proposed, bool simulates);
+  /// Asks again, without a plan.
+  void ask_again();
   void show_planning();
   void show_plan(const std::vector<ShownStage>& stages, double planned_in);
   /// Shows why there is no plan. @param trials counts of the candidates; may be empty.
   void show_failure(const QString& reason, const std::vector<planning::StageTrials>& trials);
+  void show_simulating();
+  /// Shows the result of a simulation below the plan's stages.
+  void show_simulated(const QString& verdict);
   /// Shows the stage that is played; a negative one: none is.
   void show_played(int stage);
 
   [[nodiscard]] QString support() const;
   [[nodiscard]] bool returns() const;
+  /// Returns the object's mass, kg.
+  [[nodiscard]] double mass() const;
+  /// Returns the share of the full speed, in (0, 1].
+  [[nodiscard]] double speed() const;
+  [[nodiscard]] FilmBar& film() { return *film_; }
 
  signals:
   void plan_wanted();
+  /// What is asked for differs from what was planned.
+  void changed();
+  void simulation_wanted();
   void stop_wanted();
   /// Play the plan, or no longer.
   void play_wanted(bool wanted);
@@ -57,19 +74,25 @@ class TaskCard : public FloatingCard {
   void closed();
 
  private:
-  void set_up(const QString& note, bool planning, bool with_list, bool playable);
+  enum class State { kAsking, kWorking, kPlanned, kFailed };
+  void set_up(const QString& note, State state);
   void place() override;
 
   std::function<std::vector<QPoint>()> to_be_seen_;
   QLabel* title_;
   QComboBox* support_;
+  NumberField* mass_;
+  QSpinBox* speed_;
   QCheckBox* return_;
   QLabel* note_;
   QTreeWidget* list_;
   QWidget* search_;  ///< Progress, and the button that ends the search.
   QPushButton* play_;
+  QPushButton* simulate_;
   QPushButton* export_;
+  FilmBar* film_;
   QPushButton* plan_;
+  bool simulates_ = false;
 };
 
 }  // namespace handway::gui

@@ -2,14 +2,17 @@
 
 #include "features/workbench.h"
 #include "handway/geometric/collision/volumes/preparation.h"
+#include "handway/geometric/math/units.h"
 #include "handway/geometric/setup/placing.h"
 #include "handway/planning/tasks/task_file.h"
 #include "handway/planning/tasks/timed_task.h"
-#include "handway/planning/timing/time_path.h"
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
+#include "view3d/grasp_drawings.h"
+#include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
+#include "widgets/panels/film_bar.h"
 #include "widgets/style/actions.h"
 
 #include <QAction>
@@ -23,8 +26,6 @@
 
 namespace handway::gui {
 namespace {
-
-constexpr int kFrameTime = 20;  // ms
 
 // The objects that another one can be placed on, the one below it first.
 std::vector<std::string> supports_of(const geometric::Scene& scene,
@@ -45,24 +46,46 @@ std::vector<std::string> supports_of(const geometric::Scene& scene,
   return names;
 }
 
-// Adds what is shown of a timed task, or the fault of the first stage that is not cleared.
-void add_film(const planning::TimedTask& timed, const std::string& object, FilmedTask& task) {
-  for (std::size_t i = 0; i < timed.stages.size(); ++i) {
-    const planning::TimedPath& stage = timed.stages[i];
-    const planning::TaskStage& planned = task.plan.stages[i];
-    if (!stage.cleared()) {
-      task.plan.solved = false;
-      task.plan.reason = to_text(stage.preflight);
-      return;
-    }
-    task.stages.push_back({planned.kind, stage.preflight.duration, stage.preflight.min_clearance,
-                           QString::fromStdString(stage.preflight.closest_pair)});
-    const geometric::SceneObject& moved = *planned.state.find(object);
-    for (const planning::TrajectoryPoint& point : stage.motion.trajectory.points) {
-      task.frames.push_back(
-          {i, point.position, object_pose(*planned.state.scene, point.position, moved)});
-    }
+// Words for the stage in which a simulation lost the object.
+QString moment_of_loss(const SimulatedTask& simulated, const FilmedTask& task) {
+  const planning::StageKind kind = task.plan.stages[simulated.frames.back().moment.stage].kind;
+  switch (kind) {
+    case planning::StageKind::kLift:
+      return QObject::tr("while it is lifted");
+    case planning::StageKind::kLower:
+      return QObject::tr("while it is lowered");
+    default:
+      return QObject::tr("while it is carried");
   }
+}
+
+QString verdict_of(const SimulatedTask& simulated, const FilmedTask& task,
+                   const planning::HoldConditions& conditions) {
+  const planning::CarryResult& result = simulated.result;
+  const QString assumed = QObject::tr("Simulated with %1 kg and friction %2: ")
+                              .arg(conditions.mass)
+                              .arg(conditions.contact.friction);
+  if (!result.squeeze.held) {
+    return assumed + QObject::tr("the object slips away when the hand squeezes it.");
+  }
+  if (!result.held()) {
+    return assumed + QObject::tr(
+                         "the object is lost after %1 s, %2. Carry it more slowly, or give "
+                         "its mass before planning.")
+                         .arg(result.time, 0, 'f', 2)
+                         .arg(moment_of_loss(simulated, task));
+  }
+  double largest = 0.0;
+  for (const planning::LinkForce& force : result.forces) {
+    largest = std::max(largest, force.largest);
+  }
+  return assumed + QObject::tr(
+                       "the object is held. It slips by %1 mm and %2°; a link pushes with up "
+                       "to %3 N, a joint with %4 % of its torque.")
+                       .arg(geometric::millimetres(result.slip.shift), 0, 'f', 1)
+                       .arg(geometric::degrees(result.slip.turn), 0, 'f', 1)
+                       .arg(largest, 0, 'f', 1)
+                       .arg(100.0 * result.torque_share, 0, 'f', 0);
 }
 
 }  // namespace
@@ -75,16 +98,17 @@ TaskTool::TaskTool(Document& document, SceneEditor& editor, SceneView& view,
       view_(view),
       plugins_(plugins),
       card_(new TaskCard(&view, [this] { return to_be_seen(); })) {
-  film_.setInterval(kFrameTime);
-  connect(&film_, &QTimer::timeout, this, &TaskTool::show_next_frame);
+  connect(&card_->film(), &FilmBar::shown, this, &TaskTool::show_frame);
+  connect(&card_->film(), &FilmBar::ended, this, &TaskTool::show_scene);
   connect(card_, &TaskCard::plan_wanted, this, &TaskTool::start);
-  connect(card_, &TaskCard::play_wanted, this, &TaskTool::play);
+  connect(card_, &TaskCard::changed, this, &TaskTool::forget_plan);
+  connect(card_, &TaskCard::simulation_wanted, this, &TaskTool::simulate);
+  connect(card_, &TaskCard::play_wanted, this,
+          [this](bool wanted) { wanted ? play(task_.value.frames) : card_->film().end(); });
   connect(card_, &TaskCard::export_wanted, this, &TaskTool::ask_for_export);
   connect(card_, &TaskCard::closed, this, &TaskTool::end);
-  connect(card_, &TaskCard::stop_wanted, this, [this] {
-    job_.cancel();
-    card_->show_failure(tr("The search was stopped."), {});
-  });
+  connect(card_, &TaskCard::stop_wanted, this, &TaskTool::stop);
+  connect(&simulation_job_, &LatestJob::failed, card_, &TaskCard::show_simulated);
   connect(&job_, &LatestJob::failed, this,
           [this](const QString& reason) { card_->show_failure(reason, {}); });
   connect(&document_, &Document::opened, this, &TaskTool::end);
@@ -106,11 +130,11 @@ void TaskTool::begin() {
   for (const std::string& name : supports_of(*document_.scene(), *object)) {
     supports.push_back(QString::fromStdString(name));
   }
-  card_->ask(QString::fromStdString(object_), supports, 0);
+  card_->ask(QString::fromStdString(object_), supports, 0, plugins_.hold_test_maker() != nullptr);
 }
 
 void TaskTool::start() {
-  end_film();
+  forget_plan();
   card_->show_planning();
   planning::SceneState state = editor_.state();
   if (!state.scene->start) {  // the task begins where the robot is shown
@@ -123,20 +147,21 @@ void TaskTool::start() {
   if (card_->returns()) {
     task.emplace_back(planning::move_to_posture(*state.scene, "start", "task"));
   }
-  job_.run([this, state, task, object = object_,
+  FilmedTask begun;
+  begun.object = object_;
+  begun.task = std::move(task);
+  begun.timing.speed = card_->speed();
+  job_.run([this, state, begun = std::move(begun), mass = card_->mass(),
             revision = document_.revision()](const std::stop_token& stop) -> LatestJob::Answer {
     const auto& planners = plugins_.planners();
     const auto planner = planners.create(planners.names().front());
     planning::TaskOptions options;
     options.threads = 2;
-    FilmedTask filmed;
-    filmed.task = task;
+    options.grasps.payload = mass;
+    FilmedTask filmed = begun;
     try {
-      filmed.plan = plan_task(state, task, *planner, options, stop);
-      planning::TimingOptions timing;
-      timing.period = kFrameTime / 1000.0;
-      timing.stop = stop;
-      add_film(time_task(task, filmed.plan, "task", timing), object, filmed);
+      filmed.plan = plan_task(state, filmed.task, *planner, options, stop);
+      add_film(filmed, stop);
     } catch (const geometric::PreparationStopped&) {
       return nullptr;
     }
@@ -155,26 +180,56 @@ void TaskTool::take(const planning::Derived<FilmedTask>& task) {
   const planning::TaskPlan& plan = task_.value.plan;
   if (plan.solved) {
     card_->show_plan(task_.value.stages, plan.time_s);
-    play(true);
+    play(task_.value.frames);
   } else {
     card_->show_failure(QString::fromStdString(plan.reason), plan.trials);
   }
 }
 
-void TaskTool::play(bool wanted) {
-  end_film();
-  if (wanted && !task_.value.frames.empty()) {
-    next_frame_ = 0;
-    emit handles_welcome(false);
-    view_.preview_ghost(true, std::nullopt);
-    view_.preview_ghost(false, std::nullopt);
-    film_.start();
-    show_next_frame();
+void TaskTool::simulate() {
+  card_->film().end();
+  if (simulation_) {
+    play(simulation_->frames);
+    return;
+  }
+  card_->show_simulating();
+  planning::HoldConditions conditions;
+  conditions.mass = card_->mass();
+  simulation_job_.run([this, conditions, task = task_, make = plugins_.hold_test_maker()](
+                          const std::stop_token& stop) -> LatestJob::Answer {
+    SimulatedTask simulated = gui::simulate(task.value, make, conditions, stop);
+    if (stop.stop_requested()) {
+      return nullptr;
+    }
+    return [this, conditions, simulated = std::move(simulated)] {
+      simulation_ = simulated;
+      card_->show_simulated(verdict_of(simulated, task_.value, conditions));
+      play(simulation_->frames);
+    };
+  });
+}
+
+void TaskTool::stop() {
+  if (simulation_job_.is_busy()) {
+    simulation_job_.cancel();
+    card_->show_simulated(tr("The simulation was stopped."));
+  } else {
+    job_.cancel();
+    card_->show_failure(tr("The search was stopped."), {});
   }
 }
 
+void TaskTool::play(const std::vector<TaskFrame>& frames) {
+  card_->film().end();
+  frames_ = frames;
+  emit handles_welcome(false);
+  view_.preview_ghost(true, std::nullopt);
+  view_.preview_ghost(false, std::nullopt);
+  card_->film().begin(static_cast<int>(frames_.size()));
+}
+
 void TaskTool::ask_for_export() {
-  end_film();
+  card_->film().end();
   MotionSource source;
   source.title = tr("Export the task");
   source.name = QStringLiteral("place_") + QString::fromStdString(object_);
@@ -185,24 +240,18 @@ void TaskTool::ask_for_export() {
   emit export_wanted({std::move(source), task_.made_from});
 }
 
-void TaskTool::show_next_frame() {
-  const std::vector<TaskFrame>& frames = task_.value.frames;
-  if (next_frame_ >= frames.size()) {
-    end_film();
-    return;
-  }
-  const TaskFrame& frame = frames[next_frame_++];
-  view_.set_configuration(frame.q);
+void TaskTool::show_frame(int index) {
+  const TaskFrame& frame = frames_[static_cast<std::size_t>(index)];
+  view_.set_configuration(frame.moment.q);
   view_.preview(object_item(object_), frame.X_WO);
-  card_->show_played(static_cast<int>(frame.stage));
+  view_.set_overlay(Overlay::kGrasp,
+                    frame.forces.empty() ? nullptr : make_forces_node(frame.forces));
+  card_->show_played(static_cast<int>(frame.moment.stage));
 }
 
-void TaskTool::end_film() {
+void TaskTool::show_scene() {
   card_->show_played(-1);
-  if (!film_.isActive()) {
-    return;
-  }
-  film_.stop();
+  view_.set_overlay(Overlay::kGrasp, nullptr);
   const std::shared_ptr<const geometric::Scene> scene = document_.scene();
   if (const auto* object = scene ? geometric::find_object(*scene, object_) : nullptr) {
     view_.preview(object_item(object_), object->X_PO);
@@ -215,10 +264,19 @@ void TaskTool::end_film() {
   emit handles_welcome(true);
 }
 
-void TaskTool::end() {
-  end_film();
-  job_.cancel();
+void TaskTool::forget_plan() {
+  card_->film().end();
   task_ = {};
+  simulation_.reset();
+  card_->ask_again();
+}
+
+void TaskTool::end() {
+  card_->film().end();
+  job_.cancel();
+  simulation_job_.cancel();
+  task_ = {};
+  simulation_.reset();
   card_->hide();
 }
 

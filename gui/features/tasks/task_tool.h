@@ -1,6 +1,7 @@
 #pragma once
 
 #include "features/tasks/task_card.h"
+#include "features/tasks/task_film.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/tasks/task.h"
@@ -9,11 +10,9 @@
 
 #include <QObject>
 #include <QPoint>
-#include <QTimer>
 
-#include <cstddef>
 #include <memory>
-#include <stop_token>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,23 +24,8 @@ class SceneEditor;
 class SceneView;
 class Workbench;
 
-/// A moment of a task.
-struct TaskFrame {
-  std::size_t stage = 0;  ///< Index into TaskPlan::stages.
-  planning::Configuration q;
-  geometric::Pose X_WO = geometric::Pose::Identity();  ///< Pose of the object.
-};
-
-/// A planned task, with all that is shown of it.
-struct FilmedTask {
-  planning::Task task;
-  planning::TaskPlan plan;
-  std::vector<ShownStage> stages;
-  std::vector<TaskFrame> frames;  ///< One every 20 ms.
-};
-
-/// Plans to pick the selected object and to place it somewhere else, and plays the plan. The scene
-/// stays as it is.
+/// Plans to pick the selected object and to place it somewhere else, plays the plan, and simulates
+/// whether the hand holds the object. The scene stays as it is.
 class TaskTool : public QObject {
   Q_OBJECT
 
@@ -52,9 +36,11 @@ class TaskTool : public QObject {
 
   /// Asks where to place the selected object.
   void begin();
-  [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
+  [[nodiscard]] bool is_busy() const { return job_.is_busy() || simulation_job_.is_busy(); }
   /// Returns the last plan; without stages if there is none.
   [[nodiscard]] const planning::TaskPlan& plan() const { return task_.value.plan; }
+  /// Returns the simulation of that plan, if it was simulated.
+  [[nodiscard]] const std::optional<SimulatedTask>& simulation() const { return simulation_; }
 
  signals:
   /// Emitted when there is room in the view for the handles of the selection, or not because they
@@ -66,11 +52,17 @@ class TaskTool : public QObject {
  private:
   void start();
   void take(const planning::Derived<FilmedTask>& task);
-  void play(bool wanted);
+  /// Simulates the plan, or shows its simulation again.
+  void simulate();
+  /// Ends the search or the simulation.
+  void stop();
+  void play(const std::vector<TaskFrame>& frames);
   void ask_for_export();
-  void show_next_frame();
+  void show_frame(int index);
   /// Shows the scene as it is, instead of a moment of the task.
-  void end_film();
+  void show_scene();
+  /// Forgets the plan, and asks again.
+  void forget_plan();
   void end();
   /// Returns the points of the view that should stay visible: the object's ways.
   [[nodiscard]] std::vector<QPoint> to_be_seen() const;
@@ -82,9 +74,10 @@ class TaskTool : public QObject {
   TaskCard* card_;
   std::string object_;
   planning::Derived<FilmedTask> task_;
-  QTimer film_;
-  std::size_t next_frame_ = 0;
+  std::optional<SimulatedTask> simulation_;
+  std::vector<TaskFrame> frames_;  ///< Those that are played.
   LatestJob job_;
+  LatestJob simulation_job_;
 };
 
 /// Adds the command that picks and places the selected object.

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -16,13 +18,15 @@ namespace {
 
 using geometric::Pose;
 
-// Adds the palm's poses along a timed path.
-void append_poses(const TimedPath& timed, const Pose& X_WB, int palm, PalmMotion& motion) {
+// Adds the palm's poses along a timed path. @param stage of the path in its plan.
+void append_poses(const TimedPath& timed, const Pose& X_WB, std::size_t stage,
+                  CarriedObjectMotion& carried) {
   const geometric::RobotModel& model = *timed.motion.model;
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
   for (const TrajectoryPoint& point : timed.motion.trajectory.points) {
     model.forward_kinematics(point.position, X_BL);
-    motion.X_WP.push_back(X_WB * X_BL[static_cast<std::size_t>(palm)]);
+    carried.motion.X_WP.push_back(X_WB * X_BL[static_cast<std::size_t>(carried.palm)]);
+    carried.moments.push_back({stage, point.position});
   }
 }
 
@@ -49,13 +53,39 @@ int palm_link(const geometric::Scene& scene, const std::string& object) {
   return *scene.robots.front().model->find_link(carried.attachment->link);
 }
 
+// Index of the pose of the motion at a moment of HoldTest::carry().
+std::size_t pose_at(const CarriedObjectMotion& carried, const HoldFrame& frame) {
+  if (frame.load == 0) {
+    return 0;
+  }
+  const auto index = static_cast<std::size_t>(std::lround(frame.time / carried.motion.period));
+  return std::min(index, carried.moments.size() - 1);
+}
+
 }  // namespace
+
+HoldFrame seen_in_world(const CarriedObjectMotion& carried, HoldFrame frame) {
+  const std::size_t index = pose_at(carried, frame);
+  const std::vector<Pose>& X_WP = carried.motion.X_WP;
+  const Pose moved = X_WP[index] * X_WP.front().inverse();
+  frame.q += carried.moments[index].q - carried.moments.front().q;
+  frame.X_WO = moved * frame.X_WO;
+  for (ContactForce& force : frame.forces) {
+    force = {moved * force.p_W, moved.linear() * force.f_W};
+  }
+  return frame;
+}
+
+std::size_t stage_at(const CarriedObjectMotion& carried, const HoldFrame& frame) {
+  return carried.moments[pose_at(carried, frame)].stage;
+}
 
 std::vector<CarriedObjectMotion> carried_motions(const TaskPlan& plan, const TimingSettings& timing,
                                                  const std::stop_token& stop) {
   std::vector<CarriedObjectMotion> motions;
   const TaskStage* close = nullptr;
-  for (const TaskStage& stage : plan.stages) {
+  for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+    const TaskStage& stage = plan.stages[i];
     if (stage.kind == StageKind::kClose) {
       close = &stage;
       continue;
@@ -78,7 +108,7 @@ std::vector<CarriedObjectMotion> carried_motions(const TaskPlan& plan, const Tim
     append_poses(
         cleared(time_stage(stage, to_string(stage.kind), options_for(timing, *robot.model, stop)),
                 to_string(stage.kind)),
-        robot.X_WB, motions.back().palm, motions.back().motion);
+        robot.X_WB, i, motions.back());
   }
   return motions;
 }
@@ -100,7 +130,7 @@ CarriedObjectMotion carried_motion(const SceneState& state, const Path& path,
   motion.palm = palm_link(scene, motion.object);
   append_poses(
       cleared(time_path(problem, path, "path", options_for(timing, problem.model(), stop)), "path"),
-      scene.robots.front().X_WB, motion.palm, motion.motion);
+      scene.robots.front().X_WB, 0, motion);
   motion.before = detached(state, q, {motion.object});
   motion.grasp = measured_grasp(motion.before, motion.object, q, stop);
   return motion;

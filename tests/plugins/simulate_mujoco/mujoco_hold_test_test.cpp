@@ -188,6 +188,22 @@ TEST_F(Gripper, TellsForcesAndTorquesOfCarrying) {
                std::invalid_argument);
 }
 
+TEST_F(Gripper, ShowsTheForcesThatCarryTheObject) {
+  conditions_.mass = 0.5;
+  planning::HoldFrame last;
+  static_cast<void>(test_.carry(grasp_, shove(0.0, 0.8), conditions_, {},
+                                [&](const planning::HoldFrame& frame) { last = frame; }));
+  Vector3d sum = Vector3d::Zero();
+  double normal = 0.0;
+  for (const planning::ContactForce& force : last.forces) {
+    sum += force.f_W;
+    normal += std::abs(force.f_W.y());
+    EXPECT_NEAR(std::abs(force.p_W.y() - last.X_WO.translation().y()), 0.03, 1e-3) << "its sides";
+  }
+  EXPECT_LT((sum - Vector3d(0.0, 0.0, 0.5 * 9.81)).norm(), 0.05 * 0.5 * 9.81) << "the weight, N";
+  EXPECT_NEAR(normal, 2.0 * conditions_.slide_force, 0.1 * conditions_.slide_force);
+}
+
 TEST_F(Gripper, HoldsNothingWithoutSqueeze) {
   grasp_.squeezed = grasp_.closed;
   const HoldResult result = test_.test(grasp_, conditions_, {}, {});

@@ -9,12 +9,15 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSlider>
 #include <QTreeWidget>
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -107,6 +110,40 @@ TEST_F(PickAndPlaceWithPlugins, ExportsTheWholeTask) {
   for (const char* stage : {"// stage: lift (pick can)", "// stage: open (place on table)"}) {
     EXPECT_THAT(program, ::testing::HasSubstr(stage));
   }
+}
+
+TEST_F(PickAndPlaceWithPlugins, SimulatesWhetherTheHandHoldsTheObject) {
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
+  const planning::SceneState before = editor().state();
+  click("task_simulate");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::TaskTool>().is_busy(); }, 60000));
+  ASSERT_TRUE(tool<gui::TaskTool>().simulation().has_value());
+  const gui::SimulatedTask& simulated = *tool<gui::TaskTool>().simulation();
+  EXPECT_TRUE(simulated.result.held());
+  EXPECT_THAT(part<QLabel>("task_note").text().toStdString(),
+              ::testing::HasSubstr("Simulated with 0.1 kg and friction 0.6: the object is held."));
+  auto& moment = part<QSlider>("film_moment");
+  EXPECT_EQ(moment.maximum() + 1, static_cast<int>(simulated.frames.size()));
+  const auto lifted = std::ranges::find_if(simulated.frames, [](const gui::TaskFrame& frame) {
+    return frame.X_WO.translation().z() > 0.78;  // m; the table's top is at 0.74
+  });
+  ASSERT_NE(lifted, simulated.frames.end());
+  EXPECT_GE(lifted->forces.size(), 2U);
+  moment.setValue(static_cast<int>(lifted - simulated.frames.begin()));
+  EXPECT_EQ(part<QPushButton>("task_play").text(), "Stop") << "at a pause";
+  keep_picture("simulated_task");
+  click("task_play");
+  EXPECT_FALSE(moment.isEnabled());
+  EXPECT_EQ(editor().state(), before) << "only shown";
+}
+
+TEST_F(PickAndPlace, ForgetsThePlanWhenSomethingElseIsAskedFor) {
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
+  part<QDoubleSpinBox>("task_mass").setValue(0.3);
+  EXPECT_FALSE(part<QTreeWidget>("task_stages").isVisible());
+  EXPECT_TRUE(tool<gui::TaskTool>().plan().stages.empty());
 }
 
 TEST_F(PickAndPlace, ForgetsThePlanWhenTheSceneIsEdited) {

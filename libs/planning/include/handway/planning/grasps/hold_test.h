@@ -101,6 +101,12 @@ struct CarryResult {
   [[nodiscard]] bool held() const { return squeeze.held && slip.held; }
 };
 
+/// Force of the hand on the object at one of their contacts.
+struct ContactForce {
+  Eigen::Vector3d p_W;  ///< m, in the world.
+  Eigen::Vector3d f_W;  ///< N, in the world.
+};
+
 /// A moment of a hold test.
 struct HoldFrame {
   /// 0: the squeeze; 1 to 6: HoldResult::directions; 7: the lift. Of HoldTest::carry() 1: the
@@ -109,6 +115,7 @@ struct HoldFrame {
   double time = 0.0;  ///< s since the load's begin.
   Configuration q;    ///< Of the robot, its arm at rest: the lift is shown in the palm's frame.
   geometric::Pose X_WO = geometric::Pose::Identity();  ///< Of the object.
+  std::vector<ContactForce> forces = {};               ///< Of the last step of the simulation.
 };
 /// Receives moments of a test in their order, one every 20 ms of simulated time.
 using HoldWatcher = std::function<void(const HoldFrame& frame)>;

@@ -5,11 +5,18 @@
 #include "handway/planning/tasks/task.h"
 #include "handway/planning/timing/timing_settings.h"
 
+#include <cstddef>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 namespace handway::planning {
+
+/// The robot at a moment of a planned task.
+struct TaskMoment {
+  std::size_t stage = 0;  ///< Index into TaskPlan::stages.
+  Configuration q;
+};
 
 /// What a hand does with an object from the grasp until it opens again: input of
 /// HoldTest::carry().
@@ -19,7 +26,18 @@ struct CarriedObjectMotion {
   int palm = -1;      ///< Link that carries the object.
   Pregrasp grasp;     ///< With closed and squeezed alone.
   PalmMotion motion;
+  std::vector<TaskMoment> moments;  ///< At the poses of `motion`; the joints of the hand rest.
 };
+
+/// Returns a moment of HoldTest::carry(), which is seen from the palm, as it is seen in the world:
+/// the arm moves along the motion.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT HoldFrame seen_in_world(const CarriedObjectMotion& carried,
+                                                              HoldFrame frame);
+
+/// Returns the index into TaskPlan::stages at a moment of HoldTest::carry(); during the squeeze
+/// that of the first stage that carries the object.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::size_t stage_at(const CarriedObjectMotion& carried,
+                                                           const HoldFrame& frame);
 
 /// Returns the motion of each object that a planned task carries. The robot rests between stages.
 /// @param timing of the stages.

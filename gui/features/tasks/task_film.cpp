@@ -1,0 +1,83 @@
+#include "features/tasks/task_film.h"
+
+#include "handway/geometric/setup/placing.h"
+#include "widgets/panels/film_bar.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+// The frames of the planned task before (or after) the stages that carry the object. Afterwards the
+// object stays where the simulation has left it while it is as it was planned.
+std::vector<TaskFrame> frames_without(const FilmedTask& task, bool before) {
+  std::vector<TaskFrame> frames;
+  const auto is_carried = [&](const TaskFrame& frame) {
+    return !task.plan.stages[frame.moment.stage].carried.empty();
+  };
+  const auto first = std::ranges::find_if(task.frames, is_carried);
+  const auto end = std::find_if(task.frames.rbegin(), task.frames.rend(), is_carried).base();
+  before ? std::copy(task.frames.begin(), first, std::back_inserter(frames))
+         : std::copy(end, task.frames.end(), std::back_inserter(frames));
+  return frames;
+}
+
+}  // namespace
+
+void add_film(FilmedTask& task, const std::stop_token& stop) {
+  if (!task.plan.solved) {
+    return;
+  }
+  planning::TimingOptions options =
+      timing_options(task.timing, *task.plan.stages.front().state.scene->robots.front().model);
+  options.period = FilmBar::kFrameTimeMs / 1000.0;
+  options.stop = stop;
+  const planning::TimedTask timed = time_task(task.task, task.plan, "task", options);
+  for (std::size_t i = 0; i < timed.stages.size(); ++i) {
+    const planning::TimedPath& stage = timed.stages[i];
+    const planning::TaskStage& planned = task.plan.stages[i];
+    if (!stage.cleared()) {
+      task.plan.solved = false;
+      task.plan.reason = to_text(stage.preflight);
+      return;
+    }
+    task.stages.push_back({planned.kind, stage.preflight.duration, stage.preflight.min_clearance,
+                           QString::fromStdString(stage.preflight.closest_pair)});
+    const geometric::SceneObject& moved = *planned.state.find(task.object);
+    for (const planning::TrajectoryPoint& point : stage.motion.trajectory.points) {
+      task.frames.push_back(
+          {{i, point.position}, object_pose(*planned.state.scene, point.position, moved)});
+    }
+  }
+}
+
+SimulatedTask simulate(const FilmedTask& task, planning::MakeHoldTest make_test,
+                       const planning::HoldConditions& conditions, const std::stop_token& stop) {
+  SimulatedTask simulated;
+  simulated.frames = frames_without(task, true);
+  for (const planning::CarriedObjectMotion& carried :
+       carried_motions(task.plan, task.timing, stop)) {
+    const planning::PlanningProblem problem = planning::make_problem(
+        carried.before.scene, carried.before.basis, {stop}, planning::GoalNeed::kOptional);
+    const auto test = make_test(problem, carried.object, carried.palm);
+    simulated.result = test->carry(
+        carried.grasp, carried.motion, conditions, stop, [&](const planning::HoldFrame& frame) {
+          planning::HoldFrame seen = seen_in_world(carried, frame);
+          simulated.frames.push_back(
+              {{stage_at(carried, frame), std::move(seen.q)}, seen.X_WO, std::move(seen.forces)});
+        });
+  }
+  if (simulated.result.held()) {
+    const geometric::Pose left_at = simulated.frames.back().X_WO;
+    for (TaskFrame& frame : frames_without(task, false)) {
+      frame.X_WO = left_at;
+      simulated.frames.push_back(std::move(frame));
+    }
+  }
+  return simulated;
+}
+
+}  // namespace handway::gui

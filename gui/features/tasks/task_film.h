@@ -1,0 +1,50 @@
+#pragma once
+
+#include "features/tasks/task_card.h"
+#include "handway/planning/extensions/plugin.h"
+#include "handway/planning/grasps/hold_test.h"
+#include "handway/planning/tasks/carried_object.h"
+#include "handway/planning/tasks/timed_task.h"
+#include "handway/planning/timing/timing_settings.h"
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace handway::gui {
+
+/// A moment of a task, as it is shown.
+struct TaskFrame {
+  planning::TaskMoment moment;
+  geometric::Pose X_WO = geometric::Pose::Identity();  ///< Pose of the object.
+  std::vector<planning::ContactForce> forces = {};     ///< Of the hand on it, if it is simulated.
+};
+
+/// A planned task, with all that is shown of it.
+struct FilmedTask {
+  std::string object;  ///< The one that is picked and placed.
+  planning::Task task;
+  planning::TaskPlan plan;
+  planning::TimingSettings timing;
+  std::vector<ShownStage> stages;
+  std::vector<TaskFrame> frames;  ///< One every FilmBar::kFrameTimeMs.
+};
+
+/// A task in which the hand carries its object in a simulation.
+struct SimulatedTask {
+  planning::CarryResult result;
+  std::vector<TaskFrame> frames;  ///< As FilmedTask::frames; they end where the object is lost.
+};
+
+/// Times a planned task, and adds what is shown of it: stages and frames, or the fault of the first
+/// stage that is not cleared, as the reason why the plan is not solved.
+/// @throws geometric::PreparationStopped if a stop is requested.
+void add_film(FilmedTask& task, const std::stop_token& stop);
+
+/// Simulates how the hand carries the object of a solved task.
+/// @throws InputError if hand or object can't be simulated.
+[[nodiscard]] SimulatedTask simulate(const FilmedTask& task, planning::MakeHoldTest make_test,
+                                     const planning::HoldConditions& conditions,
+                                     const std::stop_token& stop);
+
+}  // namespace handway::gui

@@ -1,0 +1,85 @@
+#include "widgets/panels/film_bar.h"
+
+#include "widgets/forms/arrangement.h"
+#include "widgets/panels/playback_bar.h"
+#include "widgets/style/icons.h"
+
+#include <QComboBox>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace handway::gui {
+
+FilmBar::FilmBar(QWidget* parent)
+    : QWidget(parent),
+      play_(named("film_play", new QToolButton)),
+      slider_(named("film_moment", new QSlider(Qt::Horizontal))),
+      speed_(named("film_speed", new QComboBox)) {
+  play_->setAutoRaise(true);
+  play_->setIconSize({20, 20});
+  slider_->setToolTip(tr("Drag to any moment"));
+  slider_->setAccessibleName(tr("Moment"));
+  offer_speeds(*speed_);
+  speed_->setToolTip(tr("Speed; 1× is the speed of the motion"));
+  speed_->setAccessibleName(tr("Speed"));
+  connect(play_, &QToolButton::clicked, this, [this] { set_playing(!timer_.isActive()); });
+  connect(slider_, &QSlider::valueChanged, this, [this](int frame) {
+    set_playing(false);
+    show_frame(frame);
+  });
+  connect(speed_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this] { set_playing(timer_.isActive()); });
+  connect(&timer_, &QTimer::timeout, this, &FilmBar::go_on);
+  play_->setIcon(icon("play"));
+  lay_out(*this, in_row({play_, {slider_, 1}, speed_}, 6));
+  setEnabled(false);
+}
+
+void FilmBar::begin(int frames) {
+  frames_ = frames;
+  const QSignalBlocker quiet(slider_);
+  slider_->setRange(0, std::max(0, frames - 1));
+  setEnabled(is_open());
+  if (is_open()) {
+    set_playing(true);
+    show_frame(0);
+  }
+}
+
+void FilmBar::end() {
+  set_playing(false);
+  const QSignalBlocker quiet(slider_);
+  slider_->setValue(0);
+  setEnabled(false);
+  if (std::exchange(frames_, 0) > 0) {
+    emit ended();
+  }
+}
+
+void FilmBar::set_playing(bool playing) {
+  const double speed = speed_->currentData().toDouble();
+  timer_.setInterval(
+      std::max(1, static_cast<int>(std::lround(kFrameTimeMs / std::min(1.0, speed)))));
+  playing ? timer_.start() : timer_.stop();
+  play_->setIcon(icon(playing ? "pause" : "play"));
+  play_->setToolTip(playing ? tr("Pause") : tr("Play"));
+}
+
+void FilmBar::go_on() {
+  const double speed = speed_->currentData().toDouble();
+  const int next = slider_->value() + std::max(1, static_cast<int>(std::lround(speed)));
+  next < frames_ ? show_frame(next) : end();
+}
+
+void FilmBar::show_frame(int frame) {
+  const QSignalBlocker quiet(slider_);
+  slider_->setValue(frame);
+  emit shown(frame);
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QSlider;
+class QToolButton;
+
+namespace handway::gui {
+
+/// Plays the moments of a simulation or of a planned task, one every 20 ms: a button to play and to
+/// pause, a slider to any moment, and the speed.
+class FilmBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr int kFrameTimeMs = 20;
+
+  explicit FilmBar(QWidget* parent = nullptr);
+
+  /// Plays moments 0 to `frames` - 1, beginning with the first.
+  void begin(int frames);
+  /// Shows no moment any more, and can't be used until the next begin().
+  void end();
+  /// Returns whether moments are shown, playing or at a pause.
+  [[nodiscard]] bool is_open() const { return frames_ > 0; }
+
+ signals:
+  void shown(int frame);
+  /// The last moment is over, or end() was called.
+  void ended();
+
+ private:
+  void set_playing(bool playing);
+  void go_on();
+  void show_frame(int frame);
+
+  QToolButton* play_;
+  QSlider* slider_;
+  QComboBox* speed_;
+  QTimer timer_;
+  int frames_ = 0;
+};
+
+}  // namespace handway::gui
