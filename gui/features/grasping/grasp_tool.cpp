@@ -115,7 +115,7 @@ GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_s
       search_(new QWidget),
       progress_(named("grasp_progress", new QProgressBar)),
       film_(named("grasp_film", new QPushButton(tr("Watch the test")))),
-      film_bar_(new FilmBar),
+      film_bar_(named("grasp_film_bar", new FilmBar)),
       plan_(named("grasp_plan", new QPushButton(tr("Plan to this grasp")))) {
   note_->setWordWrap(true);
   list_->setAccessibleName(tr("Grasps"));

@@ -69,7 +69,7 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
       play_(named("task_play", new QPushButton(tr("Play")))),
       simulate_(named("task_simulate", new QPushButton(tr("Simulate")))),
       export_(named("task_export", new QPushButton(tr("Export…")))),
-      film_(new FilmBar),
+      film_(named("task_film", new FilmBar)),
       plan_(named("task_plan", new QPushButton(tr("Plan")))) {
   note_->setWordWrap(true);
   support_->setAccessibleName(tr("Place on"));

@@ -17,11 +17,12 @@ namespace handway::gui {
 
 FilmBar::FilmBar(QWidget* parent)
     : QWidget(parent),
-      play_(named("film_play", new QToolButton)),
-      slider_(named("film_moment", new QSlider(Qt::Horizontal))),
-      speed_(named("film_speed", new QComboBox)) {
+      play_(new QToolButton),
+      slider_(new QSlider(Qt::Horizontal)),
+      speed_(new QComboBox) {
   play_->setAutoRaise(true);
   play_->setIconSize({20, 20});
+  slider_->setRange(0, 0);
   slider_->setToolTip(tr("Drag to any moment"));
   slider_->setAccessibleName(tr("Moment"));
   offer_speeds(*speed_);
@@ -54,7 +55,7 @@ void FilmBar::begin(int frames) {
 void FilmBar::end() {
   set_playing(false);
   const QSignalBlocker quiet(slider_);
-  slider_->setValue(0);
+  slider_->setRange(0, 0);
   setEnabled(false);
   if (std::exchange(frames_, 0) > 0) {
     emit ended();

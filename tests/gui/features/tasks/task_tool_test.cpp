@@ -5,6 +5,7 @@
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 #include "view3d/scene_view.h"
+#include "widgets/panels/film_bar.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -123,7 +124,7 @@ TEST_F(PickAndPlaceWithPlugins, SimulatesWhetherTheHandHoldsTheObject) {
   EXPECT_TRUE(simulated.result.held());
   EXPECT_THAT(part<QLabel>("task_note").text().toStdString(),
               ::testing::HasSubstr("Simulated with 0.1 kg and friction 0.6: the object is held."));
-  auto& moment = part<QSlider>("film_moment");
+  auto& moment = *part<gui::FilmBar>("task_film").findChild<QSlider*>();
   EXPECT_EQ(moment.maximum() + 1, static_cast<int>(simulated.frames.size()));
   const auto lifted = std::ranges::find_if(simulated.frames, [](const gui::TaskFrame& frame) {
     return frame.X_WO.translation().z() > 0.78;  // m; the table's top is at 0.74
