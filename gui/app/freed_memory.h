@@ -24,7 +24,7 @@ class FreedMemory : public QObject {
 
   Workbench& workbench_;
   QTimer pause_;
-  std::size_t returns_ = 0;  ///< Of memory since the last work.
+  std::size_t returns_ = 0;  ///< Number of returns since the last work.
 };
 
 }  // namespace handway::gui

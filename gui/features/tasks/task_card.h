@@ -64,7 +64,7 @@ class TaskCard : public FloatingCard {
 
  signals:
   void plan_wanted();
-  /// What is asked for differs from what was planned.
+  /// A choice in the card was changed: the plan is of another one.
   void changed();
   void simulation_wanted();
   void stop_wanted();

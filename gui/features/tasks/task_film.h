@@ -17,7 +17,7 @@ namespace handway::gui {
 struct TaskFrame {
   planning::TaskMoment moment;
   geometric::Pose X_WO = geometric::Pose::Identity();  ///< Pose of the object.
-  std::vector<planning::ContactForce> forces = {};     ///< Of the hand on it, if it is simulated.
+  std::vector<planning::ContactForce> forces = {};  ///< The hand's forces on it, in a simulation.
 };
 
 /// A planned task, with all that is shown of it.
@@ -33,7 +33,7 @@ struct FilmedTask {
 /// A task in which the hand carries its object in a simulation.
 struct SimulatedTask {
   planning::CarryResult result;
-  std::vector<TaskFrame> frames;  ///< As FilmedTask::frames; they end where the object is lost.
+  std::vector<TaskFrame> frames;  ///< They end where the object is lost.
 };
 
 /// Times a planned task, and adds what is shown of it: stages and frames, or the fault of the first

@@ -75,7 +75,7 @@ class TaskTool : public QObject {
   std::string object_;
   planning::Derived<FilmedTask> task_;
   std::optional<SimulatedTask> simulation_;
-  std::vector<TaskFrame> frames_;  ///< Those that are played.
+  std::vector<TaskFrame> frames_;  ///< The frames that the film bar plays.
   LatestJob job_;
   LatestJob simulation_job_;
 };
