@@ -27,6 +27,7 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -35,6 +36,8 @@ namespace handway::tools {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kTableName = "task";  // of all stages
 using Json = nlohmann::ordered_json;
 using planning::TaskPlan;
 using planning::TaskStage;
@@ -161,7 +164,8 @@ void write_stages(const fs::path& folder, const PlannedTask& planned) {
     planning::write_path_csv(stage.path, *planned.timed.stages[i].motion.model,
                              folder / (file + ".csv"));
   }
-  geometric::replace_file(folder / "task.csv", program_csv(planned.timed.motion));
+  geometric::replace_file(folder / fmt::format("{}.csv", kTableName),
+                          program_csv(planned.timed.motion));
 }
 
 void make_folder(const fs::path& folder) {
@@ -185,6 +189,12 @@ void print_faults(const PlannedTask& planned, const std::string& format) {
   }
 }
 
+// Returns the name of the whole motion in programs, which is not that of the table of all stages.
+std::string program_name(const fs::path& scene) {
+  const std::string name = planning::motion_name(scene.stem().string());
+  return name == kTableName ? name + "_program" : name;
+}
+
 planning::TimedTask time_planned(const TaskCommand& command, const PlannedTask& planned,
                                  const planning::TimingSettings& settings,
                                  const std::stop_token& stop) {
@@ -194,8 +204,7 @@ planning::TimedTask time_planned(const TaskCommand& command, const PlannedTask& 
   const geometric::Scene& scene = *planned.plan.stages.front().state.scene;
   planning::TimingOptions options = timing_options(settings, *scene.robots.front().model);
   options.stop = stop;
-  return time_task(planned.task, planned.plan,
-                   planning::motion_name(command.request.scene.stem().string()), options);
+  return time_task(planned.task, planned.plan, program_name(command.request.scene), options);
 }
 
 /// Writes a task in the formats of exporters. All files are made before the first is written.

@@ -116,6 +116,14 @@ TEST_F(TaskCommand, RefusesToExportWhatAFormatCanNotHold) {
   EXPECT_EQ(line_.run(task + " --export val3 --gripper-output -1").exit_code, 2);
 }
 
+TEST_F(TaskCommand, KeepsItsTableBesideTheProgramOfASceneOfThatName) {
+  std::ofstream(line_.folder() / "task.yaml") << without_program() << "program:\n  - move: ready\n";
+  const Outcome run = line_.run("task task.yaml --out plan --export csv");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(line_.read("plan/task.csv"), StartsWith("stage,time,joint_1,"));
+  EXPECT_THAT(line_.read("plan/task_program.csv"), StartsWith("time"));
+}
+
 TEST_F(TaskCommand, PlansTheProgramsOfAScene) {
   std::ofstream(line_.folder() / "cell.yaml")
       << without_program() << "program:\n  home:\n    - move: start\n  tidy:\n    - pick: can\n";

@@ -5,24 +5,29 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 
 namespace handway::gui {
 namespace {
 
-// The frames of the planned task before (or after) the stages that carry the object. Afterwards the
-// object stays where the simulation has left it while it is as it was planned.
-std::vector<TaskFrame> frames_without(const FilmedTask& task, bool before) {
-  std::vector<TaskFrame> frames;
-  const auto is_carried = [&](const TaskFrame& frame) {
-    return !task.plan.stages[frame.moment.stage].carried.empty();
-  };
-  const auto first = std::ranges::find_if(task.frames, is_carried);
-  const auto end = std::find_if(task.frames.rbegin(), task.frames.rend(), is_carried).base();
-  before ? std::copy(task.frames.begin(), first, std::back_inserter(frames))
-         : std::copy(end, task.frames.end(), std::back_inserter(frames));
-  return frames;
+bool is_carried(const FilmedTask& task, const TaskFrame& frame) {
+  return !task.plan.stages[frame.moment.stage].carried.empty();
+}
+
+// The planned frames before the object is carried.
+std::vector<TaskFrame> frames_before(const FilmedTask& task) {
+  const auto end = std::ranges::find_if(
+      task.frames, [&](const TaskFrame& frame) { return is_carried(task, frame); });
+  return {task.frames.begin(), end};
+}
+
+// The planned frames after the object was carried.
+std::vector<TaskFrame> frames_after(const FilmedTask& task) {
+  const auto begin =
+      std::find_if(task.frames.rbegin(), task.frames.rend(), [&](const TaskFrame& frame) {
+        return is_carried(task, frame);
+      }).base();
+  return {begin, task.frames.end()};
 }
 
 }  // namespace
@@ -57,7 +62,7 @@ void add_film(FilmedTask& task, const std::stop_token& stop) {
 SimulatedTask simulate(const FilmedTask& task, planning::MakeHoldTest make_test,
                        const planning::HoldConditions& conditions, const std::stop_token& stop) {
   SimulatedTask simulated;
-  simulated.frames = frames_without(task, true);
+  simulated.frames = frames_before(task);
   for (const planning::CarriedObjectMotion& carried :
        carried_motions(task.plan, task.timing, stop)) {
     const planning::PlanningProblem problem = planning::make_problem(
@@ -71,9 +76,9 @@ SimulatedTask simulate(const FilmedTask& task, planning::MakeHoldTest make_test,
         });
   }
   if (simulated.result.held()) {
-    const geometric::Pose left_at = simulated.frames.back().X_WO;
-    for (TaskFrame& frame : frames_without(task, false)) {
-      frame.X_WO = left_at;
+    const geometric::Pose X_WO = simulated.frames.back().X_WO;  // where the object has slipped to
+    for (TaskFrame& frame : frames_after(task)) {
+      frame.X_WO = X_WO;
       simulated.frames.push_back(std::move(frame));
     }
   }
