@@ -5,7 +5,9 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <array>
+#include <thread>
 
 namespace handway::gui {
 namespace {
@@ -19,6 +21,8 @@ constexpr int kBlockOfItsOwn = 1 << 19;  // bytes; larger ones go back as soon a
 
 FreedMemory::FreedMemory(Workbench& workbench) : QObject(&workbench), workbench_(workbench) {
   mallopt(M_MMAP_THRESHOLD, kBlockOfItsOwn);  // else it grows with the largest block so far
+  // One arena for each core, instead of eight: each keeps pages that only a part is used of.
+  mallopt(M_ARENA_MAX, static_cast<int>(std::max(2U, std::thread::hardware_concurrency())));
   pause_.setSingleShot(true);
   connect(&pause_, &QTimer::timeout, this, &FreedMemory::give_back_when_idle);
   const auto wait = [this] { wait_for_idleness(); };
