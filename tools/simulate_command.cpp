@@ -52,9 +52,7 @@ bool is_path(const std::string& what) { return std::filesystem::path(what).exten
 
 Carried carry(const CarriedObjectMotion& motion, const planning::HoldConditions& conditions,
               const planning::PluginManager& plugins, const std::stop_token& stop) {
-  const planning::PlanningProblem problem = planning::make_problem(
-      motion.before.scene, motion.before.basis, {stop}, planning::GoalNeed::kOptional);
-  const auto test = plugins.hold_test_maker()(problem, motion.object, motion.palm);
+  const auto test = make_hold_test(motion, plugins.hold_test_maker(), stop);
   return {motion.object, test->carry(motion.grasp, motion.motion, conditions, stop, {}),
           test->assumptions()};
 }

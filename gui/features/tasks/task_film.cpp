@@ -65,9 +65,7 @@ SimulatedTask simulate(const FilmedTask& task, planning::MakeHoldTest make_test,
   simulated.frames = frames_before(task);
   for (const planning::CarriedObjectMotion& carried :
        carried_motions(task.plan, task.timing, stop)) {
-    const planning::PlanningProblem problem = planning::make_problem(
-        carried.before.scene, carried.before.basis, {stop}, planning::GoalNeed::kOptional);
-    const auto test = make_test(problem, carried.object, carried.palm);
+    const auto test = make_hold_test(carried, make_test, stop);
     simulated.result = test->carry(
         carried.grasp, carried.motion, conditions, stop, [&](const planning::HoldFrame& frame) {
           planning::HoldFrame seen = seen_in_world(carried, frame);

@@ -64,6 +64,13 @@ std::size_t pose_at(const CarriedObjectMotion& carried, const HoldFrame& frame) 
 
 }  // namespace
 
+std::unique_ptr<HoldTest> make_hold_test(const CarriedObjectMotion& carried, MakeHoldTest make,
+                                         const std::stop_token& stop) {
+  const PlanningProblem problem =
+      make_problem(carried.before.scene, carried.before.basis, {stop}, GoalNeed::kOptional);
+  return make(problem, carried.object, carried.palm);
+}
+
 HoldFrame seen_in_world(const CarriedObjectMotion& carried, HoldFrame frame) {
   const std::size_t index = pose_at(carried, frame);
   const std::vector<Pose>& X_WP = carried.motion.X_WP;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "handway/planning/export.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/tasks/task.h"
 #include "handway/planning/timing/timing_settings.h"
 
 #include <cstddef>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -28,6 +30,12 @@ struct CarriedObjectMotion {
   PalmMotion motion;
   std::vector<TaskMoment> moments;  ///< At the poses of `motion`; the joints of the hand rest.
 };
+
+/// Makes the test that simulates the object in the hand, in the scene before it was grasped.
+/// @throws InputError if hand or object can't be simulated; geometric::PreparationStopped if `stop`
+/// is requested meanwhile.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<HoldTest> make_hold_test(
+    const CarriedObjectMotion& carried, MakeHoldTest make, const std::stop_token& stop = {});
 
 /// Returns a moment of HoldTest::carry(), which is seen from the palm, as it is seen in the world:
 /// the arm moves along the motion.
