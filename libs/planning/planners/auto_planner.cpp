@@ -230,7 +230,7 @@ class AutoPlanner final : public BuiltInPlanner {
 
  private:
   int max_samples_ = 1000000;  ///< Limit of all searches together.
-  int smoothing_checks_ = 800;
+  int smoothing_checks_ = 600;
   bool cartesian_ = true;  ///< Expansive trees grow in poses of the arm's tool.
 };
 

@@ -114,6 +114,21 @@ TEST(ContinuousCollisionChecker, RefusesToPassCloserThanItsResolution) {
   EXPECT_TRUE(judge.edges().check(from + above, to + above).free);
 }
 
+// The distance of a finger that slides along a table does not change, although the finger moves by
+// a thousand times as much: a plane between them settles stretches as long as the finger.
+TEST(ContinuousCollisionChecker, SettlesASlideAlongATableInFewChecks) {
+  Scene scene = sliding_finger();
+  add_object(scene, "table", Box{{1.0, 1.0, 0.1}}, Eigen::Vector3d(0, 0, -0.0755));
+  EdgeJudge judge(scene);
+  const EdgeResult slide =
+      judge.edges().check(Eigen::Vector3d(-0.2, -0.1, 0), Eigen::Vector3d(0.2, 0.1, 0));
+  EXPECT_TRUE(slide.free);
+  EXPECT_LE(slide.checks, 64U);
+  const EdgeResult dive =
+      judge.edges().check(Eigen::Vector3d(-0.2, 0, 0), Eigen::Vector3d(0.2, 0, -0.0006));
+  EXPECT_FALSE(dive.free) << "it ends in the table";
+}
+
 TEST(ContinuousCollisionChecker, AcceptsAnEdgeInTheOpenAtOnce) {
   Scene scene = sliding_finger();
   add_object(scene, "far", Box{}, Eigen::Vector3d(0, 0, -0.9));
@@ -282,12 +297,18 @@ TEST(ContinuousCollisionChecker, NamesThePairOfTheClearance) {
   EXPECT_NEAR(found.distance, 0.003, 1e-5);
 }
 
-// A slide so close to a table that hundreds of configurations have to be looked at.
+// A slide so close to a table that hundreds of configurations have to be looked at: the table has a
+// rim, so that no plane separates its hull from the finger.
 class ALongQuestion : public testing::Test {
  protected:
   static Scene scene() {
     Scene scene = sliding_finger();
-    add_object(scene, "table", Box{{1, 1, 0.1}}, Eigen::Vector3d(0, 0, -0.0752));
+    TriangleMesh table = *tessellate(Box{{1, 1, 0.1}});
+    append(table,
+           transformed(*tessellate(Box{{1, 0.1, 0.4}}), Pose(Eigen::Translation3d(0, 0.45, 0.1))));
+    add_object(scene, "table",
+               Mesh{"", Eigen::Vector3d::Ones(), std::make_shared<const TriangleMesh>(table)},
+               Eigen::Vector3d(0, 0, -0.0752));
     return scene;
   }
 

@@ -45,6 +45,16 @@ double farthest(const TriangleMesh& mesh, const Pose& before, const Pose& after)
   return most;
 }
 
+// Each point of a body is where its motion about the middle takes it, to within its bend.
+void expect_motion_holds(const TriangleMesh& mesh, const Pose& before, const Pose& after,
+                         const PointMotion& motion, double share) {
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    const Eigen::Vector3d p = before * vertex;
+    const Eigen::Vector3d moved = p + share * (motion.v + motion.w.cross(p));
+    EXPECT_LE((after * vertex - moved).norm(), 0.5 * share * share * motion.bend + 1e-9);
+  }
+}
+
 // The distance of two bodies changes by at most the travel of the points of both, seen from the
 // link that carries both.
 void expect_bounds_hold(const CollisionWorld& world, const Configuration& from,
@@ -59,17 +69,25 @@ void expect_bounds_hold(const CollisionWorld& world, const Configuration& from,
   for (std::size_t p = 0; p < world.pairs().size(); ++p) {
     const BodyPair& pair = world.pairs()[p];
     const int carrier = common_carrier(world, pair);
+    const auto carrier_of = [&](const Placed& placed) -> Pose {
+      return carrier < 0 ? Pose::Identity()
+                         : world.X_WB() * placed.X_BL[static_cast<std::size_t>(carrier)];
+    };
+    const auto seen = [&](const Placed& placed, int body) -> Pose {
+      return carrier_of(placed).inverse() * placed.X_WBody[static_cast<std::size_t>(body)];
+    };
     const auto travelled = [&](int body) {
-      const auto i = static_cast<std::size_t>(body);
-      const auto seen = [&](const Placed& placed) -> Pose {
-        return carrier < 0 ? placed.X_WBody[i]
-                           : placed.X_BL[static_cast<std::size_t>(carrier)].inverse() *
-                                 world.X_WB().inverse() * placed.X_WBody[i];
-      };
-      return farthest(*world.body(body).mesh, seen(before), seen(after));
+      return farthest(*world.body(body).mesh, seen(before, body), seen(after, body));
     };
     const double both = travelled(pair.a) + travelled(pair.b);
     const std::string names = world.body(pair.a).name + " with " + world.body(pair.b).name;
+    SCOPED_TRACE(names);
+    const PairMotion motions = edge.pair_motion(static_cast<int>(p));
+    for (const auto& [body, moving] :
+         {std::pair(pair.a, motions.a), std::pair(pair.b, motions.b)}) {
+      expect_motion_holds(*world.body(body).mesh, carrier_of(before) * seen(before, body),
+                          carrier_of(before) * seen(after, body), moving, 0.25);
+    }
     EXPECT_LE(both, motion.bound(static_cast<int>(p), travel) + 1e-9) << names;
     const double on_edge = edge.within(static_cast<int>(p), 0.25);
     EXPECT_LE(both, on_edge + 1e-9) << names;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -78,6 +79,27 @@ TEST(ConvexCover, LeavesOutMostPointsOfAFineMesh) {
   EXPECT_LT(ConvexCover(ball, 0.001).point_count(), ball.vertices.size() / 2);
 }
 
+TEST(ConvexCover, HasAFewHundredPointsOfAVeryFineMesh) {
+  constexpr int kPoints = 20000;
+  TriangleMesh ball{{}, {{0, 1, 2}}};
+  for (int i = 0; i < kPoints; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / kPoints;
+    const double angle = 2.399963 * i;  // a spiral of equal spacing
+    ball.vertices.push_back(0.1 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0) *
+                                std::sqrt(1.0 - z * z) +
+                            0.1 * z * Eigen::Vector3d::UnitZ());
+  }
+  const ConvexCover hull(ball, 1e-6);
+  EXPECT_LE(hull.point_count(), 512U);
+  EXPECT_LE(hull.margin(), 0.002F);
+  RandomDirections directions;
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3f direction = directions.next();
+    EXPECT_GE(direction.dot(hull.support(direction)) + hull.margin(),
+              farthest_along(ball, direction) - 1e-6F);
+  }
+}
+
 TEST(HullGap, PartsTwoBoxesWhoseSpheresOverlap) {
   const ConvexCover box(*tessellate(Box{{0.4, 0.1, 0.02}}), kMargin);
   const Pose X_BA(Eigen::Translation3d(0.0, 0.0, 0.025));
@@ -91,6 +113,46 @@ TEST(HullGap, FindsNoneWhereHullsMeet) {
   const Pose X_BA(Eigen::Translation3d(0.1, 0.0, 0.019));
   EXPECT_EQ(hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F), 0.0F);
   EXPECT_EQ(hull_gap(box, box, FloatPose(Pose::Identity(), 0.25F), 1.0F), 0.0F);
+}
+
+TEST(HullGap, IsTheDistanceOfTiltedBoxesToWithinAFewPerCent) {
+  const TriangleMesh mesh = *tessellate(Box{{0.4, 0.1, 0.02}});
+  const ConvexCover box(mesh, kMargin);
+  const Eigen::Quaterniond tilt(
+      Eigen::AngleAxisd(0.5, Eigen::Vector3d(1.0, 0.3, 0.2).normalized()));
+  const Eigen::Vector3d lowest = *std::ranges::min_element(
+      mesh.vertices, {}, [&](const Eigen::Vector3d& corner) { return (tilt * corner).z(); });
+  for (const double apart : {0.0005, 0.004, 0.03}) {
+    // The lowest corner of the one box is above the middle of the other one's upper side.
+    const Pose X_BA =
+        Eigen::Translation3d(Eigen::Vector3d(0.0, 0.0, 0.01 + apart) - tilt * lowest) * tilt;
+    const float gap = hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F);
+    EXPECT_LE(gap, apart + 1e-6);
+    EXPECT_GE(gap, 0.95 * apart - 1e-5);
+  }
+}
+
+// A box that slides along another one, and turns on it.
+TEST(HullGapAlong, KeepsTheGapOfABoxThatSlides) {
+  const ConvexCover box(*tessellate(Box{{0.4, 0.1, 0.02}}), 0.0);
+  const Pose X_WB = Pose::Identity();
+  const Pose X_WA(Eigen::Translation3d(0.0, 0.0, 0.021));
+  const PointMotion still;
+  PointMotion motion;
+  motion.v = {1.0, 0.5, 0.0};
+  const auto gap = [&](double half) {
+    return hull_gap_along(box, X_WA, motion, box, X_WB, still, half, 0.0009);
+  };
+  EXPECT_NEAR(gap(0.1), 0.001, 1e-5);
+  motion.w = {0.0, 0.0, 2.0};
+  EXPECT_NEAR(gap(0.1), 0.001, 1e-5);
+  motion.v.z() = 0.004;  // 0.4 mm down at one end
+  EXPECT_LE(gap(0.1), 0.0006 + 1e-5);
+  motion.v.z() = 0.0;
+  motion.bend = 0.1;  // 0.5 mm
+  EXPECT_LE(gap(0.1), 0.0005 + 1e-5);
+  motion.v.z() = 0.02;
+  EXPECT_EQ(gap(0.1), 0.0) << "2 mm down at one end";
 }
 
 TEST(HullGap, NeverExceedsTheDistanceOfTwoBalls) {

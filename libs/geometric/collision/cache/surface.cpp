@@ -80,7 +80,7 @@ class VolumeArchive {
 };
 
 std::string archive_layout() {
-  constexpr int kRevision = 20;  // to change with what volumes are made of
+  constexpr int kRevision = 21;  // to change with what volumes are made of
   return fmt::format("volumes {}, {} {} {}", kRevision, sizeof(SphereTree::Node),
                      sizeof(DistanceField::Cell), sizeof(TriangleBlock));
 }
@@ -111,7 +111,7 @@ namespace {
 
 constexpr double kSmallestLeaf = 0.002;   // m: spheres are split until they are this small, …
 constexpr double kMostLeaves = 5000.0;    // … or as small as makes about so many
-constexpr double kHullMargin = 0.005;     // share of the size
+constexpr double kHullMargin = 0.0002;    // share of the size
 constexpr std::size_t kCells = 1U << 12;  // cells of a field, …
 constexpr std::size_t kCellsOfPlain = 1U << 16;  // … and where they are soon made,
 constexpr std::size_t kPlain = 200;              // meshes with fewer triangles

@@ -315,6 +315,15 @@ double ExactCollisionChecker::do_pair_bound(int pair, double enough) {
   return least >= enough ? least : std::min(enough, std::max(least, cached_distance(pair)));
 }
 
+double ExactCollisionChecker::do_pair_bound_along(int pair, const PairMotion& motion, double half,
+                                                  double enough) {
+  const BodyPair& bodies = world().pairs()[static_cast<std::size_t>(pair)];
+  const auto a = static_cast<std::size_t>(bodies.a);
+  const auto b = static_cast<std::size_t>(bodies.b);
+  return hull_gap_along(*volumes_->surfaces[a]->hull, body_poses()[a], motion.a,
+                        *volumes_->surfaces[b]->hull, body_poses()[b], motion.b, half, enough);
+}
+
 double ExactCollisionChecker::do_pair_distance(int pair, double enough) {
   return std::min(enough, do_pair_distance_range(pair, enough, 0.0).upper);
 }

@@ -15,6 +15,9 @@ constexpr double kWorthExact = 0.0005;
 // size. A pair that needs more waits for shorter stretches.
 constexpr double kLikelyGain = 0.4;
 
+constexpr int kLooks = 4;  // on each edge, for a distance that is hardly above the least one
+constexpr double kSphereError = 0.002;  // m: what a bound of spheres may lack
+
 constexpr double kShy = 1.0 - 1e-6;  // share of a tolerance: the rest is for rounding
 
 // Growth of a pair's resolution, and of its margin, per distance moved from an end.
@@ -168,7 +171,7 @@ EdgeResult ContinuousCollisionChecker::search(const Configuration& from, const C
         const double keep = required(pair, middle, motion);
         const Proximity proximity = is_out_of_reach(pair, need)
                                         ? proximity_of_spheres(pair)
-                                        : proximity_within(pair, need, keep);
+                                        : proximity_within(pair, stretch.half, need, keep);
         if (proximity == Proximity::kClear) {
           continue;
         }
@@ -207,17 +210,29 @@ Proximity ContinuousCollisionChecker::proximity_of_spheres(int pair) {
              : Proximity::kWithinTolerance;
 }
 
-Proximity ContinuousCollisionChecker::proximity_within(int pair, double need, double required) {
+Proximity ContinuousCollisionChecker::proximity_within(int pair, double half, double need,
+                                                       double required) {
   const double tolerance = need + required;
   if (need + std::min(required, resolution_) <= kWorthExact) {
-    return checker_.pair_proximity(pair, tolerance);
+    const Proximity proximity = checker_.pair_proximity(pair, tolerance);
+    return proximity == Proximity::kWithinTolerance &&
+                   bound_along(pair, half, required, kWorthExact) >= required
+               ? Proximity::kClear
+               : proximity;
   }
   const double bound = checker_.pair_bound(pair, tolerance);
-  if (bound >= tolerance) {
+  if (bound >= tolerance || bound_along(pair, half, required, bound) >= required) {
     return Proximity::kClear;
   }
   return bound <= 0.0 && checker_.pair_collides(pair) ? Proximity::kCollision
                                                       : Proximity::kWithinTolerance;
+}
+
+double ContinuousCollisionChecker::bound_along(int pair, double half, double enough,
+                                               double likely) {
+  const PairMotion motion = motion_.pair_motion(pair);
+  const double bend = 0.5 * half * half * (motion.a.bend + motion.b.bend);
+  return enough + bend > likely ? 0.0 : checker_.pair_bound_along(pair, motion, half, enough);
 }
 
 struct ContinuousCollisionChecker::Clearance {
@@ -251,7 +266,12 @@ NamedPair ContinuousCollisionChecker::clearance(std::span<const Configuration> w
                                                 double enough, double tolerance, double share) {
   Clearance found{tolerance, share, enough, enough};
   for (const Configuration& q : waypoints) {
-    look_at_waypoint(q, found);
+    look_at(q, found);
+  }
+  for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
+    for (int look = 0; look < kLooks; ++look) {
+      look_at(waypoints[i] + (look + 0.5) / kLooks * (waypoints[i + 1] - waypoints[i]), found);
+    }
   }
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
     look_along(waypoints[i], waypoints[i + 1], found);
@@ -260,7 +280,7 @@ NamedPair ContinuousCollisionChecker::clearance(std::span<const Configuration> w
   return found.pair ? named_pair(checker_.world(), *found.pair, least) : NamedPair{"", "", least};
 }
 
-void ContinuousCollisionChecker::look_at_waypoint(const Configuration& q, Clearance& found) {
+void ContinuousCollisionChecker::look_at(const Configuration& q, Clearance& found) {
   checker_.place(q);
   PairIndices near;
   checker_.near_pairs_closest_first(found.at_most, near);
@@ -309,8 +329,13 @@ bool ContinuousCollisionChecker::settle(int pair, double half, Clearance& found)
   if (is_out_of_reach(pair, loss)) {
     return false;
   }
-  return found.settle(pair, {checker_.pair_bound(pair, enough)}, loss) ||
-         (loss <= kWorthExact &&
+  const double bound = checker_.pair_bound(pair, enough);
+  if (found.settle(pair, {bound}, loss)) {
+    return true;
+  }
+  return found.settle(pair, {bound_along(pair, half, found.good_enough(), bound + kSphereError)},
+                      0.0) ||
+         (loss <= std::max(kWorthExact, found.at_most) &&
           found.settle(pair, checker_.pair_distance_range(pair, enough, found.share_of_distances()),
                        loss));
 }

@@ -114,7 +114,8 @@ int common_ancestor(const RobotModel& model, int a, int b) {
 
 }  // namespace
 
-MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_model()) {
+MotionBound::MotionBound(const CollisionWorld& world)
+    : model_(world.shared_model()), X_WB_(world.X_WB()) {
   const RobotModel& model = world.model();
   std::vector<Carried> moving;
   for (const CollisionBody& body : world.bodies()) {
@@ -226,17 +227,13 @@ double EdgeMotion::within(int pair, double half) const {
   return std::min(coarse, fine);
 }
 
-// The velocity of the fastest point in the middle, and its largest change.
-double EdgeMotion::displacement(int body, int frame, double half) const {
+// Second derivatives of a point's displacement by two joints: the outer one's, turned by the inner
+// one.
+double EdgeMotion::bend(int body, int frame) const {
   const RobotModel& model = motion_->model();
-  const MotionBound::Ball& ball = motion_->ball(body);
-  const auto link = static_cast<std::size_t>(ball.link);
-  const auto base = static_cast<std::size_t>(frame);
-  // Second derivatives of a point's displacement by two joints: the outer one's, turned by the
-  // inner one.
   double bend = 0.0;
   double outer = 0.0;  // the sum of the displacements by the joints from the body inwards
-  for (int i = ball.link; i != frame; i = model.parent(i)) {
+  for (int i = motion_->ball(body).link; i != frame; i = model.parent(i)) {
     const double rate = std::abs(rates_[static_cast<std::size_t>(i)]);
     if (rate == 0.0) {
       continue;
@@ -247,16 +244,48 @@ double EdgeMotion::displacement(int body, int frame, double half) const {
     }
     outer += own;
   }
+  return bend;
+}
+
+// The velocity of the fastest point in the middle, and its largest change.
+double EdgeMotion::displacement(int body, int frame, double half) const {
+  const MotionBound::Ball& ball = motion_->ball(body);
+  const auto link = static_cast<std::size_t>(ball.link);
+  const auto base = static_cast<std::size_t>(frame);
+  const double change = 0.5 * half * bend(body, frame);
   const Eigen::Vector3d w = w_BL_[link] - w_BL_[base];  // all in the robot's base
   if (ball.is_direction) {
     const double turn = w.cross((*X_BL_)[link].linear() * ball.centre).norm();
-    return half * (turn + 0.5 * half * bend);
+    return half * (turn + change);
   }
   const Eigen::Vector3d p = (*X_BL_)[link] * ball.centre;
   const Eigen::Vector3d v = v_BL_[link] + w_BL_[link].cross(p - (*X_BL_)[link].translation()) -
                             v_BL_[base] - w_BL_[base].cross(p - (*X_BL_)[base].translation());
   const double velocity = v.norm() + w.norm() * ball.radius;
-  return half * (velocity + 0.5 * half * bend);
+  return half * (velocity + change);
+}
+
+PointMotion EdgeMotion::point_motion(int body, int frame) const {
+  const Pose& X_WB = motion_->X_WB();
+  const auto link = static_cast<std::size_t>(motion_->ball(body).link);
+  const auto base = static_cast<std::size_t>(frame);
+  const Eigen::Vector3d w = w_BL_[link] - w_BL_[base];
+  const Eigen::Vector3d v = v_BL_[link] - w_BL_[link].cross((*X_BL_)[link].translation()) -
+                            v_BL_[base] + w_BL_[base].cross((*X_BL_)[base].translation());
+  PointMotion motion;
+  motion.w = X_WB.linear() * w;
+  motion.v = X_WB.linear() * v - motion.w.cross(X_WB.translation());
+  motion.bend = bend(body, frame);
+  return motion;
+}
+
+PairMotion EdgeMotion::pair_motion(int pair) const {
+  const MotionBound::PairFrame& frame = motion_->pair_frame(pair);
+  PairMotion motion{point_motion(frame.a, frame.link), {}};
+  if (frame.b_moves) {
+    motion.b = point_motion(frame.b, frame.link);
+  }
+  return motion;
 }
 
 }  // namespace handway::geometric

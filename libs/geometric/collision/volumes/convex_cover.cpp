@@ -8,14 +8,18 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace handway::geometric {
 namespace {
 
 constexpr std::size_t kVectorWidth = 16;  // floats in a vector
-constexpr int kLongestSearch = 64;        // steps towards one vertex
-constexpr int kPlanes = 4;                // tried between two hulls
+constexpr std::size_t kMostPoints =
+    512;  // of a hull; its margin is doubled until so many are enough …
+constexpr double kLeastMargin = 1e-6;  // … from this on, m
+constexpr int kLongestSearch = 64;     // steps towards one vertex
+constexpr int kPlanes = 10;            // tried between two hulls
 
 using Simplex = std::array<Eigen::Vector3d, 3>;
 
@@ -33,7 +37,8 @@ bool contains(const Simplex& base, const Eigen::Vector3d& top, const Eigen::Vect
 }
 
 /// The vector from the hull of `points` to `p`: from its nearest point or, if the search ends
-/// early, from a point near that. Zero if p is within `margin` (m) of the hull.
+/// early, from a point near that; it ends once `p` is known to be within `margin` (m) of the hull.
+/// Zero if p is inside.
 ///
 /// Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance
 /// between complex objects in three-dimensional space", 1988.
@@ -61,7 +66,7 @@ Eigen::Vector3d escape(std::span<const Eigen::Vector3d> points, const Eigen::Vec
       return offset;
     }
   }
-  return offset.norm() > margin ? offset : Eigen::Vector3d::Zero();
+  return offset;
 }
 
 std::vector<Eigen::Vector3d> extremes(std::span<const Eigen::Vector3d> vertices) {
@@ -69,26 +74,51 @@ std::vector<Eigen::Vector3d> extremes(std::span<const Eigen::Vector3d> vertices)
   for (const double x : {-1.0, 0.0, 1.0}) {
     for (const double y : {-1.0, 0.0, 1.0}) {
       for (const double z : {-1.0, 0.0, 1.0}) {
-        points.push_back(farthest(vertices, {x, y, z}));
+        const Eigen::Vector3d& point = farthest(vertices, {x, y, z});
+        if (std::ranges::find(points, point) == points.end()) {
+          points.push_back(point);
+        }
       }
     }
   }
   return points;
 }
 
-}  // namespace
+/// Vertices whose hull contains the others to within `left_out` (m).
+struct Chosen {
+  std::vector<Eigen::Vector3d> points;
+  double left_out = 0.0;
+};
 
-ConvexCover::ConvexCover(const TriangleMesh& mesh, double margin) {
-  std::vector<Eigen::Vector3d> points = extremes(mesh.vertices);
-  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+// Nothing if they are too many.
+std::optional<Chosen> choose(std::span<const Eigen::Vector3d> vertices, double margin) {
+  Chosen chosen{extremes(vertices)};
+  std::vector<Eigen::Vector3d>& points = chosen.points;
+  for (const Eigen::Vector3d& vertex : vertices) {
     Eigen::Vector3d offset = escape(points, vertex, margin);
-    while (!offset.isZero(0.0)) {
-      const Eigen::Vector3d& beyond = farthest(mesh.vertices, offset);
+    while (offset.norm() > margin) {
+      if (points.size() >= kMostPoints) {
+        return std::nullopt;
+      }
+      const Eigen::Vector3d& beyond = farthest(vertices, offset);
       const bool known = std::ranges::find(points, beyond) != points.end();
       points.push_back(known ? vertex : beyond);
       offset = known ? Eigen::Vector3d::Zero() : escape(points, vertex, margin);
     }
+    chosen.left_out = std::max(chosen.left_out, offset.norm());
   }
+  return chosen;
+}
+
+}  // namespace
+
+ConvexCover::ConvexCover(const TriangleMesh& mesh, double margin) {
+  std::optional<Chosen> chosen = choose(mesh.vertices, margin);
+  while (!chosen) {
+    margin = std::max(2.0 * margin, kLeastMargin);
+    chosen = choose(mesh.vertices, margin);
+  }
+  std::vector<Eigen::Vector3d>& points = chosen->points;
   constexpr float kRounding = 1e-6F;  // of the coordinates: that of single precision
   float largest = 0.0F;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -97,7 +127,8 @@ ConvexCover::ConvexCover(const TriangleMesh& mesh, double margin) {
     sum += p;
   }
   middle_ = (sum / static_cast<double>(points.size())).cast<float>();
-  margin_ = static_cast<float>(margin) + kRounding * largest;
+  margin_ = static_cast<float>(chosen->left_out) + kRounding * largest;
+
   count_ = points.size();
   points.resize((count_ + kVectorWidth - 1) / kVectorWidth * kVectorWidth, points.back());
   for (const Eigen::Vector3d& p : points) {
@@ -138,28 +169,120 @@ HANDWAY_VECTOR_UNITS Eigen::Vector3f ConvexCover::support(const Eigen::Vector3f&
   return {x_[i], y_[i], z_[i]};
 }
 
+namespace {
+
+constexpr double kConverged = 0.02;  // share of the distance between its bounds at which to stop
+
+/// Searches for the nearest points of two convex sets A and B. Each step gives a direction and the
+/// gap (m) between the sets along it. Ends when `is_settled(direction, gap)`, when the sets are
+/// nearer than `needed` (m), or after kPlanes steps.
+/// @param nearest offset of a point of A from a point of B, m. @param farthest_apart
+/// `farthest_apart(n)` is the offset of A's first point along n from B's last one.
+template <typename FarthestApart, typename IsSettled>
+void search_plane(Eigen::Vector3d nearest, double needed, const FarthestApart& farthest_apart,
+                  const IsSettled& is_settled) {
+  Simplex simplex{nearest, nearest, nearest};
+  for (int plane = 0; plane < kPlanes; ++plane) {
+    const double distance = nearest.norm();
+    if (distance <= needed) {
+      return;
+    }
+    const Eigen::Vector3d normal = nearest / distance;
+    const Eigen::Vector3d between = farthest_apart(normal);
+    const double gap = normal.dot(between);
+    if (is_settled(normal, gap) || distance - gap <= kConverged * distance ||
+        contains(simplex, between, Eigen::Vector3d::Zero())) {
+      return;
+    }
+    const Simplex base = simplex;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      Simplex face = base;
+      face[k] = between;
+      const Eigen::Vector3d on_face = nearest_on_triangle(face, Eigen::Vector3d::Zero());
+      if (on_face.squaredNorm() < least) {
+        least = on_face.squaredNorm();
+        nearest = on_face;
+        simplex = face;
+      }
+    }
+    if (least >= distance * distance) {
+      return;
+    }
+  }
+}
+
+}  // namespace
+
 float hull_gap(const ConvexCover& a, const ConvexCover& b, const FloatPose& X_BA, float enough) {
   using RowMajor = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
   const Eigen::Map<const RowMajor> R(X_BA.R.data());
   const Eigen::Map<const Eigen::Vector3f> p(X_BA.p.data());
   const float lost = a.margin() + b.margin() + X_BA.rounding;
   float most = 0.0F;
-  Eigen::Vector3f apart = R * a.middle() + p - b.middle();  // of two points of the hulls
-  for (int plane = 0; plane < kPlanes; ++plane) {
-    const float distance = apart.norm();
-    if (distance <= lost + most) {
-      break;
-    }
-    const Eigen::Vector3f nearest_of_a = R * a.support(-(R.transpose() * apart)) + p;
-    const Eigen::Vector3f between = nearest_of_a - b.support(apart);
-    most = std::max(most, apart.dot(between) / distance - lost);
-    if (most >= enough) {
-      break;
-    }
-    const Eigen::Vector3f step = between - apart;
-    const float share = -apart.dot(step) / std::max(step.squaredNorm(), 1e-20F);
-    apart += std::clamp(share, 0.0F, 1.0F) * step;
+  const auto farthest_apart = [&](const Eigen::Vector3d& normal) -> Eigen::Vector3d {
+    const Eigen::Vector3f n = normal.cast<float>();
+    return ((R * a.support(-(R.transpose() * n)) + p) - b.support(n)).cast<double>();
+  };
+  const auto is_settled = [&](const Eigen::Vector3d& /*normal*/, double gap) {
+    most = std::max(most, static_cast<float>(gap) - lost);
+    return most >= enough;
+  };
+  search_plane((R * a.middle() + p - b.middle()).cast<double>(), static_cast<double>(lost),
+               farthest_apart, is_settled);
+  return most;
+}
+
+namespace {
+
+/// A hull in motion, in the world.
+struct MovingHull {
+  const ConvexCover& hull;
+  const Pose& X_WHull;
+  const PointMotion& motion;
+
+  /// The hull's point that is farthest along `direction`.
+  [[nodiscard]] Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const {
+    const Eigen::Vector3d turned = X_WHull.linear().transpose() * direction;
+    return X_WHull * hull.support(turned.cast<float>()).cast<double>();
   }
+
+  /// A lower bound of the coordinates (m) along `direction` of all points, once the hull has moved
+  /// by `share` of the edge without a bend.
+  [[nodiscard]] double least(const Eigen::Vector3d& direction, double share) const {
+    const Eigen::Vector3d along = direction + share * direction.cross(motion.w);
+    return along.dot(farthest(-along)) + share * direction.dot(motion.v) -
+           static_cast<double>(hull.margin()) * along.norm();
+  }
+};
+
+}  // namespace
+
+double hull_gap_along(const ConvexCover& a, const Pose& X_WA, const PointMotion& motion_a,
+                      const ConvexCover& b, const Pose& X_WB, const PointMotion& motion_b,
+                      double half, double enough) {
+  constexpr double kRounding = 1e-6;  // m
+  const MovingHull first{a, X_WA, motion_a};
+  const MovingHull second{b, X_WB, motion_b};
+  const double lost = 0.5 * half * half * (motion_a.bend + motion_b.bend) + kRounding;
+  const double needed = enough + lost;
+  double most = 0.0;
+  const auto farthest_apart = [&](const Eigen::Vector3d& normal) -> Eigen::Vector3d {
+    return first.farthest(-normal) - second.farthest(normal);
+  };
+  // Along a normal the gap is a concave function of the share of the edge, without the bend: it is
+  // least at an end of the stretch.
+  const auto is_settled = [&](const Eigen::Vector3d& normal, double gap) {
+    const auto gap_at = [&](double share) {
+      return first.least(normal, share) + second.least(-normal, share);
+    };
+    if (gap > needed) {
+      most = std::max(most, std::min(gap_at(-half), gap_at(half)) - lost);
+    }
+    return most >= enough;
+  };
+  search_plane(X_WA * a.middle().cast<double>() - X_WB * b.middle().cast<double>(), needed,
+               farthest_apart, is_settled);
   return most;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "collision/volumes/sphere_tree.h"
+#include "handway/geometric/collision/point_motion.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <Eigen/Core>
@@ -16,7 +17,8 @@ class ConvexCover {
  public:
   ConvexCover() = default;
 
-  /// @param margin (m) above a hundredth of the size leaves out more vertices.
+  /// @param margin (m) above a hundredth of the size leaves out more vertices. It becomes larger if
+  /// the hull would need many hundreds of them.
   /// @pre the mesh has a triangle.
   ConvexCover(const TriangleMesh& mesh, double margin);
 
@@ -43,10 +45,18 @@ class ConvexCover {
 /// separating plane; 0 if none separates them. The search ends once the bound is `enough`.
 /// @param X_BA pose of A's frame in B's.
 ///
-/// Source: Gilbert's algorithm for the nearest points of two convex sets (Gilbert,
-/// "An iterative procedure for computing the minimum of a quadratic form on a
-/// convex set", 1966): each of its steps gives a plane between them.
+/// Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between
+/// complex objects in three-dimensional space", 1988: each step towards the nearest points gives a
+/// plane between the hulls.
 [[nodiscard]] float hull_gap(const ConvexCover& a, const ConvexCover& b, const FloatPose& X_BA,
                              float enough);
+
+/// hull_gap() of hulls that move along a stretch of an edge: the distance that planes keep between
+/// them from the middle of the stretch, where they are in place, to both of its ends.
+/// @param half half of the stretch, as a share of the edge.
+[[nodiscard]] double hull_gap_along(const ConvexCover& a, const Pose& X_WA,
+                                    const PointMotion& motion_a, const ConvexCover& b,
+                                    const Pose& X_WB, const PointMotion& motion_b, double half,
+                                    double enough);
 
 }  // namespace handway::geometric

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/collision/point_motion.h"
 #include "handway/geometric/export.h"
 
 #include <algorithm>
@@ -121,6 +122,18 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
     return std::max(0.0, do_pair_bound(pair, enough + padding) - padding);
   }
 
+  /// A lower bound of the pair's distance on a whole stretch of an edge, of which the configuration
+  /// in place is the middle; 0 if none is known. The search for a better one ends at `enough` (m).
+  /// @param half half of the stretch, as a share of the edge.
+  [[nodiscard]] double pair_bound_along(int pair, const PairMotion& motion, double half,
+                                        double enough) {
+    if (world_->constraint(pair)) {
+      return 0.0;
+    }
+    const double padding = world_->padding(pair);
+    return std::max(0.0, do_pair_bound_along(pair, motion, half, enough + padding) - padding);
+  }
+
   /// A cheap lower bound of the pair's distance, from the bounding volumes of the two
   /// bodies.
   [[nodiscard]] double pair_quick_bound(int pair) {
@@ -181,6 +194,10 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   }
   [[nodiscard]] virtual double do_pair_bound(int pair, double enough) {
     return do_pair_distance(pair, enough);
+  }
+  [[nodiscard]] virtual double do_pair_bound_along(int /*pair*/, const PairMotion& /*motion*/,
+                                                   double /*half*/, double /*enough*/) {
+    return 0.0;
   }
   [[nodiscard]] virtual double do_pair_quick_bound(int /*pair*/) { return 0.0; }
   /// Queries about all pairs take their padding into account.

@@ -38,6 +38,8 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   [[nodiscard]] Proximity do_pair_proximity(int pair, double tolerance) override;
   [[nodiscard]] bool do_pair_is_nearer_than(int pair, double tolerance) override;
   [[nodiscard]] double do_pair_bound(int pair, double enough) override;
+  [[nodiscard]] double do_pair_bound_along(int pair, const PairMotion& motion, double half,
+                                           double enough) override;
   [[nodiscard]] double do_pair_quick_bound(int pair) override;
   void do_near_pairs(double distance, PairIndices& pairs) override;
   void do_closest_first(double distance, PairIndices& pairs) override;

@@ -58,11 +58,13 @@ struct EdgeEnd {
 /// on it and not only for samples.
 ///
 /// A pair is free on a stretch if its distance in the middle exceeds, by the resolution, its
-/// largest loss towards either end (bounded motion). Stretches that this does not settle are
-/// halved, level by level, so that configurations are visited in the order of the Van der Corput
-/// sequence's levels. A pair that is still undecided when it can move less than the resolution is
-/// closer than one and a half of it: the edge is refused. On a free edge, every pair that moves
-/// keeps the resolution as its distance everywhere.
+/// largest loss towards either end (bounded motion); or if a plane separates the hulls of its
+/// bodies by the resolution, as far as they come from the middle to either end (bounded bend). The
+/// second settles long stretches on which bodies slide along each other. Stretches that neither
+/// settles are halved, level by level, so that configurations are visited in the order of the Van
+/// der Corput sequence's levels. A pair that is still undecided when it can move less than the
+/// resolution is closer than one and a half of it: the edge is refused. On a free edge, every pair
+/// that moves keeps the resolution as its distance everywhere.
 ///
 /// Around ends with near pairs (set_ends()) the resolution of these pairs is smaller: half of their
 /// distance there, plus a hundredth of the distance that the pair can have moved since. So it is
@@ -116,9 +118,9 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
 
   /// The smallest distance (m) of any pair on the whole path, but not above `enough`: a lower
   /// bound, below the true one by at most `tolerance` (m) or by at most `share` of it,
-  /// whichever is more. Branch and bound over the same stretches, once all waypoints were
-  /// checked. If stopped, it returns at most the least resolution, which every free edge
-  /// keeps.
+  /// whichever is more. Branch and bound over the same stretches, once all waypoints and a few
+  /// places between them were looked at. If stopped, it returns at most the least resolution, which
+  /// every free edge keeps.
   /// @pre the edges between the waypoints are free.
   [[nodiscard]] NamedPair clearance(std::span<const Configuration> waypoints, double enough,
                                     double tolerance, double share = 0.0);
@@ -141,11 +143,16 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   /// in place, as the next two. Pairs with large requirements may be reported closer than they are.
   [[nodiscard]] bool is_out_of_reach(int pair, double distance);
   [[nodiscard]] Proximity proximity_of_spheres(int pair);
-  /// @param need possible approach, m. @param required distance to keep nevertheless, m.
-  [[nodiscard]] Proximity proximity_within(int pair, double need, double required);
+  /// @param half half of the stretch, as a share of the edge. @param need possible approach on it,
+  /// m.
+  /// @param required distance to keep nevertheless, m.
+  [[nodiscard]] Proximity proximity_within(int pair, double half, double need, double required);
+  /// CollisionChecker::pair_bound_along() of the motion on the edge, if the distance is `likely`
+  /// (m) enough for it; else 0.
+  [[nodiscard]] double bound_along(int pair, double half, double enough, double likely);
 
   struct Clearance;  // what clearance() has found so far
-  void look_at_waypoint(const Configuration& q, Clearance& found);
+  void look_at(const Configuration& q, Clearance& found);
   void look_along(const Configuration& from, const Configuration& to, Clearance& found);
   /// Returns whether the pair is settled on a stretch of half length `half` whose middle is the
   /// configuration in place.

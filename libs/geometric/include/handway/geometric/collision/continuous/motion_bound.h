@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/collision/point_motion.h"
 #include "handway/geometric/export.h"
 
 #include <Eigen/Core>
@@ -47,6 +48,7 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   }
 
   [[nodiscard]] const RobotModel& model() const { return *model_; }
+  [[nodiscard]] const Pose& X_WB() const { return X_WB_; }
 
   /// Frame in which a pair's motion is measured.
   struct PairFrame {
@@ -78,6 +80,7 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   using MotionIndices = std::vector<int>;
 
   std::shared_ptr<const RobotModel> model_;
+  Pose X_WB_;
   std::vector<PairFrame> frames_;
   std::vector<Ball> balls_;
   Eigen::MatrixXd of_link_;  ///< Shape [link_count x bodies].
@@ -113,7 +116,14 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
   /// of the edge within `half` of the edge.
   [[nodiscard]] double within(int pair, double half) const;
 
+  /// The motions of the pair's bodies about the middle, in the world.
+  [[nodiscard]] PairMotion pair_motion(int pair) const;
+
  private:
+  /// The motion of a body about the middle, seen from the link `frame`, in the world.
+  [[nodiscard]] PointMotion point_motion(int body, int frame) const;
+  /// Bounds the second derivative of a body's points relative to the link `frame`, m per edge².
+  [[nodiscard]] double bend(int body, int frame) const;
   /// Bounds the displacement of a body relative to the link `frame`.
   [[nodiscard]] double displacement(int body, int frame, double half) const;
 
