@@ -137,12 +137,10 @@ TEST(HullGapAlong, KeepsTheGapOfABoxThatSlides) {
   const ConvexCover box(*tessellate(Box{{0.4, 0.1, 0.02}}), 0.0);
   const Pose X_WB = Pose::Identity();
   const Pose X_WA(Eigen::Translation3d(0.0, 0.0, 0.021));
-  const PointMotion still;
-  PointMotion motion;
-  motion.v = {1.0, 0.5, 0.0};
-  const auto gap = [&](double half) {
-    return hull_gap_along(box, X_WA, motion, box, X_WB, still, half, 0.0009);
-  };
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  const MovingHull still{box, X_WB, none, none, 0.0};
+  MovingHull motion{box, X_WA, {1.0, 0.5, 0.0}, none, 0.0};
+  const auto gap = [&](double half) { return hull_gap_along(motion, still, half, 0.0009); };
   EXPECT_NEAR(gap(0.1), 0.001, 1e-5);
   motion.w = {0.0, 0.0, 2.0};
   EXPECT_NEAR(gap(0.1), 0.001, 1e-5);

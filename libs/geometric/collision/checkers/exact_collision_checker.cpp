@@ -318,10 +318,11 @@ double ExactCollisionChecker::do_pair_bound(int pair, double enough) {
 double ExactCollisionChecker::do_pair_bound_along(int pair, const PairMotion& motion, double half,
                                                   double enough) {
   const BodyPair& bodies = world().pairs()[static_cast<std::size_t>(pair)];
-  const auto a = static_cast<std::size_t>(bodies.a);
-  const auto b = static_cast<std::size_t>(bodies.b);
-  return hull_gap_along(*volumes_->surfaces[a]->hull, body_poses()[a], motion.a,
-                        *volumes_->surfaces[b]->hull, body_poses()[b], motion.b, half, enough);
+  const auto moving = [&](int body, const PointMotion& points) -> MovingHull {
+    const auto i = static_cast<std::size_t>(body);
+    return {*volumes_->surfaces[i]->hull, body_poses()[i], points.v, points.w, points.bend};
+  };
+  return hull_gap_along(moving(bodies.a, motion.a), moving(bodies.b, motion.b), half, enough);
 }
 
 double ExactCollisionChecker::do_pair_distance(int pair, double enough) {

@@ -235,54 +235,44 @@ float hull_gap(const ConvexCover& a, const ConvexCover& b, const FloatPose& X_BA
 
 namespace {
 
-/// A hull in motion, in the world.
-struct MovingHull {
-  const ConvexCover& hull;
-  const Pose& X_WHull;
-  const PointMotion& motion;
+// The hull's point that is farthest along `direction`.
+Eigen::Vector3d farthest_of(const MovingHull& moving, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d turned = moving.X_WHull.linear().transpose() * direction;
+  return moving.X_WHull * moving.hull.support(turned.cast<float>()).cast<double>();
+}
 
-  /// The hull's point that is farthest along `direction`.
-  [[nodiscard]] Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const {
-    const Eigen::Vector3d turned = X_WHull.linear().transpose() * direction;
-    return X_WHull * hull.support(turned.cast<float>()).cast<double>();
-  }
-
-  /// A lower bound of the coordinates (m) along `direction` of all points, once the hull has moved
-  /// by `share` of the edge without a bend.
-  [[nodiscard]] double least(const Eigen::Vector3d& direction, double share) const {
-    const Eigen::Vector3d along = direction + share * direction.cross(motion.w);
-    return along.dot(farthest(-along)) + share * direction.dot(motion.v) -
-           static_cast<double>(hull.margin()) * along.norm();
-  }
-};
+// A lower bound of the coordinates (m) along `direction` of all points, once the hull has moved by
+// `share` of the edge without a bend.
+double least_along(const MovingHull& moving, const Eigen::Vector3d& direction, double share) {
+  const Eigen::Vector3d along = direction + share * direction.cross(moving.w);
+  return along.dot(farthest_of(moving, -along)) + share * direction.dot(moving.v) -
+         static_cast<double>(moving.hull.margin()) * along.norm();
+}
 
 }  // namespace
 
-double hull_gap_along(const ConvexCover& a, const Pose& X_WA, const PointMotion& motion_a,
-                      const ConvexCover& b, const Pose& X_WB, const PointMotion& motion_b,
-                      double half, double enough) {
+double hull_gap_along(const MovingHull& a, const MovingHull& b, double half, double enough) {
   constexpr double kRounding = 1e-6;  // m
-  const MovingHull first{a, X_WA, motion_a};
-  const MovingHull second{b, X_WB, motion_b};
-  const double lost = 0.5 * half * half * (motion_a.bend + motion_b.bend) + kRounding;
+  const double lost = 0.5 * half * half * (a.bend + b.bend) + kRounding;
   const double needed = enough + lost;
   double most = 0.0;
   const auto farthest_apart = [&](const Eigen::Vector3d& normal) -> Eigen::Vector3d {
-    return first.farthest(-normal) - second.farthest(normal);
+    return farthest_of(a, -normal) - farthest_of(b, normal);
   };
   // Along a normal the gap is a concave function of the share of the edge, without the bend: it is
   // least at an end of the stretch.
   const auto is_settled = [&](const Eigen::Vector3d& normal, double gap) {
     const auto gap_at = [&](double share) {
-      return first.least(normal, share) + second.least(-normal, share);
+      return least_along(a, normal, share) + least_along(b, -normal, share);
     };
     if (gap > needed) {
       most = std::max(most, std::min(gap_at(-half), gap_at(half)) - lost);
     }
     return most >= enough;
   };
-  search_plane(X_WA * a.middle().cast<double>() - X_WB * b.middle().cast<double>(), needed,
-               farthest_apart, is_settled);
+  search_plane(
+      a.X_WHull * a.hull.middle().cast<double>() - b.X_WHull * b.hull.middle().cast<double>(),
+      needed, farthest_apart, is_settled);
   return most;
 }
 

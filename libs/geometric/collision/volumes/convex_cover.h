@@ -1,7 +1,6 @@
 #pragma once
 
 #include "collision/volumes/sphere_tree.h"
-#include "handway/geometric/collision/point_motion.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <Eigen/Core>
@@ -51,12 +50,20 @@ class ConvexCover {
 [[nodiscard]] float hull_gap(const ConvexCover& a, const ConvexCover& b, const FloatPose& X_BA,
                              float enough);
 
+/// A hull in motion about the middle of a stretch of an edge: a share s of the edge further on, its
+/// point p has moved by s (v + w × p), and by at most ½ s² `bend` beside that. All in the world.
+struct MovingHull {
+  const ConvexCover& hull;
+  const Pose& X_WHull;  ///< In the middle.
+  Eigen::Vector3d v;    ///< m per edge, of the point at the origin.
+  Eigen::Vector3d w;    ///< rad per edge.
+  double bend;          ///< m per edge².
+};
+
 /// hull_gap() of hulls that move along a stretch of an edge: the distance that planes keep between
 /// them from the middle of the stretch, where they are in place, to both of its ends.
 /// @param half half of the stretch, as a share of the edge.
-[[nodiscard]] double hull_gap_along(const ConvexCover& a, const Pose& X_WA,
-                                    const PointMotion& motion_a, const ConvexCover& b,
-                                    const Pose& X_WB, const PointMotion& motion_b, double half,
+[[nodiscard]] double hull_gap_along(const MovingHull& a, const MovingHull& b, double half,
                                     double enough);
 
 }  // namespace handway::geometric
