@@ -90,7 +90,7 @@ struct Chosen {
   double left_out = 0.0;
 };
 
-// Nothing if they are too many.
+// Returns nothing if there are too many.
 std::optional<Chosen> choose(std::span<const Eigen::Vector3d> vertices, double margin) {
   Chosen chosen{extremes(vertices)};
   std::vector<Eigen::Vector3d>& points = chosen.points;
