@@ -3,6 +3,7 @@
 #include "app/start/new_scene_dialog.h"
 #include "app/start/start_page.h"
 #include "features/workbench.h"
+#include "handway/geometric/formats/obj_writer.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
 #include "view3d/scene_view.h"
@@ -225,7 +226,10 @@ bool FileCommands::save() {
 }
 
 bool FileCommands::save_as() {
-  const QString name = QString::fromStdString(workbench_.document.file().stem().string() + ".yaml");
+  const Document& document = workbench_.document;
+  const std::string stem = document.file().empty() ? geometric::file_name_of(document.scene()->name)
+                                                   : document.file().stem().string();
+  const QString name = QString::fromStdString((stem.empty() ? "scene" : stem) + ".yaml");
   const QString file =
       ask_where_to_save(&workbench_.window, tr("Save the scene"), name, tr("Scenes (*.yaml)"));
   return !file.isEmpty() && save_to(file);

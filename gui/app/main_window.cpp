@@ -22,6 +22,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QMimeData>
@@ -70,11 +71,17 @@ void MainWindow::build_middle() {
   workbench_.add_dock(DockArea::kLeft, 2, {"messages", tr("Messages"), &workbench_.log, 110});
   statusBar()->addPermanentWidget(new FrameRateLabel(workbench_.view));
   connect(start_page_, &StartPage::open_requested, this, &MainWindow::open);
+  connect(start_page_, &StartPage::try_requested, this, [this](const QString& file) {
+    plays_next_ = true;
+    open(file);
+  });
   connect(start_page_, &StartPage::browse_requested, files_, &FileCommands::open);
   connect(start_page_, &StartPage::new_requested, this, &MainWindow::create);
   connect(start_page_, &StartPage::choice_requested, files_, &FileCommands::choose_new);
   connect(&workbench_, &Workbench::theme_changed, start_page_, &StartPage::refresh);
   connect(&workbench_, &Workbench::theme_changed, &bar, &PlaybackBar::refresh_icons);
+  connect(&bar, &PlaybackBar::slowed_down, this,
+          [this](const QString& message) { workbench_.log.add(LogPanel::Level::kNote, message); });
 }
 
 void MainWindow::add_commands() {
@@ -97,7 +104,10 @@ void MainWindow::add_commands() {
   connect(find, &QAction::triggered, palette, &CommandPalette::ask);
   connect(help, &QAction::triggered, this, [this] { show_panel_help(*this); });
   connect(about, &QAction::triggered, this, [this] { show_about(*this); });
-  connect(layout, &QAction::triggered, this, [this] { restoreState(default_layout_); });
+  connect(layout, &QAction::triggered, this, [this] {
+    layout_with_scene_.reset();
+    restoreState(default_layout_);
+  });
 }
 
 void MainWindow::add_theme_command() {
@@ -140,8 +150,8 @@ void MainWindow::connect_document() {
   connect(files_, &FileCommands::saved, this, &MainWindow::update_title);
   connect(&workbench_, &Workbench::failed, this, &MainWindow::failed);
   const auto play_if_wanted = [this] {
-    if (workbench_.options.play) {
-      workbench_.player.play();
+    if (std::exchange(plays_next_, false) || workbench_.options.play) {
+      workbench_.playback_bar.play();
     }
   };
   connect(&workbench_.session, &PlanningSession::path_opened, this, play_if_wanted);
@@ -195,9 +205,12 @@ void MainWindow::show_scene() {
   emit workbench_.scene_shown();
   files_->show_scene();
   if (!scene) {
+    plays_next_ = false;
     middle_->setCurrentIndex(0);
+    show_panels(false);
     return;
   }
+  show_panels(true);
   // The view's first appearance takes a while: it has an event of its own.
   QMetaObject::invokeMethod(
       this, [this] { middle_->setCurrentIndex(workbench_.document.scene() ? 1 : 0); },
@@ -213,6 +226,19 @@ void MainWindow::show_scene() {
       this, [this, opening = ++openings_] { set_up_planning(opening); }, Qt::QueuedConnection);
 }
 
+// An empty window has nothing to show in its panels.
+void MainWindow::show_panels(bool shown) {
+  if (shown && layout_with_scene_) {
+    restoreState(*layout_with_scene_);
+    layout_with_scene_.reset();
+  } else if (!shown && !layout_with_scene_) {
+    layout_with_scene_ = saveState();
+    for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+      dock->hide();
+    }
+  }
+}
+
 void MainWindow::set_up_planning(int opening) {
   if (opening != openings_ || !workbench_.document.scene()) {
     return;  // another scene has been opened or this one closed
@@ -225,7 +251,7 @@ void MainWindow::set_up_planning(int opening) {
     emit failed(message);
     return;
   }
-  if (workbench_.options.play && workbench_.options.path.empty()) {
+  if (plays_next_ || (workbench_.options.play && workbench_.options.path.empty())) {
     workbench_.session.start();
   }
   emit workbench_.ready();
@@ -280,6 +306,7 @@ void MainWindow::show_validity() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (workbench_.may_leave()) {
+    show_panels(true);  // as they are kept
     save_layout(*this);
     QMainWindow::closeEvent(event);
   } else {

@@ -5,6 +5,7 @@
 #include <QMainWindow>
 
 #include <memory>
+#include <optional>
 
 class QStackedWidget;
 
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
   void show_scene();
   /// Sets planner and options for the scene that was opened, and emits ready() or failed().
   /// @param opening number of that opening; an older one has no effect.
+  void show_panels(bool shown);
   void set_up_planning(int opening);
   void apply_plan_options();
   void show_validity();
@@ -70,6 +72,9 @@ class MainWindow : public QMainWindow {
   FileCommands* files_;
   QAction* dark_;
   QByteArray default_layout_;
+  /// State of the panels while they are hidden because no scene is open.
+  std::optional<QByteArray> layout_with_scene_;
+  bool plays_next_ = false;  ///< The scene that is being opened is to be planned and played.
 };
 
 }  // namespace handway::gui

@@ -80,6 +80,7 @@ void PreferenceEffects::apply_at_once(const PreferenceValues& values) {
   view_.set_floor_visible(values.floor);
   view_.set_cube_visible(values.cube);
   view_.set_samples(values.samples);
+  view_.set_shadows(values.shadows);
   view_.set_always_fine(values.always_fine);
   view_.set_frame_limit(values.frame_limit);
   QuantityField::show_units(values.units);
@@ -172,18 +173,20 @@ ViewActions::ViewActions(Workbench& workbench, BodyDisplayTool& bodies)
       bodies_(bodies),
       preferences_(workbench.preferences),
       displays_(new QActionGroup(this)),
-      display_button_(named("display", new QToolButton)) {
+      display_button_(named("display", new QToolButton)),
+      views_button_(named("views", new QToolButton)) {
   show_all_ = make("", tr("Show &all"), "Shift+F", tr("Show the whole scene"));
   show_all_->setObjectName(QStringLiteral("show_all"));
   connect(show_all_, &QAction::triggered, &view_, &SceneView::show_all);
   show_selection_ = make("fit", tr("Show selec&tion"), "F",
                          tr("Show the selection or, without a selection, the whole scene"));
   connect(show_selection_, &QAction::triggered, &view_, &SceneView::show_selection);
-  on_bar_ << show_selection_;
   standard_views_ = make_standard_views();
+  views_button_->setToolTip(tr("Standard views"));
+  views_button_->setPopupMode(QToolButton::InstantPopup);
+  views_button_->setMenu(standard_views_);
   orthographic_ = make_switch("orthographic", tr("O&rthographic"), "5",
                               tr("Orthographic projection: parallel lines stay parallel"), false);
-  on_bar_ << orthographic_;
   connect(orthographic_, &QAction::toggled, this, [this](bool on) {
     preferences_.set(&PreferenceValues::projection,
                      on ? Projection::kOrthographic : Projection::kPerspective);
@@ -211,10 +214,8 @@ void ViewActions::place_actions() {
   workbench_.add_to_menu(MainMenu::kView, {0, 2}, orthographic_);
   workbench_.add_to_menu(MainMenu::kView, {0, 3}, displays_menu_->menuAction());
   workbench_.add_to_menu(MainMenu::kView, {1, 0}, floor_);
-  int order = 0;
-  for (QAction* action : on_bar_) {
-    workbench_.add_to_bar(MainBar::kTools, {2, ++order}, action);
-  }
+  workbench_.add_to_bar(MainBar::kTools, {2, 0}, show_selection_);
+  workbench_.add_to_bar(MainBar::kTools, {2, 1}, views_button_);
   workbench_.add_to_bar(MainBar::kTools, {3, 0}, display_button_);
   workbench_.add_to_bar(MainBar::kTools, {3, 1}, floor_);
 }
@@ -229,10 +230,10 @@ QMenu* ViewActions::make_standard_views() {
     return action;
   };
   using enum StandardView;
-  on_bar_ << add(kOblique, make("view_oblique", tr("&Oblique"), "0", tr("Task view")))
-          << add(kFront, make("view_front", tr("&Front"), "1", tr("Look against the x axis")))
-          << add(kLeft, make("view_left", tr("&Left"), "2", tr("Look against the y axis")))
-          << add(kTop, make("view_top", tr("&Top"), "3", tr("Look down")));
+  add(kOblique, make("view_oblique", tr("&Oblique"), "0", tr("Task view")));
+  add(kFront, make("view_front", tr("&Front"), "1", tr("Look against the x axis")));
+  add(kLeft, make("view_left", tr("&Left"), "2", tr("Look against the y axis")));
+  add(kTop, make("view_top", tr("&Top"), "3", tr("Look down")));
   add(kBack, make("view_back", tr("&Back"), "Ctrl+1", tr("Look along the x axis")));
   add(kRight, make("view_right", tr("&Right"), "Ctrl+2", tr("Look along the y axis")));
   add(kBottom, make("view_bottom", tr("Botto&m"), "Ctrl+3", tr("Look up from below")));
@@ -285,6 +286,9 @@ QAction* ViewActions::make_switch(const char* name, const QString& text, const c
   return action;
 }
 
-void ViewActions::refresh_icon() { display_button_->setIcon(displays_->checkedAction()->icon()); }
+void ViewActions::refresh_icon() {
+  display_button_->setIcon(displays_->checkedAction()->icon());
+  views_button_->setIcon(icon("view_oblique"));
+}
 
 }  // namespace handway::gui

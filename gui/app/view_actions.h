@@ -139,7 +139,7 @@ class ViewActions : public QObject {
   QActionGroup* displays_;
   QMenu* displays_menu_;
   QToolButton* display_button_;
-  QList<QAction*> on_bar_;
+  QToolButton* views_button_;
 };
 
 }  // namespace handway::gui

@@ -6,6 +6,8 @@
 #include <Inventor/SbColor.h>
 #include <Inventor/SbMatrix.h>
 #include <Inventor/SbVec3f.h>
+#include <Inventor/SbViewportRegion.h>
+#include <QSize>
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +78,11 @@ template <typename Node, typename... Arguments>
   };
   return byte(color.red) << 24 | byte(color.green) << 16 | byte(color.blue) << 8 |
          byte(color.alpha);
+}
+
+/// Returns a viewport over a picture of that size, px.
+[[nodiscard]] inline SbViewportRegion viewport_of(const QSize& pixels) {
+  return {static_cast<short>(pixels.width()), static_cast<short>(pixels.height())};
 }
 
 }  // namespace handway::gui

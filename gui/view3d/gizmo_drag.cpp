@@ -115,6 +115,8 @@ GizmoDrag::GizmoDrag(const GizmoHandle& handle, const GizmoFrame& frame, const P
     case GizmoHandle::Kind::kPlate:
       held_ = on_plane(ray);
       break;
+    case GizmoHandle::Kind::kBody:
+      break;
     case GizmoHandle::Kind::kRing:
       if (std::abs(ray.direction.dot(axis)) < kEdgeOn) {
         // A ring that is seen from the side is pulled along like a rope.
@@ -173,15 +175,19 @@ Pose GizmoDrag::moved_to(const Ray& ray, bool snap) {
   return moved_by(step);
 }
 
+Vector3d GizmoDrag::snapped(const Vector3d& amount) const {
+  return {snapped_step(0, amount.x()), snapped_step(1, amount.y()), amount.z()};
+}
+
 Pose GizmoDrag::moved_by(const Vector3d& amount) {
   for (int axis = 0; axis < 3; ++axis) {
     amount_[axis] = is_free(axis) ? amount[axis] : 0.0;
   }
   Pose moved = X_WO_;
   if (handle_.kind == GizmoHandle::Kind::kRing) {
-    moved.linear() =
-        Eigen::AngleAxisd(amount_[handle_.axis], frame_.axes.col(handle_.axis)).toRotationMatrix() *
-        X_WO_.linear();
+    const Eigen::Translation3d centre(frame_.centre);
+    moved = centre * Eigen::AngleAxisd(amount_[handle_.axis], frame_.axes.col(handle_.axis)) *
+            centre.inverse() * X_WO_;
   } else {
     moved.translation() += frame_.axes * amount_;
   }

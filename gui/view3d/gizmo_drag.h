@@ -15,9 +15,10 @@ struct Ray {
   Eigen::Vector3d direction;
 };
 
-/// Handles that can be dragged: arrows along three axes, plates between two, rings about one.
+/// Parts that can be dragged: arrows along three axes, plates between two, rings about one, or the
+/// body itself, which is carried from surface to surface.
 struct GizmoHandle {
-  enum class Kind { kArrow, kPlate, kRing };
+  enum class Kind { kArrow, kPlate, kRing, kBody };
   Kind kind = Kind::kArrow;
   int axis = 0;  ///< Axis of the arrow or ring; the plate's normal.
 
@@ -54,15 +55,19 @@ class GizmoDrag {
   [[nodiscard]] const GizmoHandle& handle() const { return handle_; }
   [[nodiscard]] const geometric::Pose& start() const { return X_WO_; }
 
-  /// Returns the pose after dragging to `ray`. @param snap in steps of kSnapLength or kSnapAngle:
-  /// along the axes of the world onto their round values, otherwise from the initial pose.
+  /// Returns the pose after dragging to `ray`, unless it is the body that is dragged. @param snap
+  /// in steps of kSnapLength or kSnapAngle: along the axes of the world onto their round values,
+  /// otherwise from the initial pose.
   [[nodiscard]] geometric::Pose moved_to(const Ray& ray, bool snap);
+  /// Returns the nearest amount that ends on round values of the world, horizontally.
+  [[nodiscard]] Eigen::Vector3d snapped(const Eigen::Vector3d& amount) const;
   /// Returns the pose after a move by a given amount, see amount(), along axes that the handle
   /// leaves free.
   [[nodiscard]] geometric::Pose moved_by(const Eigen::Vector3d& amount);
   /// Returns whether the handle moves along an axis, or turns about it.
   [[nodiscard]] bool is_free(int axis) const {
-    return (axis == handle_.axis) == (handle_.kind != GizmoHandle::Kind::kPlate);
+    return handle_.kind == GizmoHandle::Kind::kBody ||
+           (axis == handle_.axis) == (handle_.kind != GizmoHandle::Kind::kPlate);
   }
   /// Returns the amount of the last moved_to(): along the axes, m; for a ring about its axis, rad.
   [[nodiscard]] const Eigen::Vector3d& amount() const { return amount_; }

@@ -55,8 +55,8 @@ void add_square(SoSeparator& root, const Eigen::Vector3d& point, const SbColor& 
 constexpr std::array<geometric::Color, 3> kAxisColors{
     {{0.86F, 0.22F, 0.20F, 1.0F}, {0.18F, 0.62F, 0.24F, 1.0F}, {0.16F, 0.42F, 0.90F, 1.0F}}};
 constexpr geometric::Color kHot{1.0F, 0.74F, 0.10F, 1.0F};
-constexpr float kGizmoLineWidth = 2.6F;
-constexpr float kHotLineWidth = 4.2F;
+constexpr float kGizmoLineWidth = 2.0F;
+constexpr float kHotLineWidth = 3.6F;
 constexpr double kTipLength = 0.17;
 constexpr double kTipRadius = 0.048;
 constexpr int kRingSegments = 96;
@@ -134,7 +134,7 @@ void add_handle(SoGroup& group, const GizmoHandle& handle, bool hot) {
   if (handle.kind == Kind::kPlate) {
     color.alpha = hot ? 0.9F : 0.55F;
   } else if (handle.kind == Kind::kRing && !hot) {
-    color.alpha = 0.75F;
+    color.alpha = 0.45F;
   }
   add_color(*separator, color);
   switch (handle.kind) {
@@ -146,6 +146,8 @@ void add_handle(SoGroup& group, const GizmoHandle& handle, bool hot) {
       break;
     case Kind::kRing:
       add_ring(*separator, handle.axis);
+      break;
+    case Kind::kBody:
       break;
   }
   group.addChild(separator);

@@ -30,6 +30,7 @@ class ViewOverlay : public QWidget {
   void set_color(const geometric::Color& color);
   /// A few words beside the pointer; empty: none.
   void set_note(const QString& note, const QPoint& place);
+  [[nodiscard]] const QString& note() const { return note_; }
   /// @param R_WC columns: right, up and backwards of the camera, in the world.
   void set_axes(const Eigen::Matrix3d& R_WC);
 

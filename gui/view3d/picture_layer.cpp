@@ -1,5 +1,7 @@
 #include "view3d/picture_layer.h"
 
+#include "view3d/screen_pass.h"
+
 #include <QOpenGLContext>
 #include <QOpenGLShaderProgram>
 
@@ -8,26 +10,13 @@
 namespace handway::gui {
 namespace {
 
-const char* const kVertexShader = R"(#version 120
-varying vec2 place;
-void main() {
-  place = 0.5 * gl_Vertex.xy + 0.5;
-  gl_Position = gl_Vertex;
-}
-)";
-
 const char* const kFragmentShader = R"(#version 120
 uniform sampler2D color;
 uniform sampler2D depth;
-uniform float opacity;
 varying vec2 place;
 void main() {
-  float z = texture2D(depth, place).r;
-  if (opacity < 1.0 && z == 1.0) {
-    discard;
-  }
-  gl_FragColor = vec4(texture2D(color, place).rgb, opacity);
-  gl_FragDepth = z;
+  gl_FragColor = texture2D(color, place);
+  gl_FragDepth = texture2D(depth, place).r;
 }
 )";
 
@@ -93,14 +82,14 @@ bool PictureLayer::copy(unsigned target, const QRect& part) {
   return glGetError() == GL_NO_ERROR;
 }
 
-void PictureLayer::draw(QOpenGLShaderProgram& program, float opacity) {
+void PictureLayer::draw(QOpenGLShaderProgram& program, Mode mode) {
   glPushAttrib(GL_ALL_ATTRIB_BITS);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
-  glDepthFunc(opacity < 1.0F ? GL_LEQUAL : GL_ALWAYS);
+  glDepthFunc(mode == Mode::kBlend ? GL_LESS : GL_ALWAYS);
   glDisable(GL_LIGHTING);
   glDisable(GL_CULL_FACE);
-  if (opacity < 1.0F) {
+  if (mode == Mode::kBlend) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   } else {
@@ -109,17 +98,11 @@ void PictureLayer::draw(QOpenGLShaderProgram& program, float opacity) {
   program.bind();
   program.setUniformValue("color", 0);
   program.setUniformValue("depth", 1);
-  program.setUniformValue("opacity", opacity);
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, depth_);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, color_);
-  glBegin(GL_QUADS);
-  glVertex2f(-1.0F, -1.0F);
-  glVertex2f(1.0F, -1.0F);
-  glVertex2f(1.0F, 1.0F);
-  glVertex2f(-1.0F, 1.0F);
-  glEnd();
+  fill_viewport();
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, 0);
   glActiveTexture(GL_TEXTURE0);
@@ -129,11 +112,7 @@ void PictureLayer::draw(QOpenGLShaderProgram& program, float opacity) {
 }
 
 std::unique_ptr<QOpenGLShaderProgram> PictureLayer::make_program() {
-  auto program = std::make_unique<QOpenGLShaderProgram>();
-  const bool linked = program->addShaderFromSourceCode(QOpenGLShader::Vertex, kVertexShader) &&
-                      program->addShaderFromSourceCode(QOpenGLShader::Fragment, kFragmentShader) &&
-                      program->link();
-  return linked ? std::move(program) : nullptr;
+  return make_screen_program(kFragmentShader);
 }
 
 void draw_backdrop(const geometric::Color& top, const geometric::Color& bottom) {

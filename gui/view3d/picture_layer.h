@@ -24,14 +24,20 @@ class PictureLayer : protected QOpenGLExtraFunctions {
   /// Makes it what is drawn into, of that size, px. @returns false if the card can't.
   bool bind(const QSize& size);
   void destroy();
+  [[nodiscard]] unsigned frame() const { return frame_; }
 
   /// Copies a part of it, with its depth, to the same place in what is drawn into.
   /// @param target that frame buffer. @param part px from the lower left.
   /// @returns false if the card can't, as their kinds of depth differ.
   [[nodiscard]] bool copy(unsigned target, const QRect& part);
-  /// Draws it over the whole viewport, with its depth.
-  /// @param opacity below 1: only where something is, and blended.
-  void draw(QOpenGLShaderProgram& program, float opacity);
+  /// Ways to draw it into another picture.
+  enum class Mode {
+    kReplace,  ///< Everywhere.
+    kBlend,    ///< Only if it is not transparent, and nothing is in front of it.
+  };
+  /// Draws it over the whole viewport, with its depth, by a program with its colours and depths as
+  /// textures `color` and `depth`.
+  void draw(QOpenGLShaderProgram& program, Mode mode);
 
   /// The program that draw() needs; nullptr if the card can't have it.
   [[nodiscard]] static std::unique_ptr<QOpenGLShaderProgram> make_program();

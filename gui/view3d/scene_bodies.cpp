@@ -8,6 +8,7 @@
 
 #include <Inventor/SbPlane.h>
 #include <Inventor/SoPath.h>
+#include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/nodes/SoClipPlane.h>
 #include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoMatrixTransform.h>
@@ -24,6 +25,8 @@ using geometric::Configuration;
 using geometric::Pose;
 
 namespace {
+
+constexpr float kLarge = 0.5F;  // m: diagonal of what is furniture
 
 CoinRef<SoSeparator> make_looks(const geometric::SceneObject& object) {
   auto looks = make_coin<SoSeparator>();
@@ -104,6 +107,14 @@ void StillSplit::list(const RobotNode* robot, std::span<SoNode* const> still,
   }
 }
 
+std::vector<SoNode*> StillSplit::still_bodies() const {
+  std::vector<SoNode*> bodies;
+  for (int i = first_; i < still_->getNumChildren(); ++i) {
+    bodies.push_back(still_->getChild(i));
+  }
+  return bodies;
+}
+
 ObjectNode::ObjectNode(const geometric::SceneObject& object)
     : name_(object.name),
       shape_(object.shape),
@@ -129,6 +140,13 @@ bool ObjectNode::draws(const geometric::SceneObject& object) const {
 }
 
 void ObjectNode::place(const geometric::Pose& X_WO) { transform_->matrix = to_coin(X_WO); }
+
+bool ObjectNode::is_large() const {
+  SoGetBoundingBoxAction around{SbViewportRegion()};
+  around.apply(drawing_.get());
+  const SbBox3f box = around.getBoundingBox();
+  return !box.isEmpty() && (box.getMax() - box.getMin()).length() > kLarge;
+}
 
 bool ObjectNode::set_look(Look look) {
   const int child = look == Look::kPlain ? SO_SWITCH_NONE : 0;
@@ -260,9 +278,20 @@ bool SceneBodies::set_colliding(const std::vector<std::string>& bodies, const St
     }
   }
   for (const auto& object : objects_) {
-    changed |= object->set_look(look_of(object->name()));
+    const Look look = look_of(object->name());
+    changed |= object->set_look(look != Look::kPlain && object->is_large() ? Look::kPlain : look);
   }
   return changed;
+}
+
+std::vector<SoSeparator*> SceneBodies::outlined(const std::vector<std::string>& bodies) const {
+  std::vector<SoSeparator*> large;
+  for (const auto& object : objects_) {
+    if (std::ranges::count(bodies, object->name()) > 0 && object->is_large()) {
+      large.push_back(object->root());
+    }
+  }
+  return large;
 }
 
 std::vector<SoNode*> SceneBodies::shown() const {
@@ -273,6 +302,27 @@ std::vector<SoNode*> SceneBodies::shown() const {
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!scene_->display.of(scene_->objects[i].name).hidden) {
       nodes.push_back(objects_[i]->root());
+    }
+  }
+  return nodes;
+}
+
+std::vector<SoNode*> SceneBodies::objects_without(const std::vector<std::string>& names) const {
+  std::vector<SoNode*> nodes;
+  for (const auto& object : objects_) {
+    if (!scene_->display.of(object->name()).hidden &&
+        std::ranges::count(names, object->name()) == 0) {
+      nodes.push_back(object->root());
+    }
+  }
+  return nodes;
+}
+
+std::vector<SoNode*> SceneBodies::opaque() const {
+  std::vector<SoNode*> nodes = shown();
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (scene_->objects[i].color.alpha < 1.0F) {
+      std::erase(nodes, objects_[i]->root());
     }
   }
   return nodes;

@@ -50,6 +50,8 @@ class StillSplit {
             std::span<SoNode* const> moving);
 
   [[nodiscard]] SoSeparator* still() const { return still_.get(); }
+  /// The drawings that still() draws, without camera and lights.
+  [[nodiscard]] std::vector<SoNode*> still_bodies() const;
   [[nodiscard]] SoSeparator* moving() const { return moving_.get(); }
 
  private:
@@ -70,6 +72,8 @@ class ObjectNode {
 
   [[nodiscard]] SoSeparator* root() const { return root_.get(); }
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Returns whether it is furniture, as a table or a wall, rather than something to be grasped.
+  [[nodiscard]] bool is_large() const;
   /// Returns whether this is a drawing of `object`, wherever it is.
   [[nodiscard]] bool draws(const geometric::SceneObject& object) const;
 
@@ -112,9 +116,13 @@ class SceneBodies {
   void preview(const SceneItem& item, const geometric::Pose& X_WO);
   /// Draws meshes in place of the bodies' looks, where there are any.
   void stand_in(const BodyMeshes& meshes);
-  /// Paints these bodies (names as in CollisionWorld) as colliding, and no others.
+  /// Paints these bodies (names as in CollisionWorld) as colliding, and no others. Large objects
+  /// keep their colours: see outlined().
   /// @returns whether something looks different that stands still, as `split` has it.
   bool set_colliding(const std::vector<std::string>& bodies, const StillSplit& split);
+
+  /// Returns the large ones among these objects, of which much more is seen than what collides.
+  [[nodiscard]] std::vector<SoSeparator*> outlined(const std::vector<std::string>& bodies) const;
 
   /// See SceneView::set_section().
   void set_section(const std::optional<Eigen::Hyperplane<double, 3>>& plane);
@@ -135,6 +143,10 @@ class SceneBodies {
     std::vector<SoNode*> moving;
   };
   [[nodiscard]] Others others() const;
+  /// Objects that are not hidden, without some.
+  [[nodiscard]] std::vector<SoNode*> objects_without(const std::vector<std::string>& names) const;
+  /// All that is neither hidden nor transparent.
+  [[nodiscard]] std::vector<SoNode*> opaque() const;
   /// The drawings of what is selected.
   [[nodiscard]] std::vector<SoSeparator*> parts_of(const Selection& selection) const;
   /// Returns the item of a picked drawing; kNone if it is none of these.

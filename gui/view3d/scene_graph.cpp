@@ -103,46 +103,61 @@ namespace {
 
 constexpr double kVeilDepth = 0.06;  // m: a ghost that is no farther before an object is part of it
 constexpr double kReach = 12.0;      // m: what is shown behind the target
+constexpr double kFloorRadius = 2.5;  // m
 
-void turn(SoCamera& eye, const OrbitCamera& camera, double aspect) {
-  const Eigen::Matrix3f R = camera.orientation().cast<float>();
-  SbMatrix turn = SbMatrix::identity();
+SbRotation to_coin_rotation(const Eigen::Matrix3d& R) {
+  SbMatrix turned = SbMatrix::identity();
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      turn[row][column] = R(column, row);
+      turned[row][column] = static_cast<float>(R(column, row));
     }
   }
+  return SbRotation(turned);
+}
+
+void turn(SoCamera& eye, const OrbitCamera& camera, double aspect) {
   eye.viewportMapping = SoCamera::LEAVE_ALONE;
   eye.aspectRatio = static_cast<float>(aspect);
-  eye.orientation = SbRotation(turn);
+  eye.orientation = to_coin_rotation(camera.orientation());
+}
+
+void set_range(SoCamera& eye, const EyeRange& range) {
+  eye.position = to_coin(range.position);
+  eye.nearDistance = static_cast<float>(range.nearest);
+  eye.farDistance = static_cast<float>(range.farthest);
 }
 
 }  // namespace
 
+EyeRange eye_range(const OrbitCamera& camera) {
+  const double distance = camera.placement().distance;
+  if (camera.projection() == Projection::kOrthographic) {
+    const Eigen::Vector3d backwards = camera.orientation().col(2);
+    return {camera.placement().target + kReach * backwards, 0.01, 2.0 * kReach};
+  }
+  return {camera.position(), std::max(0.01, 0.05 * distance), distance + kReach};
+}
+
 void aim_camera(SoPerspectiveCamera& eye, const OrbitCamera& camera, double aspect) {
   turn(eye, camera, aspect);
-  eye.position = to_coin(camera.position());
+  set_range(eye, eye_range(camera));
   eye.heightAngle = static_cast<float>(OrbitCamera::kFieldOfView);
-  const double distance = camera.placement().distance;
-  eye.nearDistance = static_cast<float>(std::max(0.01, 0.05 * distance));
-  eye.farDistance = static_cast<float>(distance + kReach);
-  eye.focalDistance = static_cast<float>(distance);
+  eye.focalDistance = static_cast<float>(camera.placement().distance);
 }
 
 void aim_camera(SoOrthographicCamera& eye, const OrbitCamera& camera, double aspect) {
   turn(eye, camera, aspect);
-  const Eigen::Vector3d backwards = camera.orientation().col(2);
-  eye.position = to_coin(Eigen::Vector3d(camera.placement().target + kReach * backwards));
+  set_range(eye, eye_range(camera));
   eye.height = static_cast<float>(camera.seen_height(camera.placement().distance));
-  eye.nearDistance = 0.01F;
-  eye.farDistance = static_cast<float>(2.0 * kReach);
   eye.focalDistance = static_cast<float>(kReach);
 }
 
 SceneGraph::SceneGraph() : passes_(std::make_unique<ScenePasses>()) {
   passes_->gizmo->addChild(gizmo_.root());
-  outline_.root()->insertChild(passes_->camera.get(), 0);
-  outline_.root()->insertChild(passes_->detail.get(), 0);
+  for (const BodyOutline* outline : {&outline_, &colliding_outline_}) {
+    outline->root()->insertChild(passes_->camera.get(), 0);
+    outline->root()->insertChild(passes_->detail.get(), 0);
+  }
 }
 SceneGraph::~SceneGraph() = default;
 
@@ -215,14 +230,26 @@ void SceneGraph::set_colors(const ViewColors& colors) {
   rebuild_floor();
 }
 
-void SceneGraph::rebuild_floor() {
-  passes_->floor_content->removeAllChildren();
+Eigen::Vector3d SceneGraph::floor_centre() const {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   if (bodies_.scene() && !bodies_.scene()->robots.empty()) {
     centre = bodies_.scene()->robots.front().X_WB.translation();
     centre.z() = std::min(0.0, lowest_point(*bodies_.scene()));
   }
-  passes_->floor_content->addChild(make_floor_grid(centre, 2.5, colors_.grid).get());
+  return centre;
+}
+
+void SceneGraph::rebuild_floor() {
+  floor_centre_ = floor_centre();
+  passes_->floor_content->removeAllChildren();
+  passes_->floor_content->addChild(
+      make_floor_grid(floor_centre_, kFloorRadius, colors_.grid).get());
+}
+
+std::optional<FloorDisc> SceneGraph::floor_disc() const {
+  const bool is_shown =
+      bodies_.scene() && passes_->floor_content->whichChild.getValue() == SO_SWITCH_ALL;
+  return is_shown ? std::optional(FloorDisc{floor_centre_, kFloorRadius}) : std::nullopt;
 }
 
 bool SceneGraph::set_configuration(const Configuration& q) {
@@ -305,6 +332,7 @@ bool SceneGraph::update_looks() {
   std::vector<std::string> painted = colliding_;
   painted.insert(painted.end(), obstacles_.begin(), obstacles_.end());
   const bool changed = bodies_.set_colliding(painted, *passes_->split);
+  colliding_outline_.set_parts(bodies_.outlined(painted));
   update_outline();
   return changed;
 }
@@ -370,14 +398,70 @@ void SceneGraph::aim(const OrbitCamera& camera, double aspect) {
 
 void SceneGraph::set_fine(bool fine) { passes_->set_fine(fine); }
 
-void SceneGraph::render(SoGLRenderAction& action) {
+void SceneGraph::render_bodies(SoGLRenderAction& action) {
   action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
   action.apply(passes_->solids.get());
+}
+
+void SceneGraph::render_drawings(SoGLRenderAction& action) {
+  action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
+  action.apply(passes_->drawings.get());
   action.setTransparencyType(SoGLRenderAction::BLEND);
   action.apply(passes_->floor.get());
+}
+
+void SceneGraph::render_ghosts(SoGLRenderAction& action) {
   for (const Ghost* ghost : ghosts()) {
     ghost->render(action);
   }
+}
+
+void SceneGraph::list_shadow_casters(bool only_still) {
+  passes_->shadow_casters->removeAllChildren();
+  for (SoNode* node : only_still ? passes_->split->still_bodies() : bodies_.opaque()) {
+    passes_->shadow_casters->addChild(node);
+  }
+}
+
+LampView SceneGraph::view_from(const Lamp& lamp) const {
+  SoGetBoundingBoxAction around{SbViewportRegion()};
+  around.apply(passes_->shadow_casters.get());
+  const SbBox3f all = around.getBoundingBox();
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(lamp.radius);
+  Eigen::AlignedBox3d box(lamp.near_by - half, lamp.near_by + half);
+  if (!all.isEmpty()) {
+    const SbVec3f &low = all.getMin(), &high = all.getMax();
+    box.clamp(Eigen::AlignedBox3d(Eigen::Vector3d(low[0], low[1], low[2]),
+                                  Eigen::Vector3d(high[0], high[1], high[2])));
+  }
+  if (floor_disc() && !box.isEmpty()) {
+    box.min().z() = std::min(box.min().z(), floor_centre_.z());
+  }
+  LampView view;
+  view.R_WL = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), lamp.to_lamp).matrix();
+  view.centre = box.isEmpty() ? lamp.near_by : Eigen::Vector3d(box.center());
+  view.width = view.depth = box.isEmpty() ? 2.0 * lamp.radius : box.diagonal().norm();
+  return view;
+}
+
+LampView SceneGraph::render_for_lamp(SoGLRenderAction& action, const Lamp& lamp, int pixels) {
+  list_shadow_casters(lamp.only_still);
+  const LampView view = view_from(lamp);
+  SoOrthographicCamera& eye = *passes_->lamp.get();
+  eye.viewportMapping = SoCamera::LEAVE_ALONE;
+  eye.aspectRatio = 1.0F;
+  eye.orientation = to_coin_rotation(view.R_WL);
+  set_range(eye, {view.centre + 1.5 * view.depth * view.R_WL.col(2), view.depth, 2.0 * view.depth});
+  eye.height = static_cast<float>(view.width);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  action.invalidateState();
+  action.setViewportRegion({static_cast<short>(pixels), static_cast<short>(pixels)});
+  action.setTransparencyType(SoGLRenderAction::NONE);
+  action.apply(passes_->lamp_view.get());
+  return view;
 }
 
 void SceneGraph::begin_motion() {
@@ -386,20 +470,21 @@ void SceneGraph::begin_motion() {
   }
 }
 
-void SceneGraph::render_still(SoGLRenderAction& action) {
-  const auto overlay = [this](Overlay which) { return passes_->overlays.at(which).get(); };
+void SceneGraph::render_still_bodies(SoGLRenderAction& action) {
   auto [still, moving] = bodies_.others();
-  still.insert(still.begin(),
-               {overlay(Overlay::kPath), overlay(Overlay::kRoadmap), overlay(Overlay::kTrails),
-                overlay(Overlay::kSteps), overlay(Overlay::kHypercubes)});
-  moving.insert(moving.begin(), {overlay(Overlay::kExecuted), overlay(Overlay::kOptimized),
-                                 overlay(Overlay::kContacts), overlay(Overlay::kRegion),
-                                 overlay(Overlay::kClearance), overlay(Overlay::kConstraints),
-                                 overlay(Overlay::kMeasure), overlay(Overlay::kGoalPoses),
-                                 overlay(Overlay::kReach), overlay(Overlay::kGrasp)});
+  for (const auto& [overlay, shown] : passes_->overlays) {
+    if (std::ranges::find(kStillOverlays, overlay) == kStillOverlays.end()) {
+      moving.push_back(shown.get());
+    }
+  }
   passes_->split->list(bodies_.has_robot() ? &bodies_.first_robot() : nullptr, still, moving);
   action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
   action.apply(passes_->split->still());
+}
+
+void SceneGraph::render_still_drawings(SoGLRenderAction& action) {
+  action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
+  action.apply(passes_->still_drawings.get());
   action.setTransparencyType(SoGLRenderAction::BLEND);
   action.apply(passes_->floor.get());
 }
@@ -412,6 +497,7 @@ void SceneGraph::render_moving(SoGLRenderAction& action) {
 SoNode& SceneGraph::moving_root() const { return *passes_->split->moving(); }
 
 void SceneGraph::render_marks(SoGLRenderAction& action, bool with_gizmo, float pixel_ratio) {
+  colliding_outline_.render(action, 4.0F * pixel_ratio);
   outline_.render(action, 4.0F * pixel_ratio);
   if (with_gizmo) {
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -429,6 +515,32 @@ void SceneGraph::render_axes(SoGLRenderAction& action, const OrbitCamera& camera
   eye.farDistance = 8.0F;
   action.setTransparencyType(SoGLRenderAction::NONE);
   action.apply(passes_->axes.get());
+}
+
+bool SceneGraph::stand_in_world(const std::vector<std::string>& objects) const {
+  return bodies_.scene() && !objects.empty() &&
+         std::ranges::all_of(objects, [&](const std::string& name) {
+           const geometric::SceneObject* object = find_object(*bodies_.scene(), name);
+           return object != nullptr && !object->attachment;
+         });
+}
+
+std::optional<SceneGraph::Surface> SceneGraph::surface_behind(
+    const SbVec2s& viewport, const SbVec2s& pixel, const std::vector<std::string>& ignored) {
+  auto root = make_coin<SoSeparator>();
+  passes_->prepare(root.get());
+  for (SoNode* node : bodies_.objects_without(ignored)) {
+    root->addChild(node);
+  }
+  SoRayPickAction action{SbViewportRegion(viewport)};
+  action.setPoint(pixel);
+  action.apply(root.get());
+  const SoPickedPoint* picked = action.getPickedPoint();
+  if (picked == nullptr) {
+    return std::nullopt;
+  }
+  const SbVec3f &p = picked->getPoint(), &n = picked->getNormal();
+  return Surface{{p[0], p[1], p[2]}, {n[0], n[1], n[2]}};
 }
 
 std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s& pixel) {

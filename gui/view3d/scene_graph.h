@@ -6,6 +6,7 @@
 #include "model/settings/options.h"
 #include "model/settings/orbit_camera.h"
 #include "view3d/body_meshes.h"
+#include "view3d/body_outline.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/drawing.h"
 #include "view3d/frontier.h"
@@ -14,7 +15,6 @@
 #include "view3d/overlay.h"
 #include "view3d/scene_bodies.h"
 #include "view3d/scene_passes.h"
-#include "view3d/selection_outline.h"
 #include "view3d/viewpoints.h"
 
 #include <Eigen/Core>
@@ -48,6 +48,38 @@ void aim_camera(SoPerspectiveCamera& eye, const OrbitCamera& camera, double aspe
 
 /// Aims an orthographic camera; it stands far back, so that everything is before it.
 void aim_camera(SoOrthographicCamera& eye, const OrbitCamera& camera, double aspect);
+
+/// Distances from the camera, m, between which bodies are drawn.
+struct EyeRange {
+  Eigen::Vector3d position;  ///< Camera position in the world, m.
+  double nearest;
+  double farthest;
+};
+
+/// Returns from where, and between which depths, aim_camera() lets a camera see.
+[[nodiscard]] EyeRange eye_range(const OrbitCamera& camera);
+
+/// A lamp with parallel rays that shines on a part of a scene.
+struct Lamp {
+  Eigen::Vector3d to_lamp;  ///< Direction in the world.
+  Eigen::Vector3d near_by;  ///< World, m. Bodies cast shadows within `radius` of it.
+  double radius;            ///< m.
+  bool only_still = false;  ///< Only render_still_bodies() cast shadows.
+};
+
+/// The part of a scene that a lamp sees: a box about `centre`.
+struct LampView {
+  Eigen::Matrix3d R_WL;    ///< Columns: right, up and backwards of the lamp, in the world.
+  Eigen::Vector3d centre;  ///< World, m.
+  double width;            ///< And height, m.
+  double depth;            ///< m.
+};
+
+/// The part of the floor that is shown.
+struct FloorDisc {
+  Eigen::Vector3d centre;  ///< World, m.
+  double radius;           ///< m.
+};
 
 /// A scene as Coin nodes. Knows no window: what to show comes in, drawing and
 /// picking go out.
@@ -105,25 +137,46 @@ class SceneGraph {
   void aim(const OrbitCamera& camera, double aspect);
   /// Draws meshes as they are (at first), or as coarse as hardly can be seen.
   void set_fine(bool fine);
-  /// Draws everything but the backdrop into the current viewport.
-  void render(SoGLRenderAction& action);
+  /// Draws robots and objects into the current viewport.
+  void render_bodies(SoGLRenderAction& action);
+  /// Draws overlays and the floor's lines.
+  void render_drawings(SoGLRenderAction& action);
+  /// Draws the ghosts as even veils.
+  void render_ghosts(SoGLRenderAction& action);
+  /// Draws the depths of the opaque bodies as a lamp sees them. @param pixels width and height.
+  LampView render_for_lamp(SoGLRenderAction& action, const Lamp& lamp, int pixels);
+  /// Returns the floor if it is visible and there is a scene.
+  [[nodiscard]] std::optional<FloorDisc> floor_disc() const;
   /// Begins drawing in parts, for fast frames: bodies that have not moved since begin_motion(),
   /// those that have, and the ghosts, start and goal.
   void begin_motion();
-  void render_still(SoGLRenderAction& action);
+  void render_still_bodies(SoGLRenderAction& action);
+  void render_still_drawings(SoGLRenderAction& action);
   void render_moving(SoGLRenderAction& action);
   [[nodiscard]] SoNode& moving_root() const;
   static constexpr std::size_t kGhosts = 5;
   [[nodiscard]] std::array<const Ghost*, kGhosts> ghosts() const {
     return {&start_, &goal_, &from_start_, &from_goal_, &traces_};
   }
-  /// Returns whether there is a selection to draw a line around.
-  [[nodiscard]] bool has_marks() const { return outline_.is_shown(); }
-  /// Draws the line around the selection and, if asked, the gizmo, in front of everything.
+  /// Returns whether there is a body to draw a line around.
+  [[nodiscard]] bool has_marks() const {
+    return outline_.is_shown() || colliding_outline_.is_shown();
+  }
+  /// Draws the lines around bodies and, if asked, the gizmo, in front of everything.
   void render_marks(SoGLRenderAction& action, bool with_gizmo, float pixel_ratio);
   /// Draws the axes cross, turned like the camera.
   void render_axes(SoGLRenderAction& action, const OrbitCamera& camera);
 
+  /// Returns whether there are objects of these names, all fixed to the world.
+  [[nodiscard]] bool stand_in_world(const std::vector<std::string>& objects) const;
+  /// A place on the surface of an object (world, m).
+  struct Surface {
+    Eigen::Vector3d point;
+    Eigen::Vector3d normal;
+  };
+  /// Returns the foremost surface of other objects than these at a pixel (from the lower left).
+  [[nodiscard]] std::optional<Surface> surface_behind(const SbVec2s& viewport, const SbVec2s& pixel,
+                                                      const std::vector<std::string>& ignored);
   /// Returns the visible item at a pixel (from the lower left).
   [[nodiscard]] std::optional<SceneHit> pick(const SbVec2s& viewport, const SbVec2s& pixel);
 
@@ -134,6 +187,9 @@ class SceneGraph {
                  const geometric::Color& color);
   void update_outline();
   void rebuild_floor();
+  [[nodiscard]] Eigen::Vector3d floor_centre() const;
+  void list_shadow_casters(bool only_still);
+  [[nodiscard]] LampView view_from(const Lamp& lamp) const;
   bool update_looks();
   bool update_ghosts();
   void paint_frontier(const std::vector<std::string>& colliding);
@@ -141,9 +197,11 @@ class SceneGraph {
   SceneBodies bodies_;
   ViewColors colors_;
   Eigen::Vector3d backwards_ = Eigen::Vector3d::UnitZ();  ///< Camera's backward axis, in the world.
+  Eigen::Vector3d floor_centre_ = Eigen::Vector3d::Zero();  ///< World, m.
   std::unique_ptr<ScenePasses> passes_;
   GizmoNode gizmo_;
-  SelectionOutline outline_;
+  BodyOutline outline_{{1.0F, 0.62F, 0.05F, 1.0F}};             ///< The selection.
+  BodyOutline colliding_outline_{{0.90F, 0.10F, 0.08F, 1.0F}};  ///< Large colliding objects.
   Ghost start_;
   Ghost goal_;
   Ghost from_start_{Ghost::kStrong};

@@ -1,15 +1,16 @@
 #include "view3d/scene_painter.h"
 
+#include "view3d/coin_conversions.h"
 #include "view3d/orientation_cube.h"
 #include "view3d/picture_layer.h"
 #include "view3d/scene_graph.h"
+#include "view3d/screen_pass.h"
 
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
-#include <QOpenGLShaderProgram>
 
 #include <Eigen/Geometry>
 #include <GL/gl.h>
@@ -28,17 +29,8 @@ std::uint32_t new_cache_context() {
   return ++last;
 }
 
-SbViewportRegion viewport_of(const QSize& pixels) {
-  return {static_cast<short>(pixels.width()), static_cast<short>(pixels.height())};
-}
-
 void bind_frame(unsigned frame) {
   QOpenGLContext::currentContext()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, frame);
-}
-
-void restrict_to(const QRect& region) {
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(region.x(), region.y(), region.width(), region.height());
 }
 
 double aspect_of(const QSize& pixels) {
@@ -48,8 +40,7 @@ double aspect_of(const QSize& pixels) {
 }  // namespace
 
 QRect region_of(SoNode& root, const OrbitCamera& camera, const QSize& pixels) {
-  SoGetBoundingBoxAction action{
-      SbViewportRegion(static_cast<short>(pixels.width()), static_cast<short>(pixels.height()))};
+  SoGetBoundingBoxAction action{viewport_of(pixels)};
   action.apply(&root);
   const SbBox3f box = action.getBoundingBox();
   if (box.isEmpty()) {
@@ -83,7 +74,7 @@ QRect region_of(SoNode& root, const OrbitCamera& camera, const QSize& pixels) {
 ScenePainter::ScenePainter(SceneGraph& graph)
     : graph_(graph),
       action_(std::make_unique<SoGLRenderAction>(SbViewportRegion())),
-      program_(PictureLayer::make_program()) {
+      shading_(graph) {
   action_->setCacheContext(new_cache_context());
 }
 
@@ -103,10 +94,10 @@ void ScenePainter::paint(const PictureFrame& frame, bool fast, unsigned target) 
     graph_.begin_motion();
     invalidate();
     paint_finely(frame, target);
-  } else if (stands && program_) {
+  } else if (stands && veil_tools_.are_available() && !layers_fail_) {
     paint_layered(frame, sight, target);
   } else {
-    paint_all(frame);
+    paint_all(frame, target, false);
   }
   glPopAttrib();
   glPopClientAttrib();
@@ -124,11 +115,50 @@ void ScenePainter::begin(const PictureFrame& frame) {
   action_->setViewportRegion(viewport_of(frame.pixels));
 }
 
-void ScenePainter::paint_all(const PictureFrame& frame) {
+void ScenePainter::paint_all(const PictureFrame& frame, unsigned target, bool shaded) {
+  const bool has_veils = make_veils(frame);
+  bind_frame(target);
   begin(frame);
   draw_backdrop(frame.colors.sky, frame.colors.ground);
-  graph_.render(*action_);
+  graph_.render_bodies(*action_);
+  if (shaded) {
+    shade(frame, target, false);
+  }
+  graph_.render_drawings(*action_);
+  if (has_veils) {
+    draw_veils(QRect(QPoint(0, 0), frame.pixels));
+    action_->invalidateState();
+  } else {
+    graph_.render_ghosts(*action_);
+  }
   paint_marks(frame);
+}
+
+bool ScenePainter::make_veils(const PictureFrame& frame) {
+  for (std::size_t i = 0; i < veils_.size(); ++i) {
+    const Ghost& ghost = *graph_.ghosts().at(i);
+    if (ghost.is_visible() &&
+        !veils_.at(i).make(veil_tools_, *action_, ghost, frame.camera, frame.pixels)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void ScenePainter::draw_veils(const QRect& part) {
+  for (std::size_t i = 0; i < veils_.size(); ++i) {
+    if (graph_.ghosts().at(i)->is_visible()) {
+      veils_.at(i).draw(veil_tools_, part);
+    }
+  }
+}
+
+void ScenePainter::shade(const PictureFrame& frame, unsigned target, bool only_still) {
+  if (!frame.has_shadows) {
+    return;
+  }
+  shading_.shade(*action_, frame.camera, frame.pixels, target, only_still);
+  action_->setViewportRegion(viewport_of(frame.pixels));
 }
 
 void ScenePainter::paint_marks(const PictureFrame& frame) {
@@ -152,11 +182,8 @@ void ScenePainter::paint_finely(const PictureFrame& frame, unsigned target) {
     smooth_ = {frame.pixels, frame.samples, nullptr};  // the one before goes first
     smooth_.frame = std::make_unique<QOpenGLFramebufferObject>(frame.pixels, format);
   }
-  const bool is_smooth = smooth_.frame->bind();
-  if (!is_smooth) {
-    bind_frame(target);
-  }
-  paint_all(frame);
+  const bool is_smooth = smooth_.frame->isValid();
+  paint_all(frame, is_smooth ? smooth_.frame->handle() : target, true);
   if (is_smooth) {
     bind_frame(target);
     QOpenGLFramebufferObject::blitFramebuffer(nullptr, smooth_.frame.get());
@@ -170,19 +197,10 @@ bool ScenePainter::keep_layers(const PictureFrame& frame) {
   }
   begin(frame);
   draw_backdrop(frame.colors.sky, frame.colors.ground);
-  graph_.render_still(*action_);
-  for (std::size_t i = 0; i < veils_.size(); ++i) {
-    const Ghost& ghost = *graph_.ghosts().at(i);
-    if (ghost.is_visible()) {
-      if (!veils_.at(i).picture.bind(frame.pixels)) {
-        return false;
-      }
-      begin(frame);
-      ghost.render_opaque(*action_);
-      veils_.at(i).region = region_of(*ghost.root(), frame.camera, frame.pixels);
-    }
-  }
-  return true;
+  graph_.render_still_bodies(*action_);
+  shade(frame, still_.frame(), true);
+  graph_.render_still_drawings(*action_);
+  return make_veils(frame);
 }
 
 void ScenePainter::paint_layered(const PictureFrame& frame, const Sight& sight, unsigned target) {
@@ -192,8 +210,8 @@ void ScenePainter::paint_layered(const PictureFrame& frame, const Sight& sight, 
     const bool kept = keep_layers(frame);
     bind_frame(target);
     if (!kept) {
-      program_.reset();
-      paint_all(frame);
+      layers_fail_ = true;
+      paint_all(frame, target, false);
       return;
     }
     kept_ = sight;
@@ -209,7 +227,7 @@ void ScenePainter::paint_layered(const PictureFrame& frame, const Sight& sight, 
   const bool copied = still_.copy(target, dirty);
   restrict_to(dirty);
   if (!copied) {
-    still_.draw(*program_, 1.0F);
+    still_.draw(*veil_tools_.lay, PictureLayer::Mode::kReplace);
   }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -218,13 +236,7 @@ void ScenePainter::paint_layered(const PictureFrame& frame, const Sight& sight, 
   action_->invalidateState();
   action_->setViewportRegion(viewport_of(frame.pixels));
   graph_.render_moving(*action_);
-  for (std::size_t i = 0; i < veils_.size(); ++i) {
-    const Ghost& ghost = *graph_.ghosts().at(i);
-    if (ghost.is_visible()) {
-      restrict_to(dirty & veils_.at(i).region);
-      veils_.at(i).picture.draw(*program_, ghost.opacity());
-    }
-  }
+  draw_veils(dirty);
   restrict_to(dirty);
   action_->invalidateState();
   paint_marks(frame);

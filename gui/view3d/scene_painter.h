@@ -2,8 +2,10 @@
 
 #include "model/settings/options.h"
 #include "model/settings/orbit_camera.h"
+#include "view3d/ghost_veil.h"
 #include "view3d/picture_layer.h"
 #include "view3d/scene_graph.h"
+#include "view3d/scene_shading.h"
 
 #include <QRect>
 #include <QSize>
@@ -13,7 +15,6 @@
 #include <optional>
 
 class QOpenGLFramebufferObject;
-class QOpenGLShaderProgram;
 class SoGLRenderAction;
 class SoNode;
 
@@ -32,6 +33,7 @@ struct PictureFrame {
   ViewColors colors;
   bool with_gizmo = false;
   int samples = 4;  ///< For each pixel of a fine picture; 0: edges are not smooth.
+  bool has_shadows = true;
 };
 
 /// Paints a scene graph, finely or fast. Fine pictures have smooth edges. Fast ones do without
@@ -62,13 +64,17 @@ class ScenePainter {
   void paint_finely(const PictureFrame& frame, unsigned target);
   void paint_layered(const PictureFrame& frame, const Sight& sight, unsigned target);
   [[nodiscard]] bool keep_layers(const PictureFrame& frame);
+  [[nodiscard]] bool make_veils(const PictureFrame& frame);
+  void draw_veils(const QRect& part);
   void begin(const PictureFrame& frame);
-  void paint_all(const PictureFrame& frame);
+  /// @param shaded with light and shadows.
+  void paint_all(const PictureFrame& frame, unsigned target, bool shaded);
+  void shade(const PictureFrame& frame, unsigned target, bool only_still);
   void paint_marks(const PictureFrame& frame);
 
   SceneGraph& graph_;
   std::unique_ptr<SoGLRenderAction> action_;
-  std::unique_ptr<QOpenGLShaderProgram> program_;  ///< Null: layers can't be had.
+  SceneShading shading_;
   /// Framebuffer for fine pictures, several times as large as they are. It is kept, because drivers
   /// free such memory late, which would accumulate.
   struct Smooth {
@@ -78,11 +84,9 @@ class ScenePainter {
   };
   Smooth smooth_;
   PictureLayer still_;
-  struct Veil {
-    PictureLayer picture;
-    QRect region;  ///< px from the lower left, as `last_region_`.
-  };
-  std::array<Veil, SceneGraph::kGhosts> veils_;  ///< Veils of the ghosts.
+  bool layers_fail_ = false;  ///< The card can't keep them.
+  VeilTools veil_tools_;
+  std::array<GhostVeil, SceneGraph::kGhosts> veils_;  ///< One for each ghost.
   std::optional<Sight> kept_;  ///< From where the layers are seen; nothing: to be made.
   std::optional<Sight> last_;  ///< Camera of the last picture.
   QRect last_region_;          ///< Region of moving links, px from the lower left.

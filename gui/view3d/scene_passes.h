@@ -5,12 +5,13 @@
 #include "view3d/scene_bodies.h"
 
 #include <Inventor/nodes/SoComplexity.h>
+#include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
-#include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
 
+#include <array>
 #include <map>
 #include <optional>
 
@@ -27,6 +28,10 @@ namespace handway::gui {
 /// A weak light from above, standing in the world; belongs after the camera.
 [[nodiscard]] CoinRef<SoGroup> make_sky_light();
 
+/// Overlays that stay while a robot moves.
+inline constexpr std::array kStillOverlays{Overlay::kPath, Overlay::kRoadmap, Overlay::kTrails,
+                                           Overlay::kSteps, Overlay::kHypercubes};
+
 /// One root a pass, all seen by the same camera under the same lights.
 struct ScenePasses {
   CoinRef<SoPerspectiveCamera> perspective = make_coin<SoPerspectiveCamera>();
@@ -39,6 +44,11 @@ struct ScenePasses {
   CoinRef<SoSeparator> solid_content = make_coin<SoSeparator>();
   CoinRef<SoSeparator> floor = make_coin<SoSeparator>();
   CoinRef<SoSwitch> floor_content = make_coin<SoSwitch>();
+  CoinRef<SoSeparator> drawings = make_coin<SoSeparator>();        ///< All overlays.
+  CoinRef<SoSeparator> still_drawings = make_coin<SoSeparator>();  ///< Overlays that stand still.
+  CoinRef<SoOrthographicCamera> lamp = make_coin<SoOrthographicCamera>();
+  CoinRef<SoSeparator> lamp_view = make_coin<SoSeparator>();
+  CoinRef<SoSeparator> shadow_casters = make_coin<SoSeparator>();
   std::map<Overlay, CoinRef<SoSwitch>> overlays;
   CoinRef<SoSeparator> gizmo = make_coin<SoSeparator>();
   CoinRef<SoOrthographicCamera> axes_camera = make_coin<SoOrthographicCamera>();
@@ -51,7 +61,8 @@ struct ScenePasses {
     camera->addChild(orthographic.get());
     camera->whichChild = 0;
     set_fine(true);
-    for (SoSeparator* root : {solids.get(), floor.get(), gizmo.get()}) {
+    for (SoSeparator* root :
+         {solids.get(), floor.get(), gizmo.get(), drawings.get(), still_drawings.get()}) {
       prepare(root);
     }
     auto still = make_coin<SoSeparator>();
@@ -60,9 +71,6 @@ struct ScenePasses {
     prepare(moving.get());
     split.emplace(still, moving);
     solids->addChild(solid_content.get());
-    auto* behind_them = new SoPickStyle;  // is what a click on what follows means
-    behind_them->style = SoPickStyle::UNPICKABLE;
-    solids->addChild(behind_them);
     for (const Overlay overlay :
          {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion, Overlay::kExecuted,
           Overlay::kOptimized, Overlay::kContacts, Overlay::kClearance, Overlay::kTrails,
@@ -70,9 +78,13 @@ struct ScenePasses {
           Overlay::kGoalPoses, Overlay::kReach, Overlay::kGrasp}) {
       const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
       shown->whichChild = SO_SWITCH_ALL;
-      solids->addChild(shown.get());
+      drawings->addChild(shown.get());
       overlays.emplace(overlay, shown);
     }
+    for (const Overlay overlay : kStillOverlays) {
+      still_drawings->addChild(overlays.at(overlay).get());
+    }
+    prepare_lamp();
     solid_content->renderCaching = SoSeparator::OFF;
     floor->addChild(floor_content.get());
     floor_content->whichChild = SO_SWITCH_ALL;
@@ -86,6 +98,17 @@ struct ScenePasses {
     if (const float value = fine ? 1.0F : 0.5F; detail->value.getValue() != value) {
       detail->value = value;
     }
+  }
+
+  void prepare_lamp() const {
+    auto* unlit = new SoLightModel;
+    unlit->model = SoLightModel::BASE_COLOR;
+    lamp_view->renderCaching = SoSeparator::OFF;
+    shadow_casters->renderCaching = SoSeparator::OFF;
+    lamp_view->addChild(lamp.get());
+    lamp_view->addChild(unlit);
+    lamp_view->addChild(detail.get());
+    lamp_view->addChild(shadow_casters.get());
   }
 
   void prepare(SoSeparator* root) const {

@@ -1,7 +1,9 @@
 #include "view3d/scene_pictures.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "view3d/coin_conversions.h"
 #include "view3d/scene_graph.h"
+#include "view3d/scene_shading.h"
 
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/SoDB.h>
@@ -46,6 +48,7 @@ ScenePictures::ScenePictures(const std::shared_ptr<const geometric::Scene>& scen
   }
   graph_ = std::make_unique<SceneGraph>();
   action_ = std::make_unique<SoGLRenderAction>(SbViewportRegion());
+  shading_ = std::make_unique<SceneShading>(*graph_);
   graph_->set_scene(scene);
   graph_->set_floor_visible(false);
   graph_->show_ghosts(false, false);
@@ -56,6 +59,7 @@ ScenePictures::~ScenePictures() {
   drop_fence();
   drawn_.reset();
   resolved_.reset();
+  shading_.reset();
   action_.reset();
   graph_.reset();
   context_->doneCurrent();
@@ -101,10 +105,13 @@ void ScenePictures::begin(const geometric::Configuration& q, const OrbitCamera& 
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   graph_->set_configuration(q);
   action_->invalidateState();
-  action_->setViewportRegion(
-      SbViewportRegion(static_cast<short>(drawn_->width()), static_cast<short>(drawn_->height())));
+  action_->setViewportRegion(viewport_of(drawn_->size()));
   graph_->aim(camera, static_cast<double>(size.width()) / size.height());
-  graph_->render(*action_);
+  graph_->render_bodies(*action_);
+  shading_->shade(*action_, camera, drawn_->size(), drawn_->handle());
+  action_->setViewportRegion(viewport_of(drawn_->size()));
+  graph_->render_drawings(*action_);
+  graph_->render_ghosts(*action_);
   drawn_->release();
   is_resolved_ = false;
   set_fence();

@@ -19,6 +19,7 @@ class SoGLRenderAction;
 namespace handway::gui {
 
 class SceneGraph;
+class SceneShading;
 
 /// Takes pictures of a scene without a window, on white and without a floor. Needs a display
 /// that OpenGL can draw for, and a QGuiApplication.
@@ -57,6 +58,7 @@ class ScenePictures {
   std::unique_ptr<QOffscreenSurface> surface_;
   std::unique_ptr<QOpenGLContext> context_;
   std::unique_ptr<SceneGraph> graph_;
+  std::unique_ptr<SceneShading> shading_;
   std::unique_ptr<SoGLRenderAction> action_;
   std::unique_ptr<QOpenGLFramebufferObject> drawn_;     ///< With several samples a pixel.
   std::unique_ptr<QOpenGLFramebufferObject> resolved_;  ///< With one.

@@ -1,5 +1,6 @@
 #include "view3d/scene_view.h"
 
+#include "handway/geometric/setup/placing.h"
 #include "view3d/body_meshes.h"
 #include "view3d/grasp_drawings.h"
 #include "view3d/orientation_cube.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 /// Mouse and keyboard handling of the 3-D view.
 
@@ -47,8 +49,10 @@ void FramePacer::note_painted() {
 namespace {
 
 constexpr int kSettleMs = 150;
-constexpr int kCubeMargin = 10;     // px
-constexpr double kCubeTurns = 0.8;  // as if the cube's corner were so much of the view's height
+constexpr int kClickReach = 4;       // px: shorter drags are clicks
+constexpr double kSnapReach = 0.15;  // of an arrow's length
+constexpr int kCubeMargin = 10;      // px
+constexpr double kCubeTurns = 0.8;   // as if the cube's corner were so much of the view's height
 
 }  // namespace
 
@@ -161,6 +165,7 @@ void SceneView::set_collisions(std::vector<std::string> bodies) {
 }
 
 void SceneView::set_selection(const Selection& selection) {
+  selection_ = selection;
   graph_->set_selection(selection);
   change();
 }
@@ -170,8 +175,9 @@ void SceneView::preview(const SceneItem& item, const geometric::Pose& X_WO) {
   change();
 }
 
-void SceneView::set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO) {
-  gizmo_.set_target(item, X_WO);
+void SceneView::set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO,
+                          const Eigen::Vector3d& p_O) {
+  gizmo_.set_target(item, X_WO, p_O);
   pacer_.request();
 }
 
@@ -180,6 +186,8 @@ void SceneView::set_handles(const Drawing& handles) {
   graph_->set_handles(handles);
   pacer_.request();
 }
+
+const QString& SceneView::note() const { return overlay_->note(); }
 
 void SceneView::set_note(const QString& note, const QPoint& place) {
   overlay_->set_note(note, place);
@@ -301,6 +309,11 @@ void SceneView::set_samples(int samples) {
   pacer_.request();
 }
 
+void SceneView::set_shadows(bool shadows) {
+  has_shadows_ = shadows;
+  change();
+}
+
 void SceneView::show_all() { fly_around(graph_->all_points()); }
 
 void SceneView::show_selection() {
@@ -355,14 +368,20 @@ double SceneView::aspect() const {
   return static_cast<double>(std::max(width(), 1)) / std::max(height(), 1);
 }
 
-std::optional<SceneHit> SceneView::pick_at(const QPoint& position) {
-  const double dpr = devicePixelRatioF();
+SbVec2s SceneView::viewport() const {
   const QSize pixels = pixel_size();
+  return {static_cast<short>(pixels.width()), static_cast<short>(pixels.height())};
+}
+
+SbVec2s SceneView::pixel_at(const QPoint& position) const {
+  const double dpr = devicePixelRatioF();
+  return {static_cast<short>(position.x() * dpr),
+          static_cast<short>((height() - 1 - position.y()) * dpr)};
+}
+
+std::optional<SceneHit> SceneView::pick_at(const QPoint& position) {
   graph_->aim(camera_, aspect());  // the last picture may be older
-  return graph_->pick(
-      SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
-      SbVec2s(static_cast<short>(position.x() * dpr),
-              static_cast<short>((height() - 1 - position.y()) * dpr)));
+  return graph_->pick(viewport(), pixel_at(position));
 }
 
 void SceneView::initializeGL() { painter_ = std::make_unique<ScenePainter>(*graph_); }
@@ -400,7 +419,7 @@ void SceneView::paintGL() {
   pacer_.note_painted();
   update_gizmo();
   painter_->paint({pixel_size(), devicePixelRatioF(), camera_, colors_,
-                   gizmo_.is_shown() || has_handles_, samples_},
+                   gizmo_.is_shown() || has_handles_, samples_, has_shadows_},
                   settle_.isActive(), defaultFramebufferObject());
   glFinish();
   frame_time_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
@@ -422,14 +441,23 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   drag_has_ended_ = false;
   flight_.stop();
   const bool plain = event->button() == Qt::LeftButton && !(event->modifiers() & Qt::ShiftModifier);
-  if (plain && gizmo_.is_shown() && gizmo_.press(camera_, size(), event->pos())) {
+  if (!plain || !gizmo_.is_shown()) {
+    return;
+  }
+  if (gizmo_.press(camera_, size(), event->pos())) {
     pacer_.request();
+  } else if (can_carry_from(event->pos())) {
+    begin_to_carry(event->pos());
   }
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   const QPoint moved = event->pos() - last_position_;
   last_position_ = event->pos();
+  if (gizmo_.is_carrying()) {
+    carry(event->pos(), event->modifiers());
+    return;
+  }
   if (gizmo_.is_dragging()) {
     drag_gizmo(event->pos(), event->modifiers());
     return;
@@ -439,9 +467,11 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
   }
   if (!event->buttons()) {
     if (gizmo_.hover(camera_, size(), event->pos())) {
-      setCursor(gizmo_.hot() ? Qt::PointingHandCursor : Qt::ArrowCursor);
       pacer_.request();
     }
+    setCursor(gizmo_.hot()                   ? Qt::PointingHandCursor
+              : can_carry_from(event->pos()) ? Qt::SizeAllCursor
+                                             : Qt::ArrowCursor);
     return;
   }
   if (moved.isNull()) {
@@ -455,12 +485,13 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (gizmo_.is_dragging() && event->button() == Qt::LeftButton) {
+    const bool is_click = gizmo_.is_carrying() && !carried_.has_moved;
     end_drag();
-    if (!(event->modifiers() & Qt::ControlModifier)) {
+    if (!is_click && !(event->modifiers() & Qt::ControlModifier)) {
       return;  // with it, a click on a handle means what is behind
     }
   }
-  const bool still = (event->pos() - press_position_).manhattanLength() < 4;
+  const bool still = (event->pos() - press_position_).manhattanLength() < kClickReach;
   const bool is_click = still && !std::exchange(drag_has_ended_, false);
   if (!is_click || (event->button() != Qt::LeftButton && event->button() != Qt::RightButton)) {
     return;
@@ -553,15 +584,71 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneView::drag_gizmo(const QPoint& position, Qt::KeyboardModifiers modifiers) {
-  constexpr double kReach = 0.15;  // of an arrow's length
   if (gizmo_.has_typed()) {
     return;
   }
   geometric::Pose X_WO = gizmo_.drag(camera_, size(), position, modifiers & Qt::ControlModifier);
   if ((modifiers & Qt::ShiftModifier) && face_snap_) {
-    X_WO = gizmo_.shift(face_snap_(X_WO, kReach * gizmo_.frame(camera_, size()).size));
+    X_WO = gizmo_.shift(face_snap_(X_WO, kSnapReach * gizmo_.frame(camera_, size()).size));
   }
   show_drag(X_WO);
+}
+
+bool SceneView::can_carry_from(const QPoint& position) {
+  const SceneItem::Kind kind = gizmo_.item().kind;
+  if (!gizmo_.is_shown() ||
+      (kind != SceneItem::Kind::kObject && kind != SceneItem::Kind::kSeveral) ||
+      !graph_->stand_in_world(selection_.objects)) {
+    return false;
+  }
+  const auto hit = pick_at(position);
+  return hit && hit->item.kind == SceneItem::Kind::kObject &&
+         std::ranges::count(selection_.objects, hit->item.name) > 0;
+}
+
+namespace {
+
+constexpr double kLevel = 0.7;  // least upward part of the normal of what things can stand on
+
+std::optional<Eigen::Vector3d> at_height(const Ray& ray, double height) {
+  const double along = (height - ray.origin.z()) / ray.direction.z();
+  return ray.direction.z() < -1e-3 && along > 0.0
+             ? std::optional<Eigen::Vector3d>(ray.origin + along * ray.direction)
+             : std::nullopt;
+}
+
+}  // namespace
+
+void SceneView::begin_to_carry(const QPoint& position) {
+  double underside = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& corner : graph_->selected_points()) {
+    underside = std::min(underside, corner.z());
+  }
+  if (const auto held = at_height(ray_through(camera_, size(), position), underside)) {
+    carried_ = {*held, underside};
+    gizmo_.press_body(camera_, size(), position);
+  }
+}
+
+void SceneView::carry(const QPoint& position, Qt::KeyboardModifiers modifiers) {
+  carried_.has_moved |= (position - press_position_).manhattanLength() >= kClickReach;
+  if (!carried_.has_moved || gizmo_.has_typed()) {
+    return;
+  }
+  graph_->aim(camera_, aspect());
+  const auto surface = graph_->surface_behind(viewport(), pixel_at(position), selection_.objects);
+  if (!surface) {
+    carried_.height = 0.0;
+  } else if (surface->normal.z() > kLevel) {
+    carried_.height = surface->point.z() + geometric::kRestingGap;
+  }
+  if (const auto place = at_height(ray_through(camera_, size(), position), carried_.height)) {
+    geometric::Pose X_WO = gizmo_.carry(*place - carried_.held, modifiers & Qt::ControlModifier);
+    if ((modifiers & Qt::ShiftModifier) && face_snap_) {
+      X_WO = gizmo_.shift(face_snap_(X_WO, kSnapReach * gizmo_.frame(camera_, size()).size));
+    }
+    show_drag(X_WO);
+  }
 }
 
 void SceneView::show_drag(const geometric::Pose& X_WO) {

@@ -84,11 +84,15 @@ class SceneView : public QOpenGLWidget {
   /// Shows an object or a robot's base elsewhere, until the scene changes.
   void preview(const SceneItem& item, const geometric::Pose& X_WO);
   /// Shows handles on an object or a robot. @param X_WO nothing: no handles.
-  void set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO);
+  /// @param p_O centre of the handles in the item's frame, m.
+  void set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO,
+                 const Eigen::Vector3d& p_O = Eigen::Vector3d::Zero());
   /// Draws other handles in place of the gizmo, and in front of everything; null: none.
   void set_handles(const Drawing& handles);
   /// A few words beside a place in the view; empty: none.
   void set_note(const QString& note, const QPoint& place);
+  /// Returns the words beside the pointer; empty: none.
+  [[nodiscard]] const QString& note() const;
   /// Words beside the pointer while the gizmo's target is dragged, after how far it has gone.
   void add_to_note(const QString& words);
   /// Handles along the target's own axes, or the world's.
@@ -127,6 +131,8 @@ class SceneView : public QOpenGLWidget {
   void set_cube_visible(bool visible);
   /// @param samples for each pixel of a picture that stands; 0: edges are not smooth.
   void set_samples(int samples);
+  /// Draws shadows and darkened corners in pictures that stand.
+  void set_shadows(bool shadows);
   /// Paints every picture finely, also while something moves.
   void set_always_fine(bool always) { always_fine_ = always; }
   /// @param frames at most a second; 0: as many as can be had.
@@ -196,6 +202,13 @@ class SceneView : public QOpenGLWidget {
   void draw_fast();
   void update_gizmo();
   void drag_gizmo(const QPoint& position, Qt::KeyboardModifiers modifiers);
+  /// Returns whether a drag from here carries the selected objects: they are fixed to the world.
+  [[nodiscard]] bool can_carry_from(const QPoint& position);
+  void begin_to_carry(const QPoint& position);
+  /// Carries them along the surface under the pointer.
+  void carry(const QPoint& position, Qt::KeyboardModifiers modifiers);
+  [[nodiscard]] SbVec2s viewport() const;
+  [[nodiscard]] SbVec2s pixel_at(const QPoint& position) const;
   void show_drag(const geometric::Pose& X_WO);
   void end_drag();
   void cancel_drag();
@@ -213,6 +226,14 @@ class SceneView : public QOpenGLWidget {
   Navigation navigation_;
   OrbitCamera camera_;
   ViewGizmo gizmo_;
+  Selection selection_;
+  /// Objects that are carried. World, m.
+  struct Carried {
+    Eigen::Vector3d held;  ///< Point of the underside's plane under the pointer, when grabbed.
+    double height;         ///< Height of the last surface below them.
+    bool has_moved = false;
+  };
+  Carried carried_;
   QVariantAnimation flight_;
   QTimer settle_;
   std::vector<std::string> colliding_;
@@ -222,6 +243,7 @@ class SceneView : public QOpenGLWidget {
   QPoint last_position_;
   double frame_time_ms_ = 0.0;
   int samples_ = 4;
+  bool has_shadows_ = true;
   bool always_fine_ = false;
   bool has_handles_ = false;
   bool drag_has_ended_ = false;  ///< With the button still down.

@@ -13,7 +13,7 @@ namespace {
 
 using geometric::Pose;
 
-constexpr double kPixels = 92.0;  // an arrow's length
+constexpr double kPixels = 76.0;  // an arrow's length
 
 constexpr double kFarBack = 12.0;  // m: where parallel rays begin
 
@@ -41,20 +41,22 @@ QPointF place_of(const OrbitCamera& camera, const QSize& size, const Eigen::Vect
   return {0.5 * size.width() + unit * p.x(), 0.5 * size.height() - unit * p.y()};
 }
 
-void ViewGizmo::set_target(const SceneItem& item, const std::optional<Pose>& X_WO) {
+void ViewGizmo::set_target(const SceneItem& item, const std::optional<Pose>& X_WO,
+                           const Eigen::Vector3d& p_O) {
   if (!drag_) {
     if (!(item == item_)) {
       hot_.reset();
     }
     item_ = item;
     X_WO_ = X_WO;
+    p_O_ = p_O;
   }
 }
 
 GizmoFrame ViewGizmo::frame(const OrbitCamera& camera, const QSize& size) const {
   GizmoFrame frame;
   if (X_WO_) {
-    frame.centre = X_WO_->translation();
+    frame.centre = *X_WO_ * p_O_;
     if (local_) {
       frame.axes = X_WO_->linear();
     }
@@ -81,6 +83,20 @@ bool ViewGizmo::press(const OrbitCamera& camera, const QSize& size, const QPoint
     typed_axis_ = drag_->is_free(0) ? 0 : drag_->is_free(1) ? 1 : 2;
   }
   return drag_.has_value();
+}
+
+void ViewGizmo::press_body(const OrbitCamera& camera, const QSize& size, const QPointF& place) {
+  GizmoFrame world = frame(camera, size);
+  world.axes.setIdentity();
+  hot_ = GizmoHandle{GizmoHandle::Kind::kBody, 2};
+  drag_.emplace(*hot_, world, *X_WO_, ray_through(camera, size, place));
+  typed_ = {};
+  typed_axis_ = 0;
+}
+
+Pose ViewGizmo::carry(const Eigen::Vector3d& amount, bool snap) {
+  X_WO_ = drag_->moved_by(snap ? drag_->snapped(amount) : amount);
+  return *X_WO_;
 }
 
 Pose ViewGizmo::drag(const OrbitCamera& camera, const QSize& size, const QPointF& place,

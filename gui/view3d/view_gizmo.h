@@ -25,8 +25,9 @@ namespace handway::gui {
 /// screen, and turns what the pointer does into poses.
 class ViewGizmo {
  public:
-  /// @param X_WO nothing: no gizmo.
-  void set_target(const SceneItem& item, const std::optional<geometric::Pose>& X_WO);
+  /// @param X_WO nothing: no gizmo. @param p_O its centre in the target's frame, m.
+  void set_target(const SceneItem& item, const std::optional<geometric::Pose>& X_WO,
+                  const Eigen::Vector3d& p_O = Eigen::Vector3d::Zero());
   void set_local(bool local) { local_ = local; }
   [[nodiscard]] const SceneItem& item() const { return item_; }
   [[nodiscard]] bool is_shown() const { return X_WO_.has_value(); }
@@ -40,6 +41,15 @@ class ViewGizmo {
   bool hover(const OrbitCamera& camera, const QSize& size, const QPointF& place);
   /// Grabs the handle at this place, if there is one.
   bool press(const OrbitCamera& camera, const QSize& size, const QPointF& place);
+  /// Grabs the target itself. @pre is_shown().
+  void press_body(const OrbitCamera& camera, const QSize& size, const QPointF& place);
+  /// Returns whether the target itself is held, not a handle.
+  [[nodiscard]] bool is_carrying() const {
+    return drag_ && drag_->handle().kind == GizmoHandle::Kind::kBody;
+  }
+  /// Moves the target that is held along the world's axes, m, from where it was grabbed.
+  /// @param snap horizontally to multiples of 10 mm. @pre is_carrying().
+  geometric::Pose carry(const Eigen::Vector3d& amount, bool snap);
   /// @pre is_dragging(). @returns where the target is now.
   geometric::Pose drag(const OrbitCamera& camera, const QSize& size, const QPointF& place,
                        bool snap);
@@ -61,6 +71,7 @@ class ViewGizmo {
  private:
   SceneItem item_;
   std::optional<geometric::Pose> X_WO_;
+  Eigen::Vector3d p_O_ = Eigen::Vector3d::Zero();  ///< Centre in the target's frame, m.
   std::optional<GizmoHandle> hot_;
   std::optional<GizmoDrag> drag_;
   std::array<QString, 3> typed_;  ///< Along each axis.

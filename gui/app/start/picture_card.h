@@ -13,7 +13,7 @@ class PictureCard : public QAbstractButton {
   Q_OBJECT
 
  public:
-  static constexpr int kWidth = 232;
+  static constexpr int kWidth = 288;
 
   /// @param picture file or resource; without it there is an icon. @param width px.
   PictureCard(const QString& title, const QString& picture, int width = kWidth,

@@ -5,6 +5,7 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
+#include "widgets/forms/arrangement.h"
 
 #include <QFileInfo>
 #include <QGridLayout>
@@ -60,7 +61,8 @@ std::vector<ShippedScene> shipped_scenes() {
 
 namespace {
 
-constexpr int kMostColumns = 3;
+constexpr const char* kTriedScene = "two_cans_on_table";
+constexpr int kMostColumns = 4;
 constexpr int kGap = 16;
 constexpr int kMargin = 24;
 constexpr int kMostRecent = 3;
@@ -102,6 +104,7 @@ void StartPage::refresh() {
   words->setWordWrap(true);
   words->setMaximumWidth(width);
   layout->addWidget(words);
+  add_trial(*layout);
   add_scenes(*layout);
   add_robots(*layout);
   add_recent(*layout);
@@ -128,6 +131,22 @@ void StartPage::resizeEvent(QResizeEvent* event) {
     columns_ = columns;
     refresh();
   }
+}
+
+void StartPage::add_trial(QVBoxLayout& layout) {
+  const std::vector<ShippedScene> scenes = shipped_scenes();
+  const auto tried = std::ranges::find_if(
+      scenes, [](const ShippedScene& scene) { return scene.file.stem() == kTriedScene; });
+  if (tried == scenes.end()) {
+    return;
+  }
+  auto* button = named("start_try", new QPushButton(tr("Try it")));
+  button->setProperty("role", "primary");
+  button->setToolTip(tr("Open \"%1\", plan a motion and play it").arg(tried->title));
+  const QString file = QString::fromStdString(tried->file.string());
+  connect(button, &QPushButton::clicked, this, [this, file] { emit try_requested(file); });
+  layout.addSpacing(4);
+  layout.addWidget(button, 0, Qt::AlignLeft);
 }
 
 void StartPage::add_scenes(QVBoxLayout& layout) {

@@ -37,6 +37,8 @@ class StartPage : public ScrollingPage {
 
  signals:
   void open_requested(const QString& file);
+  /// Emitted when a scene is to be opened, planned and played.
+  void try_requested(const QString& file);
   void browse_requested();
   void new_requested(const std::string& robot);
   /// Emitted when an arm and a hand are to be chosen from pictures.
@@ -48,6 +50,7 @@ class StartPage : public ScrollingPage {
   void showEvent(QShowEvent* event) override;
 
  private:
+  void add_trial(QVBoxLayout& layout);
   void add_scenes(QVBoxLayout& layout);
   void add_robots(QVBoxLayout& layout);
   void add_recent(QVBoxLayout& layout);

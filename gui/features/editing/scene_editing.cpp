@@ -28,6 +28,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace handway::gui {
@@ -133,6 +135,16 @@ constexpr std::array<geometric::Color, 6> kNewColors{{{0.36F, 0.56F, 0.80F, 1.0F
                                                       {0.47F, 0.73F, 0.90F, 1.0F},
                                                       {0.83F, 0.80F, 0.36F, 1.0F}}};
 
+// Colours of the objects of the library: wood, lacquer, glass.
+const std::map<std::string, geometric::Color>& library_colors() {
+  static const std::map<std::string, geometric::Color> colors{
+      {"can", {0.80F, 0.16F, 0.14F, 1.0F}},   {"desk", {0.82F, 0.68F, 0.50F, 1.0F}},
+      {"mug", {0.16F, 0.52F, 0.42F, 1.0F}},   {"open_box", {0.60F, 0.70F, 0.80F, 0.5F}},
+      {"shelf", {0.86F, 0.76F, 0.62F, 1.0F}}, {"t_shape", {0.85F, 0.38F, 0.18F, 1.0F}},
+      {"table", {0.72F, 0.56F, 0.38F, 1.0F}}};
+  return colors;
+}
+
 // The first of them that fewest objects have.
 geometric::Color new_color(const geometric::Scene& scene) {
   return *std::ranges::min_element(kNewColors, {}, [&](const geometric::Color& color) {
@@ -207,6 +219,7 @@ void SceneEditing::connect_view() {
                 preview(*state);
               }
               workbench_.session.try_scene(*state);
+              show_overlaps(*state);
             }
           });
   connect(&view_, &SceneView::context_requested, this, &SceneEditing::show_context_menu);
@@ -350,14 +363,26 @@ void SceneEditing::update_gizmo() {
   const SceneItem item =
       editor_.has_several() ? SceneItem{SceneItem::Kind::kSeveral, "", ""} : editor_.selection();
   const bool resizes = resize_.update();
-  view_.set_gizmo(item, has_handles_ && movable && !hidden && !resizes ? editor_.selected_pose()
-                                                                       : std::nullopt);
+  const auto X_WO =
+      has_handles_ && movable && !hidden && !resizes ? editor_.selected_pose() : std::nullopt;
+  const geometric::SceneObject* object = editor_.selected_object();
+  view_.set_gizmo(item, X_WO,
+                  object && !editor_.has_several()
+                      ? geometric::bounding_box(*geometric::tessellate(object->shape)).centre()
+                      : Eigen::Vector3d::Zero().eval());
 }
 
 void SceneEditing::preview(const planning::SceneState& state) {
   for (const std::string& name : editor_.changeable()) {
     view_.preview(object_item(name),
                   object_pose(*state.scene, document_.configuration(), *state.find(name)));
+  }
+}
+
+void SceneEditing::show_overlaps(const planning::SceneState& state) {
+  const planning::ObjectNames others = planning::sunk_into(*state.scene, editor_.changeable());
+  if (!others.empty()) {
+    view_.add_to_note(tr("overlaps %1").arg(SceneEditor::words_for(others)));
   }
 }
 
@@ -402,7 +427,11 @@ void SceneEditing::import_mesh(const QString& file) {
   mesh.triangles = geometric::read_mesh(mesh.file);
   Eigen::Matrix3d R_WO = Eigen::Matrix3d::Identity();
   bool is_hollow = false;
-  if (mesh.file.parent_path() != geometric::resource_dir() / "objects") {  // those are known
+  geometric::Color color = new_color(*document_.scene());
+  if (mesh.file.parent_path() == geometric::resource_dir() / "objects") {
+    const auto own = library_colors().find(mesh.file.stem().string());
+    color = own == library_colors().end() ? color : own->second;
+  } else {
     const bool knows_units = geometric::has_extension(mesh.file, ".dae") ||
                              geometric::has_extension(mesh.file, ".glb") ||
                              geometric::has_extension(mesh.file, ".gltf");
@@ -417,12 +446,12 @@ void SceneEditing::import_mesh(const QString& file) {
   geometric::Pose X_WO = geometric::Pose::Identity();
   X_WO.linear() = R_WO;
   if (is_hollow) {
-    editor_.add_room(mesh.file.stem().string(), mesh, new_color(*document_.scene()), X_WO);
+    editor_.add_room(mesh.file.stem().string(), mesh, color, X_WO);
     return;
   }
   const Eigen::Vector3d size =
       geometric::bounding_box(geometric::transformed(*mesh.triangles, X_WO)).size();
-  editor_.add(mesh.file.stem().string(), mesh, new_color(*document_.scene()),
+  editor_.add(mesh.file.stem().string(), mesh, color,
               editor_.place_for(size, view_.place_for_new()), R_WO);
   view_.keep_selection_in_view();
 }

@@ -81,6 +81,8 @@ class SceneEditing : public QObject {
   void show_edit(const planning::SceneState& before);
   void update_gizmo();
   void preview(const planning::SceneState& state);
+  /// Shows beside the pointer which objects the dragged ones overlap.
+  void show_overlaps(const planning::SceneState& state);
   void attach(const std::string& robot, const std::string& link);
   /// @throws InputError if the mesh can't be read.
   void import_mesh(const QString& file);

@@ -4,7 +4,6 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/style/menu_text.h"
 
-#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 
@@ -21,7 +20,7 @@ GroupChoice::GroupChoice(SceneEditor& editor, QWidget* parent)
   button_->setAccessibleName(tr("What moves"));
   button_->setMenu(menu_);
   button_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  lay_out(*this, in_row({new QLabel(tr("Moves")), {button_, 1}}));
+  lay_out(*this, in_row({{button_, 1}}));
   connect(menu_, &QMenu::aboutToShow, this, &GroupChoice::fill_menu);
   connect(&editor_.document(), &Document::opened, this, &GroupChoice::show_scene);
   connect(&editor_.document(), &Document::edited, this, &GroupChoice::show_scene);

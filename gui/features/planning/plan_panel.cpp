@@ -4,6 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "model/planning/planning_session.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/disclosure.h"
 #include "widgets/forms/parameter_form.h"
 #include "widgets/forms/typed_input.h"
 #include "widgets/panels/dock_layout.h"
@@ -32,6 +33,13 @@ namespace {
 constexpr int kPlannersSeen = 14;  // of a list that may have dozens
 constexpr int kClockMs = 100;
 
+QFormLayout* make_form() {
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(10);
+  form->setVerticalSpacing(6);
+  return form;
+}
+
 }  // namespace
 
 PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
@@ -50,6 +58,7 @@ PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
       reset_(named("reset_parameters", new QPushButton(tr("Reset")))),
       form_place_(new QVBoxLayout),
       sections_(new QVBoxLayout),
+      usual_(make_form()),
       plan_(named("plan", new QPushButton(tr("Plan")))),
       cancel_(named("cancel", new QPushButton(tr("Cancel")))),
       optimizing_(new QWidget),
@@ -60,7 +69,7 @@ PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
       validity_(named("path_validity", new QLabel)),
       result_(named("result", new QLabel)),
       all_runs_(named("all_runs", new QPushButton(tr("All runs")))) {
-  lay_out(*this, in_column({make_actions(), {make_settings(), 1}, make_results()}, 0));
+  lay_out(*this, in_column({make_actions(), make_results(), {make_settings(), 1}}, 0));
 
   const planning::PlannerRegistry& registry = settings_.registry();
   for (const std::string& name : registry.names()) {
@@ -123,7 +132,10 @@ void PlanPanel::follow(PlanningSession& session) {
   connect(this, &PlanPanel::plan_requested, &session, &PlanningSession::start);
   connect(this, &PlanPanel::optimize_requested, &session, &PlanningSession::optimize);
   connect(this, &PlanPanel::cancel_requested, &session, &PlanningSession::cancel);
-  connect(&session, &PlanningSession::forgotten, result_, &QLabel::clear);
+  connect(&session, &PlanningSession::forgotten, this, [this] {
+    shown_.reset();
+    result_->clear();
+  });
   connect(&session, &PlanningSession::started, this, &PlanPanel::show_running);
   connect(&session, &PlanningSession::progressed, this, &PlanPanel::show_progress);
   connect(&session, &PlanningSession::seeds_done, this, &PlanPanel::show_seeds);
@@ -131,9 +143,23 @@ void PlanPanel::follow(PlanningSession& session) {
   connect(&session, &PlanningSession::optimized_further, this, &PlanPanel::show_optimize_progress);
   connect(&session, &PlanningSession::result_found, this, &PlanPanel::show_result);
   connect(&session, &PlanningSession::replanned, this, &PlanPanel::show_replanned);
-  connect(&session, &PlanningSession::path_opened, result_,
-          [this](const QString& note) { result_->setText(note.toHtmlEscaped()); });
+  connect(&session, &PlanningSession::path_opened, this, [this](const QString& note) {
+    shown_.reset();
+    result_->setText(note.toHtmlEscaped());
+  });
   connect(&session, &PlanningSession::failed, this, &PlanPanel::show_failure);
+}
+
+void PlanPanel::follow(const PathHistory& history) {
+  connect(&history, &PathHistory::changed, this, [this, &history] {
+    for (const PathRecord& record : history.records()) {
+      if (shown_ && record.figures && record.is_solved() &&
+          same_path(record.run->result.path, shown_->result.path)) {
+        result_->setText(result_text(shown_->result, shown_->note, record.figures));
+        return;
+      }
+    }
+  });
 }
 
 QWidget* PlanPanel::make_settings() {
@@ -158,23 +184,24 @@ QWidget* PlanPanel::make_settings() {
 
   reset_->setToolTip(tr("Reset every parameter to its value in the preset"));
 
-  auto* form = new QFormLayout;
-  auto* box =
-      boxed(in_column({form, in_row({heading(tr("Parameters")), modified_, room(1), reset_}),
-                       presets_, form_place_, sections_, room()},
-                      8),
-            {12, 10, 12, 8});
-  form->setHorizontalSpacing(10);
-  form->setVerticalSpacing(6);
-  form->addRow(heading(tr("Planner")));
-  form->addRow(planners_);
-  form->addRow(description_);
+  usual_->addRow(tr("Planner"), planners_);
+  usual_->addRow(description_);
+  usual_->addRow(tr("Preset"), presets_);
+  usual_->addRow(tr("Seeds"), make_seeds());
+  usual_->addRow(tr("Margin"), margin_);
+  return new PanelArea(boxed(
+      in_column({usual_, new Disclosure("advanced", tr("Advanced"), make_advanced()), room()}, 8),
+      {12, 10, 12, 8}));
+}
+
+QWidget* PlanPanel::make_advanced() {
+  auto* form = make_form();
   form->addRow(tr("Seed"), seed_);
-  form->addRow(tr("Seeds"), make_seeds());
   form->addRow(tr("Time limit"), time_limit_);
-  form->addRow(tr("Margin"), margin_);
   form->addRow(tr("Threads"), threads_);
-  return new PanelArea(box);
+  return boxed(in_column({form, in_row({heading(tr("Parameters")), modified_, room(1), reset_}),
+                          form_place_, sections_},
+                         8));
 }
 
 QWidget* PlanPanel::make_seeds() {
@@ -196,11 +223,9 @@ QWidget* PlanPanel::make_actions() {
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
-  for (QWidget* shown_at_times : {static_cast<QWidget*>(progress_), optimizing_}) {
-    QSizePolicy keeps_room = shown_at_times->sizePolicy();
-    keeps_room.setRetainSizeWhenHidden(true);
-    shown_at_times->setSizePolicy(keeps_room);
-  }
+  QSizePolicy keeps_room = progress_->sizePolicy();
+  keeps_room.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(keeps_room);
   return boxed(in_column({in_row({{plan_, 2}, {cancel_, 1}}, 8), make_optimizing(), progress_}, 8),
                {12, 12, 12, 0});
 }
@@ -220,7 +245,7 @@ QWidget* PlanPanel::make_results() {
   connect(all_runs_, &QPushButton::clicked, this, &PlanPanel::runs_requested);
   missing_->setWordWrap(true);
   return boxed(in_column({missing_, validity_, result_, {all_runs_, 0, Qt::AlignLeft}}, 8),
-               {12, 8, 12, 12});
+               {12, 4, 12, 0});
 }
 
 QWidget* PlanPanel::make_optimizing() {
@@ -286,6 +311,8 @@ void PlanPanel::enter(const char* key, double value) {
   }
 }
 
+void PlanPanel::add_row(const QString& label, QWidget* row) { usual_->addRow(label, row); }
+
 void PlanPanel::add_section(QWidget* section) { sections_->addWidget(section); }
 
 void PlanPanel::show_whether_several() {
@@ -332,6 +359,7 @@ void PlanPanel::show_optimize_progress(const OptimizeProgress& progress) {
 }
 
 void PlanPanel::begin_run() {
+  shown_.reset();
   since_start_.start();
   clock_.start();
   plan_->setEnabled(false);
@@ -396,10 +424,12 @@ void PlanPanel::show_seeds(int done, int solved) {
 void PlanPanel::show_result(const planning::PlanResult& result, const QString& note) {
   end_run();
   result_->setText(result_text(result, note));
+  shown_ = Shown{result, note};
   all_runs_->setVisible(true);
 }
 
 void PlanPanel::show_replanned(const planning::PlanResult& result, const QString& origin) {
+  shown_.reset();
   result_->setText(replanned_text(result, origin));
 }
 
@@ -410,6 +440,7 @@ void PlanPanel::show_validity(const QString& reason) {
 
 void PlanPanel::show_failure(const QString& message) {
   end_run();
+  shown_.reset();
   result_->setText(failure_text(message));
 }
 

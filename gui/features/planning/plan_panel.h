@@ -9,6 +9,7 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -31,12 +32,16 @@ class PlanPanel : public QWidget {
 
   /// Shows how the session's runs go, and starts and stops them.
   void follow(PlanningSession& session);
+  /// Adds the figures of a result's motion, once they are known. @param history outlives the panel.
+  void follow(const PathHistory& history);
   /// Greys out the planners that need what the scene has not.
   void show_planners_that_serve(bool has_basis);
   /// Enters a number into the field of a parameter, if the planner has one of that name and
   /// does not run.
   void enter(const char* key, double value);
-  /// Adds a section below the parameters.
+  /// Adds a row below the usual settings.
+  void add_row(const QString& label, QWidget* row);
+  /// Adds a section below the parameters, among the advanced settings.
   void add_section(QWidget* section);
   /// Shows the reason why the path is not valid in the present scene; empty: it is valid.
   void show_validity(const QString& reason);
@@ -55,6 +60,7 @@ class PlanPanel : public QWidget {
 
  private:
   QWidget* make_settings();
+  QWidget* make_advanced();
   QWidget* make_seeds();
   QWidget* make_actions();
   QWidget* make_results();
@@ -99,6 +105,7 @@ class PlanPanel : public QWidget {
   QPushButton* reset_;
   QVBoxLayout* form_place_;
   QVBoxLayout* sections_;
+  QFormLayout* usual_;
   ParameterForm* form_ = nullptr;  ///< Form of the chosen planner, or null.
   QPushButton* plan_;
   QPushButton* cancel_;
@@ -110,7 +117,13 @@ class PlanPanel : public QWidget {
   QLabel* validity_;
   QLabel* result_;
   QPushButton* all_runs_;
-  QString activity_;  ///< Activity of the running planner, or empty.
+  /// The result that is shown, and the note before it.
+  struct Shown {
+    planning::PlanResult result;
+    QString note;
+  };
+  std::optional<Shown> shown_;  ///< Empty while a planner runs, and for other texts.
+  QString activity_;            ///< Activity of the running planner, or empty.
   QElapsedTimer since_start_;
   QTimer clock_;
   bool ready_ = false;

@@ -164,6 +164,7 @@ void add_planning(Workbench& workbench) {
   auto* panel = new PlanPanel(workbench.plan_settings);
   workbench.add_dock(DockArea::kControl, 0, {"plan", QObject::tr("Plan"), panel});
   panel->follow(workbench.session);
+  panel->follow(workbench.history);
   auto& settings = workbench.own<SettingsHistory>(workbench.plan_settings, workbench.editor);
   QObject::connect(&workbench, &Workbench::ready, &settings, &SettingsHistory::begin);
   auto& collisions = workbench.own<CollisionDisplay>(workbench.collisions, workbench.view);
@@ -174,7 +175,7 @@ void add_planning(Workbench& workbench) {
                    [&workbench](const QString& message) {
                      workbench.log.add(LogPanel::Level::kError, message);
                    });
-  panel->add_section(new GroupChoice(workbench.editor));
+  panel->add_row(PlanPanel::tr("Moves"), new GroupChoice(workbench.editor));
   workbench.own<RegionTool>(workbench.document, workbench.plan_settings, *panel, workbench.view);
   auto& projection = workbench.own<ProjectionTool>(workbench.document, workbench.player);
   workbench.add_dock(DockArea::kBelow, 3,

@@ -107,6 +107,8 @@ void PreferencesDialog::add_view(QFormLayout& form) {
   add_choice<int>(form, "frame_limit", tr("Frames per second"),
                   {{tr("At most 30"), 30}, {tr("At most 60"), 60}, {tr("No limit"), 0}},
                   [](Values& values) -> int& { return values.frame_limit; });
+  add_switch(form, "shadows", tr("Shadows"),
+             [](Values& values) -> bool& { return values.shadows; });
   add_switch(form, "show_floor", tr("Floor grid"),
              [](Values& values) -> bool& { return values.floor; });
   add_switch(form, "show_cube", tr("Orientation cube"),

@@ -112,6 +112,7 @@ void visit(Visitor&& visitor, Values& values) {
   visitor.flag("view/floor", values.floor);
   visitor.flag("view/cube", values.cube);
   visitor.number("view/samples", values.samples, 0, 8);
+  visitor.flag("view/shadows", values.shadows);
   visitor.flag("view/always_fine", values.always_fine);
   visitor.number("view/frame_limit", values.frame_limit, 0, 1000);
   visitor.text("planning/planner", values.planner);

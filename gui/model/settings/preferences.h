@@ -42,6 +42,7 @@ struct PreferenceValues {
   bool floor = true;         ///< Show the floor grid,
   bool cube = true;          ///< and the orientation cube.
   int samples = 4;           ///< For each pixel of a picture that stands; 0: edges are not smooth.
+  bool shadows = true;       ///< Shadows and darkened corners, in pictures that stand.
   bool always_fine = false;  ///< Smooth edges and all triangles also while something moves.
   int frame_limit = 60;      ///< Pictures at most a second; 0: as many as can be had.
 

@@ -1,7 +1,9 @@
 #include "widgets/forms/file_dialogs.h"
 
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QRegularExpression>
+#include <QTimer>
 
 namespace handway::gui {
 
@@ -16,6 +18,13 @@ QString ask_where_to_save(QWidget* parent, const QString& title, const QString& 
   QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, take_type);
   take_type(dialog.selectedNameFilter());
   dialog.selectFile(name);
+  // Typing then replaces the name alone. The desktop's own dialogs do so by themselves.
+  QTimer::singleShot(0, &dialog, [&dialog] {
+    if (auto* edit = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))) {
+      const int ending = edit->text().lastIndexOf(QLatin1Char('.'));
+      edit->setSelection(0, ending > 0 ? ending : edit->text().size());
+    }
+  });
   return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 

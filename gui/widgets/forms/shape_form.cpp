@@ -1,5 +1,7 @@
 #include "widgets/forms/shape_form.h"
 
+#include "handway/geometric/math/units.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/planning/edits/resizing.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
@@ -49,7 +51,23 @@ struct Resize {
   void operator()(geometric::Mesh& /*mesh*/) const {}
 };
 
-// A mesh is shown by its file and its size in triangles.
+QString mesh_text(const geometric::Mesh& mesh) {
+  const QString file = mesh.file.empty() ? QObject::tr("made by an importer")
+                                         : QString::fromStdString(mesh.file.filename().string());
+  const std::size_t count = mesh.triangles ? mesh.triangles->triangles.size() : 0;
+  if (count == 0) {
+    return QObject::tr("%1, no triangles").arg(file);
+  }
+  const Eigen::Vector3d size = geometric::bounding_box(*mesh.triangles).size();
+  const auto millimetres = [](double length) {
+    return QString::number(geometric::millimetres(length), 'f', 0);
+  };
+  return QObject::tr("%1: %2 × %3 × %4 mm, %5 triangles")
+      .arg(file, millimetres(size.x()), millimetres(size.y()), millimetres(size.z()))
+      .arg(count);
+}
+
+// A mesh is shown by its file and its size.
 bool has_same_fields(const geometric::Shape& a, const geometric::Shape& b) {
   const auto* one = std::get_if<geometric::Mesh>(&a);
   const auto* other = std::get_if<geometric::Mesh>(&b);
@@ -107,18 +125,15 @@ void ShapeForm::rebuild() {
   }
   fields_.clear();
   scale_ = nullptr;
+  mesh_ = nullptr;
   if (std::holds_alternative<geometric::Box>(shape_)) {
     add_field(tr("Length (x)"), "size_x");
     add_field(tr("Width (y)"), "size_y");
     add_field(tr("Height (z)"), "size_z");
   } else if (const auto* mesh = std::get_if<geometric::Mesh>(&shape_)) {
-    auto* file =
-        note(tr("%1, %2 triangles")
-                 .arg(mesh->file.empty() ? tr("made by an importer")
-                                         : QString::fromStdString(mesh->file.filename().string()),
-                      QString::number(mesh->triangles ? mesh->triangles->triangles.size() : 0)));
-    file->setWordWrap(true);
-    layout_->addRow(file);
+    mesh_ = named("mesh_note", note(mesh_text(*mesh)));
+    mesh_->setWordWrap(true);
+    layout_->addRow(mesh_);
     add_scale();
   } else {
     add_field(tr("Radius"), "size_radius");
@@ -138,6 +153,9 @@ void ShapeForm::show_shape(const geometric::Shape& shape) {
   const Values values = std::visit(Measures{}, shape);
   for (std::size_t i = 0; i < values.size(); ++i) {
     fields_[i]->show_quantity(values[i]);
+  }
+  if (mesh_) {
+    mesh_->setText(mesh_text(std::get<geometric::Mesh>(shape)));
   }
   if (scale_) {
     show_value(*scale_, std::abs(std::get<geometric::Mesh>(shape).scale.x()));

@@ -8,6 +8,7 @@
 
 class QDoubleSpinBox;
 class QFormLayout;
+class QLabel;
 
 namespace handway::gui {
 
@@ -34,6 +35,7 @@ class ShapeForm : public QWidget {
 
   QFormLayout* layout_;
   std::vector<QuantityField*> fields_;
+  QLabel* mesh_ = nullptr;           ///< File and size of a mesh.
   QDoubleSpinBox* scale_ = nullptr;  ///< Scale of a mesh.
   geometric::Shape shape_;
   bool editable_ = true;

@@ -47,11 +47,11 @@ QString time_text(const PathPlayer& player) {
 PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
     : QWidget(parent),
       player_(player),
-      back_(make_button("step_back", tr("Previous waypoint ([)"))),
+      back_(make_button("step_back", tr("To the start of the path"))),
       frame_back_(make_button("frame_back", tr("Previous frame (,)"))),
       play_(make_button("play", tr("Play or pause the planned path (Space)"))),
       frame_forward_(make_button("frame_forward", tr("Next frame (.)"))),
-      forward_(make_button("step_forward", tr("Next waypoint (])"))),
+      forward_(make_button("step_forward", tr("To the end of the path"))),
       loop_(make_button("loop", tr("Repeat"))),
       reverse_(make_button("reverse", tr("Play backwards"))),
       show_(make_button("traces", tr("Path display"))),
@@ -65,10 +65,8 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
       space_(new QShortcut(Qt::Key_Space, this)) {
   // A shortcut of the button itself would press it twice where it has the focus.
   connect(space_, &QShortcut::activated, play_, &QAbstractButton::click);
-  back_->setShortcut(Qt::Key_BracketLeft);
   frame_back_->setShortcut(Qt::Key_Comma);
   frame_forward_->setShortcut(Qt::Key_Period);
-  forward_->setShortcut(Qt::Key_BracketRight);
   reverse_->setCheckable(true);
   loop_->setCheckable(true);
   loop_->setChecked(true);
@@ -96,13 +94,19 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   above_->addWidget(note_);
   above_->addWidget(time_);
 
-  connect(back_, &QToolButton::clicked, &player_, [this] { player_.step_back(); });
-  connect(forward_, &QToolButton::clicked, &player_, [this] { player_.step_forward(); });
+  connect(back_, &QToolButton::clicked, &player_, [this] { go_to(0.0); });
+  connect(forward_, &QToolButton::clicked, &player_, [this] { go_to(1.0); });
+  connect(new QShortcut(Qt::Key_BracketLeft, this), &QShortcut::activated, &player_,
+          [this] { player_.step_back(); });
+  connect(new QShortcut(Qt::Key_BracketRight, this), &QShortcut::activated, &player_,
+          [this] { player_.step_forward(); });
   connect(frame_back_, &QToolButton::clicked, &player_, [this] { player_.step_frames(-1); });
   connect(frame_forward_, &QToolButton::clicked, &player_, [this] { player_.step_frames(1); });
   connect(reverse_, &QToolButton::toggled, &player_, &PathPlayer::set_backwards);
   connect(play_, &QToolButton::clicked, &player_,
-          [this] { player_.is_playing() ? player_.pause() : player_.play(); });
+          [this] { player_.is_playing() ? player_.pause() : play(); });
+  connect(speed_, qOverload<int>(&QComboBox::activated), this,
+          [this] { has_chosen_speed_ = true; });
   connect(loop_, &QToolButton::toggled, &player_, &PathPlayer::set_loop);
   connect(scrub_, &QSlider::valueChanged, &player_, [this](int step) {
     player_.pause();
@@ -112,10 +116,46 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
           [this] { player_.set_speed(speed_->currentData().toDouble()); });
   connect(&player_, &PathPlayer::moved, this, &PlaybackBar::show_position);
   connect(&player_, &PathPlayer::retimed, this, &PlaybackBar::show_position);
+  connect(&player_, &PathPlayer::retimed, this, [this] {
+    if (player_.is_playing()) {
+      slow_down();  // it began before the times were known
+    }
+  });
   connect(&player_, &PathPlayer::located, this, &PlaybackBar::show_position);
   connect(&player_, &PathPlayer::timeline_changed, this, &PlaybackBar::show_timeline);
   connect(&player_, &PathPlayer::playing_changed, this, &PlaybackBar::refresh_icons);
   show_timeline();
+}
+
+void PlaybackBar::go_to(double fraction) {
+  player_.pause();
+  player_.seek(fraction);
+}
+
+void PlaybackBar::play() {
+  slow_down();
+  player_.play();
+}
+
+// Motions of robots are often over before one has looked at them.
+void PlaybackBar::slow_down() {
+  constexpr double kLeast = 3.0;  // s
+  if (has_chosen_speed_ || player_.times() != PathPlayer::Times::kKnown) {
+    return;
+  }
+  int slowest_needed = speed_->findData(1.0);
+  while (slowest_needed > 0 &&
+         player_.duration() < kLeast * speed_->itemData(slowest_needed).toDouble()) {
+    --slowest_needed;
+  }
+  has_chosen_speed_ = true;
+  if (slowest_needed != speed_->currentIndex()) {
+    speed_->setCurrentIndex(slowest_needed);
+    emit slowed_down(tr("Played at %1 at first, because the motion takes %2 s. The field beside "
+                        "the timeline changes the speed.")
+                         .arg(speed_->currentText())
+                         .arg(player_.duration(), 0, 'f', 2));
+  }
 }
 
 QToolButton* PlaybackBar::make_button(const QString& name, const QString& tip) {

@@ -28,6 +28,8 @@ class PlaybackBar : public QWidget {
   /// @param player outlives the bar.
   explicit PlaybackBar(PathPlayer& player, QWidget* parent = nullptr);
 
+  /// Plays the path; a first motion of less than 3 s slower, unless a speed was chosen.
+  void play();
   /// Menu of the traces of a path.
   [[nodiscard]] QMenu& traces() const { return *traces_; }
   /// A word about what is played; empty: none.
@@ -40,11 +42,17 @@ class PlaybackBar : public QWidget {
   /// Returns the smallest size, without the buttons that can be left out.
   [[nodiscard]] QSize minimumSizeHint() const override;
 
+ signals:
+  /// The first motion was too short to be looked at, and is played slower.
+  void slowed_down(const QString& message);
+
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   QToolButton* make_button(const QString& name, const QString& tip);
+  void go_to(double fraction);
+  void slow_down();
   [[nodiscard]] QList<QToolButton*> buttons() const;
   [[nodiscard]] QList<QToolButton*> spare_buttons() const;
   /// px, with the space before it.
@@ -71,6 +79,7 @@ class PlaybackBar : public QWidget {
   QLabel* time_;
   QComboBox* speed_;
   QShortcut* space_;
+  bool has_chosen_speed_ = false;  ///< The speed is the user's, or was reduced once.
 };
 
 }  // namespace handway::gui

@@ -63,19 +63,19 @@ ResultWords words_of(const planning::PlanResult& result) {
   for (const std::string& sentence : planning::explain_failure(result)) {
     words.paragraphs << QString::fromStdString(sentence);
   }
+  if (result.solved()) {
+    words.figures.emplace_back(
+        QObject::tr("Clearance"),
+        QStringLiteral("≥ %1 mm").arg(geometric::millimetres(result.certificate.min_clearance), 0,
+                                      'f', 2));
+    words.figures.emplace_back(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
+  }
   words.figures.emplace_back(QObject::tr("Planning"), seconds_text(result.time_s));
   if (result.solved() && result.smoothing_s > 0.0) {
     words.figures.emplace_back(QObject::tr("Smoothing"), seconds_text(result.smoothing_s));
   }
   words.figures.emplace_back(QObject::tr("Samples"), count_text(result.statistics.samples));
   words.figures.emplace_back(QObject::tr("Nodes"), count_text(result.statistics.nodes));
-  if (result.solved()) {
-    words.figures.emplace_back(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
-    words.figures.emplace_back(
-        QObject::tr("Clearance"),
-        QStringLiteral("≥ %1 mm").arg(geometric::millimetres(result.certificate.min_clearance), 0,
-                                      'f', 2));
-  }
   for (const planning::OutOfMargin& near : result.out_of_margin) {
     const QString end = near.at_goal ? QObject::tr("goal") : QObject::tr("start");
     words.notes << QObject::tr(
@@ -91,7 +91,8 @@ ResultWords words_of(const planning::PlanResult& result) {
 
 }  // namespace
 
-QString result_text(const planning::PlanResult& result, const QString& note) {
+QString result_text(const planning::PlanResult& result, const QString& note,
+                    const std::optional<PathFigures>& figures) {
   const ThemeColors colors = colors_of(current_theme());
   const ResultWords words = words_of(result);
   QString text = headline(words.headline, result.solved() ? colors.good : colors.bad);
@@ -102,6 +103,12 @@ QString result_text(const planning::PlanResult& result, const QString& note) {
     text += paragraph(sentence);
   }
   text += begin_table();
+  if (figures) {
+    text += row(QObject::tr("Motion"), seconds_text(figures->duration));
+    if (figures->to_subspace) {
+      text += row(QObject::tr("Hand to PMDs"), QString::number(figures->to_subspace->mean, 'f', 3));
+    }
+  }
   for (const auto& [name, value] : words.figures) {
     text += row(name, value);
   }

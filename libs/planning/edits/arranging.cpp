@@ -287,6 +287,34 @@ SceneState dropped(SceneState state, const Configuration& q, const ObjectNames& 
   return state;
 }
 
+ObjectNames sunk_into(const geometric::Scene& scene, const ObjectNames& names) {
+  const auto is_named = [&](const SceneObject& object) {
+    return std::ranges::find(names, object.name) != names.end();
+  };
+  const auto in_world = [](const SceneObject& object) {
+    return transformed(*tessellate(object.shape), object.X_PO);
+  };
+  std::vector<geometric::TriangleMesh> own;
+  for (const SceneObject& object : scene.objects) {
+    if (is_named(object) && !object.attachment) {
+      own.push_back(in_world(object));
+    }
+  }
+  ObjectNames found;
+  for (const SceneObject& object : scene.objects) {
+    if (is_named(object) || object.attachment) {
+      continue;
+    }
+    const geometric::TriangleMesh other = in_world(object);
+    if (std::ranges::any_of(own, [&](const geometric::TriangleMesh& mesh) {
+          return vertical_gap(mesh, other).value_or(0.0) < -kInContact;
+        })) {
+      found.push_back(object.name);
+    }
+  }
+  return found;
+}
+
 double rise_to_clear(const SceneState& state, const ObjectNames& names) {
   const SceneState others = without_objects(state, names);
   double rise = 0.0;

@@ -238,5 +238,95 @@ TEST_F(Pointing, NewObjectsHaveColoursOfTheirOwn) {
   EXPECT_EQ(add("sphere"), second) << "what was undone takes no colour";
 }
 
+/// A small block beside a low table, in an empty corner of the floor.
+class Carrying : public Pointing {
+ protected:
+  void SetUp() override {
+    Pointing::SetUp();
+    if (!IsSkipped()) {
+      view().show_ghosts(false, false);
+      editor().add("table", geometric::Box{{0.4, 0.4, 0.1}}, {}, {-0.5, -0.3, 0.0});
+      editor().add("block", geometric::Box{{0.06, 0.06, 0.06}}, {}, {-0.1, -0.5, 0.0});
+      view().look_from(gui::StandardView::kOblique);
+      QTest::qWait(400);
+      select("block");
+      QTest::qWait(50);
+    }
+  }
+  [[nodiscard]] Eigen::Vector3d place() const { return object("block").X_PO.translation(); }
+  /// Presses on a side of the block that is seen, beside the handles.
+  [[nodiscard]] QPoint press() const {
+    for (const double x : {-0.028, 0.028}) {
+      for (const double y : {-0.028, 0.028}) {
+        for (const double z : {-0.028, 0.028}) {
+          const QPoint corner = seen(place() + Eigen::Vector3d(x, y, z));
+          QTest::mousePress(&view(), Qt::LeftButton, {}, corner);
+          if (view().gizmo().is_carrying()) {
+            return corner;
+          }
+          QTest::mouseRelease(&view(), Qt::LeftButton, {}, corner);
+          select("block");
+        }
+      }
+    }
+    ADD_FAILURE() << "the block can't be grabbed";
+    return {};
+  }
+};
+
+TEST_F(Carrying, MovesTheBodyAlongTheFloorAndOntoWhatIsUnderThePointer) {
+  const Eigen::Vector3d before = place();
+  const QPoint from = press();
+  const QPoint over_floor = from + seen({0.1, -0.6, 0.0}) - seen({-0.1, -0.5, 0.0});
+  move_pressed_mouse(view(), over_floor);
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, over_floor);
+  EXPECT_NEAR(place().x(), before.x() + 0.2, 0.03);
+  EXPECT_NEAR(place().y(), before.y() - 0.1, 0.03);
+  EXPECT_NEAR(place().z(), 0.03, 1e-4) << "it stands on the floor";
+  EXPECT_EQ(editor().undo_stack().undoText(), "Move block");
+
+  static_cast<void>(press());
+  const QPoint over_table = seen({-0.5, -0.3, 0.1});
+  move_pressed_mouse(view(), over_table);
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, over_table);
+  EXPECT_NEAR(place().x(), -0.5, 0.06);
+  EXPECT_NEAR(place().y(), -0.3, 0.06);
+  EXPECT_NEAR(place().z(), 0.13 + geometric::kRestingGap, 1e-4) << "it stands on the table";
+}
+
+TEST_F(Carrying, IsAClickWhereThePointerStays) {
+  const int edits = editor().undo_stack().count();
+  const QPoint from = press();
+  move_pressed_mouse(view(), from + QPoint(1, 1));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from + QPoint(1, 1));
+  EXPECT_EQ(editor().undo_stack().count(), edits);
+  EXPECT_EQ(editor().selection(), (SceneItem{Kind::kObject, "", "block"}));
+  EXPECT_FALSE(view().gizmo().is_dragging());
+}
+
+TEST_F(Carrying, LeavesLockedAndUnselectedBodiesWhereTheyAre) {
+  select("table");
+  QTest::mousePress(&view(), Qt::LeftButton, {}, seen(place()));
+  EXPECT_FALSE(view().gizmo().is_carrying()) << "the view is turned";
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, seen(place()));
+  editor().set_locked({"table"}, true);
+  select("table");
+  QTest::qWait(50);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, seen({-0.5, -0.3, 0.1}));
+  EXPECT_FALSE(view().gizmo().is_dragging());
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, seen({-0.5, -0.3, 0.1}));
+}
+
+TEST_F(Carrying, SaysAtOnceWhatTheBodyOverlaps) {
+  editor().put_at({"block"}, {-0.5, -0.3, 0.1});
+  hold_arrow(2);
+  const gui::GizmoFrame frame = view().gizmo().frame(view().camera(), view().size());
+  const QPoint lower =
+      seen(frame.centre + 0.9 * frame.size * frame.axes.col(2) - Eigen::Vector3d(0.0, 0.0, 0.02));
+  move_pressed_mouse(view(), lower);
+  EXPECT_TRUE(view().note().contains("overlaps table")) << view().note().toStdString();
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, lower);
+}
+
 }  // namespace
 }  // namespace handway::test

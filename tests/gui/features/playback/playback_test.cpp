@@ -2,6 +2,7 @@
 #include "view3d/scene_view.h"
 #include "window_test.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QSlider>
 
@@ -52,11 +53,35 @@ TEST_F(Playback, ScrubsToTheGoal) {
 
 TEST_F(Playback, StepsFromWaypointToWaypoint) {
   window().player().seek(0.0);
-  click("step_forward");
+  QTest::keyClick(&window(), Qt::Key_BracketRight);
   const geometric::Configuration& waypoint = window().player().timeline().path().waypoints[1];
   EXPECT_NEAR((shown() - waypoint).norm(), 0.0, planning::BlendOptions{}.deviation + 1e-3);
+  QTest::keyClick(&window(), Qt::Key_BracketLeft);
+  EXPECT_TRUE(shown().isApprox(*scene().start));
+}
+
+TEST_F(Playback, GoesToBothEnds) {
+  window().player().seek(0.5);
+  click("step_forward");
+  EXPECT_TRUE(shown().isApprox(*scene().goal));
   click("step_back");
   EXPECT_TRUE(shown().isApprox(*scene().start));
+}
+
+TEST_F(Playback, SlowsTheFirstShortMotionAndSaysSo) {
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return window().player().times() == gui::PathPlayer::Times::kKnown; }, 8000));
+  ASSERT_LT(window().player().duration(), 3.0);
+  auto& speed = part<QComboBox>("speed");
+  ASSERT_EQ(speed.currentData().toDouble(), 1.0);
+  click("play");
+  click("play");
+  EXPECT_GE(window().player().duration() / speed.currentData().toDouble(), 3.0);
+  EXPECT_TRUE(window().workbench().log.toPlainText().contains("at first, because"));
+  speed.setCurrentIndex(speed.findData(1.0));
+  click("play");
+  click("play");
+  EXPECT_EQ(speed.currentData().toDouble(), 1.0) << "only the first one is slowed";
 }
 
 TEST_F(Playback, BeginsAnewAtTheEndUnlessTheLoopIsOff) {

@@ -24,8 +24,20 @@ TEST(ResultText, TellsAPathWithItsFigures) {
   EXPECT_THAT(text, HasSubstr("1,234,567"));
   EXPECT_THAT(text, HasSubstr("2.50 mm"));
   EXPECT_EQ(result_line(result), "Path found in 250 ms, 4 waypoints");
-  EXPECT_THAT(result_tip(result).toStdString(),
-              AllOf(StartsWith("Path found\nPlanning: 250 ms\n"), HasSubstr("2.50 mm")));
+  EXPECT_THAT(
+      result_tip(result).toStdString(),
+      AllOf(StartsWith("Path found\nClearance: ≥ 2.50 mm\n"), HasSubstr("Planning: 250 ms")));
+}
+
+TEST(ResultText, BeginsWithTheFiguresOfTheMotionOnceTheyAreKnown) {
+  planning::PlanResult result;
+  result.status = planning::PlanStatus::kSolved;
+  PathFigures figures;
+  figures.duration = 1.24;
+  figures.to_subspace = planning::DistanceAlong{0.0312, 0.05};
+  const QString text = result_text(result, {}, figures);
+  EXPECT_LT(text.indexOf("1.24 s"), text.indexOf("Clearance"));
+  EXPECT_LT(text.indexOf("0.031"), text.indexOf("Clearance"));
 }
 
 TEST(ResultText, NamesWhatDoesNotKeepTheMargin) {

@@ -114,6 +114,11 @@ struct Copies {
                                                          const geometric::Configuration& q,
                                                          const ObjectNames& names);
 
+/// Returns the other fixed objects that objects reach into by more than 1 mm, as seen from above;
+/// see geometric::vertical_gap(). Attached objects count nowhere.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT ObjectNames sunk_into(const geometric::Scene& scene,
+                                                            const ObjectNames& names);
+
 /// Returns by how much all objects together are to be raised so that those that stand in the world
 /// keep kRestingGap to their support; m. Objects that are sunk into it by more than 1 mm do not
 /// rest there, and objects in a link's frame are held: neither counts.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/mesh/shape.h"
 #include "view3d/coin_conversions.h"
 
 #include <Inventor/nodes/SoSeparator.h>
@@ -12,14 +13,14 @@ class SoGLRenderAction;
 
 namespace handway::gui {
 
-/// A line around each thing that is selected, seen through everything: the parts' edges
+/// A line around each of several bodies, seen through everything: the parts' edges
 /// drawn wide wherever the part itself is not.
-class SelectionOutline {
+class BodyOutline {
  public:
-  SelectionOutline();
-  ~SelectionOutline();
-  SelectionOutline(const SelectionOutline&) = delete;
-  SelectionOutline& operator=(const SelectionOutline&) = delete;
+  explicit BodyOutline(const geometric::Color& color);
+  ~BodyOutline();
+  BodyOutline(const BodyOutline&) = delete;
+  BodyOutline& operator=(const BodyOutline&) = delete;
 
   /// The root that a camera goes into, once.
   [[nodiscard]] SoSeparator* root() const { return root_.get(); }

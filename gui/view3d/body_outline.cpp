@@ -1,6 +1,5 @@
-#include "view3d/selection_outline.h"
+#include "view3d/body_outline.h"
 
-#include <Inventor/SbColor.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoLightModel.h>
@@ -16,11 +15,9 @@ namespace {
 // More than these have one line around all of them.
 constexpr int kMostApart = 30;
 
-const SbColor kColor(1.0F, 0.62F, 0.05F);
-
 }  // namespace
 
-SelectionOutline::SelectionOutline()
+BodyOutline::BodyOutline(const geometric::Color& color)
     : root_(make_coin<SoSeparator>()),
       style_(make_coin<SoDrawStyle>()),
       looks_(make_coin<SoSeparator>()),
@@ -30,29 +27,29 @@ SelectionOutline::SelectionOutline()
   auto* unlit = new SoLightModel;
   unlit->model = SoLightModel::BASE_COLOR;
   unlit->setOverride(TRUE);
-  auto* color = new SoMaterial;
-  color->diffuseColor = kColor;
-  color->setOverride(TRUE);
+  auto* paint = new SoMaterial;
+  paint->diffuseColor = to_coin(color);
+  paint->setOverride(TRUE);
   style_->setOverride(TRUE);
   looks_->addChild(unlit);
-  looks_->addChild(color);
+  looks_->addChild(paint);
   looks_->addChild(style_.get());
   looks_->addChild(parts_.get());
   root_->addChild(looks_.get());
 }
 
-SelectionOutline::~SelectionOutline() = default;
+BodyOutline::~BodyOutline() = default;
 
-void SelectionOutline::set_parts(const std::vector<SoSeparator*>& parts) {
+void BodyOutline::set_parts(const std::vector<SoSeparator*>& parts) {
   parts_->removeAllChildren();
   for (SoSeparator* part : parts) {
     parts_->addChild(part);
   }
 }
 
-bool SelectionOutline::is_shown() const { return parts_->getNumChildren() > 0; }
+bool BodyOutline::is_shown() const { return parts_->getNumChildren() > 0; }
 
-void SelectionOutline::render(SoGLRenderAction& action, float width) const {
+void BodyOutline::render(SoGLRenderAction& action, float width) const {
   if (!is_shown()) {
     return;
   }
@@ -68,7 +65,7 @@ void SelectionOutline::render(SoGLRenderAction& action, float width) const {
   }
 }
 
-void SelectionOutline::draw(SoGLRenderAction& action, float width) const {
+void BodyOutline::draw(SoGLRenderAction& action, float width) const {
   glEnable(GL_STENCIL_TEST);
   glClearStencil(0);
   glClear(GL_STENCIL_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
