@@ -3,8 +3,10 @@
 #include "app/features.h"
 #include "app/file_commands.h"
 #include "app/freed_memory.h"
+#include "app/pane_keys.h"
 #include "app/start/command_palette.h"
 #include "app/start/help.h"
+#include "app/start/shortcut_list.h"
 #include "app/start/start_page.h"
 #include "app/view_actions.h"
 #include "handway/geometric/formats/mesh_reader.h"
@@ -45,6 +47,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget
   new TextRules(this);
   new EnterKey(*this, workbench_.view);
   new FreedMemory(workbench_);
+  new PaneKeys(*this, workbench_.view, workbench_.playback_bar);
   build_middle();
   add_commands();
   add_features(workbench_);
@@ -100,7 +103,11 @@ void MainWindow::add_commands() {
   workbench_.add_to_menu(MainMenu::kView, {3, 0}, layout);
   workbench_.add_to_menu(MainMenu::kHelp, {0, 0}, help);
   workbench_.add_to_menu(MainMenu::kHelp, {0, 1}, find);
-  workbench_.add_to_menu(MainMenu::kHelp, {0, 2}, about);
+  QAction* keys = workbench_.make_action("", tr("&Keyboard shortcuts"), {}, {});
+  keys->setObjectName(QStringLiteral("help_shortcuts"));
+  workbench_.add_to_menu(MainMenu::kHelp, {0, 2}, keys);
+  workbench_.add_to_menu(MainMenu::kHelp, {0, 3}, about);
+  connect(keys, &QAction::triggered, this, [this] { show_shortcuts(*this); });
   connect(find, &QAction::triggered, palette, &CommandPalette::ask);
   connect(help, &QAction::triggered, this, [this] { show_panel_help(*this); });
   connect(about, &QAction::triggered, this, [this] { show_about(*this); });

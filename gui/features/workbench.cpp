@@ -7,6 +7,7 @@
 #include "widgets/panels/playback_bar.h"
 #include "widgets/style/actions.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QHelpEvent>
 #include <QMainWindow>
@@ -272,7 +273,7 @@ void Workbench::build_bars() {
     QToolBar& bar = *window.addToolBar(title);
     bar.setObjectName(QLatin1String(object_name));
     bar.setMovable(false);
-    bar.setIconSize({kIconSize, kIconSize});
+    bar.setIconSize({scaled(kIconSize), scaled(kIconSize)});
     std::vector<Entry>& entries = bar_entries_[name];
     std::ranges::stable_sort(entries, {}, &Entry::position);
     for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -1,5 +1,6 @@
 #include "app/start/command_palette.h"
 
+#include "app/menu_commands.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/style/theme.h"
 
@@ -8,8 +9,6 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMainWindow>
-#include <QMenu>
-#include <QMenuBar>
 
 #include <algorithm>
 #include <limits>
@@ -62,22 +61,9 @@ constexpr int kMostRows = 11;
 constexpr int kRowHeight = 30;
 constexpr int kActionRole = Qt::UserRole;
 
-QString plain(QString text) { return text.remove('&').remove(QStringLiteral("…")); }
-
-template <typename Add>
-void visit_menu(const QMenu& menu, const QString& path, const Add& add) {
-  for (QAction* action : menu.actions()) {
-    if (action->menu()) {
-      visit_menu(*action->menu(), path + plain(action->text()) + QStringLiteral(": "), add);
-    } else if (!action->isSeparator() && !action->text().isEmpty()) {
-      add(path + plain(action->text()), action);
-    }
-  }
-}
-
 }  // namespace
 
-CommandPalette::CommandPalette(QWidget& window)
+CommandPalette::CommandPalette(QMainWindow& window)
     : QFrame(&window, Qt::Popup),
       window_(window),
       field_(named("palette_field", new QLineEdit)),
@@ -90,7 +76,7 @@ CommandPalette::CommandPalette(QWidget& window)
   list_->setAccessibleName(tr("Commands"));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setFocusPolicy(Qt::NoFocus);
-  list_->setIconSize({18, 18});
+  list_->setIconSize({scaled(18), scaled(18)});
   list_->setUniformItemSizes(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFixedWidth(scaled(kWidth));
@@ -101,15 +87,9 @@ CommandPalette::CommandPalette(QWidget& window)
 
 void CommandPalette::ask() {
   commands_.clear();
-  const auto* main = qobject_cast<QMainWindow*>(&window_);
-  for (QAction* top : main->menuBar()->actions()) {
-    if (top->menu()) {
-      visit_menu(*top->menu(), plain(top->text()) + QStringLiteral(": "),
-                 [this](const QString& path, QAction* action) {
-                   if (action->isEnabled()) {
-                     commands_.push_back({path, action});
-                   }
-                 });
+  for (const MenuCommand& command : menu_commands(window_)) {
+    if (command.action->isEnabled()) {
+      commands_.push_back({command.menu + QStringLiteral(": ") + command.path, command.action});
     }
   }
   field_->clear();
@@ -140,8 +120,8 @@ void CommandPalette::list(const QString& typed) {
     row->setSizeHint({0, scaled(kRowHeight)});
     row->setData(kActionRole, QVariant::fromValue(entry.command->action));
     auto* picture = new QLabel;
-    picture->setFixedWidth(22);
-    picture->setPixmap(action->icon().pixmap(18, 18));
+    picture->setFixedWidth(scaled(22));
+    picture->setPixmap(action->icon().pixmap(scaled(18), scaled(18)));
     auto* keys = note(action->shortcut().toString(QKeySequence::NativeText));
     auto* words =
         boxed(in_row({picture, {new QLabel(entry.command->path), 1}, keys}), {8, 0, 10, 0});

@@ -8,6 +8,7 @@
 #include <optional>
 
 class QLineEdit;
+class QMainWindow;
 class QListWidget;
 
 namespace handway::gui {
@@ -23,7 +24,7 @@ class CommandPalette : public QFrame {
 
  public:
   /// @param window whose menus it lists.
-  explicit CommandPalette(QWidget& window);
+  explicit CommandPalette(QMainWindow& window);
 
   /// Opens the palette over the window.
   void ask();
@@ -40,7 +41,7 @@ class CommandPalette : public QFrame {
   void list(const QString& typed);
   void run_current();
 
-  QWidget& window_;
+  QMainWindow& window_;
   QLineEdit* field_;
   QListWidget* list_;
   QList<Command> commands_;

@@ -42,14 +42,14 @@ QLabel* make_text(const char* name) {
   return text;
 }
 
-QString state_text(State state) {
+QString state_text(State state, bool held) {
   switch (state) {
     case State::kConnecting:
       return QObject::tr("Connecting…");
     case State::kConnected:
       return QObject::tr("Connected, at rest");
     case State::kRunning:
-      return QObject::tr("Moving");
+      return held ? QObject::tr("Held") : QObject::tr("Moving");
     case State::kClosing:
       return QObject::tr("Disconnecting…");
     case State::kOff:
@@ -58,13 +58,13 @@ QString state_text(State state) {
   return QObject::tr("Not connected");
 }
 
-QColor state_color(State state) {
+QColor state_color(State state, bool held) {
   const ThemeColors colors = colors_of(current_theme());
   switch (state) {
     case State::kConnected:
       return colors.good;
     case State::kRunning:
-      return colors.accent;
+      return held ? colors.muted : colors.accent;
     default:
       return colors.muted;
   }
@@ -201,8 +201,12 @@ void DevicesPanel::show_state(State state, bool robot) {
   }
   state_ = state;
   robot_ = robot;
-  state_text_->setText(dotted(state_text(state), state_color(state)));
+  show_state_text();
   update_buttons();
+}
+
+void DevicesPanel::show_state_text() {
+  state_text_->setText(dotted(state_text(state_, held_), state_color(state_, held_)));
 }
 
 void DevicesPanel::show_problem(const QString& message) {
@@ -253,6 +257,7 @@ void DevicesPanel::show_progress(double time, double duration, double error) {
 
 void DevicesPanel::show_held(bool held) {
   held_ = held;
+  show_state_text();
   update_buttons();
 }
 

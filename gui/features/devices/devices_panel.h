@@ -64,6 +64,7 @@ class DevicesPanel : public QWidget {
   QWidget* make_connection();
   QWidget* make_motion();
   QWidget* make_outcome();
+  void show_state_text();
   void update_buttons();
   void offer_margin(const planning::PreflightReport& report);
 

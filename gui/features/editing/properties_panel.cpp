@@ -11,6 +11,7 @@
 #include "widgets/forms/shape_form.h"
 #include "widgets/forms/typed_input.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
@@ -43,7 +44,7 @@ QToolButton* toggle(const char* name) {
   button->setObjectName(QLatin1String(name));
   button->setCheckable(true);
   button->setAutoRaise(true);
-  button->setIconSize({16, 16});
+  button->setIconSize({scaled(16), scaled(16)});
   return button;
 }
 

@@ -81,7 +81,7 @@ SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
   setIndentation(16);
   setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
-  setIconSize({16, 16});
+  setIconSize({scaled(16), scaled(16)});
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setDragDropMode(QAbstractItemView::DragDrop);
   setDropIndicatorShown(false);

@@ -139,7 +139,7 @@ QToolButton* MicroscopePanel::make_button(const QString& name, const QString& ic
   button->setObjectName(name);
   button->setProperty("icon_name", icon_name);
   button->setIcon(icon(icon_name));
-  button->setIconSize({20, 20});
+  button->setIconSize({scaled(20), scaled(20)});
   button->setAutoRaise(true);
   button->setToolTip(tip);
   return button;

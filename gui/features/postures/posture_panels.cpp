@@ -9,7 +9,6 @@
 #include "model/playback/path_player.h"
 #include "model/settings/options.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/panels/dock_layout.h"
 #include "widgets/style/actions.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/menu_text.h"
@@ -170,7 +169,6 @@ void PosturePanels::show_robot() {
 void PosturePanels::show_item(const SceneItem& item) const {
   const geometric::RobotInstance* robot = document_.robot();
   if (robot && item.kind == SceneItem::Kind::kLink && item.robot == robot->name) {
-    bring_to_front(*joints_);
     joints_->show_link(item.name);
   }
 }

@@ -90,9 +90,9 @@ void PreferencesDialog::add_view(QFormLayout& form) {
                          [](Values& values) -> Projection& { return values.projection; });
   add_choice<NavigationStyle>(
       form, "navigation", tr("Mouse"),
-      {{tr("Left turns, middle moves"), NavigationStyle::kLeftTurns},
-       {tr("Middle turns, Shift+middle moves"), NavigationStyle::kMiddleTurns},
-       {tr("Right turns, middle moves"), NavigationStyle::kRightTurns}},
+      {{tr("RViz: left turns, middle moves"), NavigationStyle::kLeftTurns},
+       {tr("Blender: middle turns, Shift+middle moves"), NavigationStyle::kMiddleTurns},
+       {tr("CAD: right turns, middle moves"), NavigationStyle::kRightTurns}},
       [](Values& values) -> NavigationStyle& { return values.navigation.style; });
   add_choice<bool>(form, "wheel", tr("Wheel forwards"),
                    {{tr("Zooms in"), false}, {tr("Zooms out"), true}},

@@ -170,8 +170,8 @@ RunsTool::RunsTool(PathHistory& history, RunsPanel& runs, PlanningSession& sessi
           [&history](const PathRecord& record) { history.add(record); });
   connect(&session_, &PlanningSession::started, &runs, [&runs, this] {
     runs.set_running(true);
-    if (settings_.seeds() > 1) {
-      bring_to_front(runs);
+    if (settings_.seeds() > 1 && is_dock_shown(runs)) {
+      bring_to_front(runs);  // a dock that appears would move the view
     }
   });
   connect(&session_, &PlanningSession::optimizing_started, &runs,

@@ -33,6 +33,14 @@ void bring_to_front(const QWidget& widget) {
   }
 }
 
+bool is_dock_shown(const QWidget& widget) {
+  const QWidget* part = &widget;
+  while (part && !qobject_cast<const QDockWidget*>(part)) {
+    part = part->parentWidget();
+  }
+  return part && !part->isHidden();
+}
+
 namespace {
 
 constexpr int kVersion = 3;        // raised when docks come or go

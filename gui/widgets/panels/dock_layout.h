@@ -16,6 +16,9 @@ namespace handway::gui {
 /// Turns the pages of all tabs that `widget` is in so that it is in front, and shows its dock.
 void bring_to_front(const QWidget& widget);
 
+/// Returns whether the dock that `widget` is in is shown, perhaps behind another.
+[[nodiscard]] bool is_dock_shown(const QWidget& widget);
+
 /// Content of a dock or a tab.
 struct DockContent {
   const char* name;  ///< Its object name, by which its place is kept between runs.

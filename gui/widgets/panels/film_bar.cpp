@@ -3,6 +3,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QComboBox>
 #include <QSignalBlocker>
@@ -21,7 +22,7 @@ FilmBar::FilmBar(QWidget* parent)
       slider_(new QSlider(Qt::Horizontal)),
       speed_(new QComboBox) {
   play_->setAutoRaise(true);
-  play_->setIconSize({20, 20});
+  play_->setIconSize({scaled(20), scaled(20)});
   slider_->setRange(0, 0);
   slider_->setToolTip(tr("Drag to any moment"));
   slider_->setAccessibleName(tr("Moment"));

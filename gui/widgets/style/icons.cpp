@@ -33,7 +33,7 @@ QPixmap render(const QString& name, const QColor& color, int size) {
 
 void add_sizes(QIcon& icon, const QString& name, const QColor& color, QIcon::Mode mode,
                QIcon::State state) {
-  for (const int size : {16, 20, 24, 32, 48}) {
+  for (const int size : {16, 20, 24, 32, 40, 48}) {
     const QString key = QStringLiteral("handway/%1/%2/%3")
                             .arg(name, color.name(QColor::HexArgb), QString::number(size));
     QPixmap pixmap;

@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSlider>
+#include <QTabWidget>
 
 #include <numbers>
 
@@ -40,18 +41,20 @@ TEST_F(JointSliders, TakeDegreesFromTheKeyboard) {
   EXPECT_NEAR(shown()[variable("elbow")], std::numbers::pi / 2.0, 1e-12);
 }
 
-TEST_F(JointSliders, ComeToTheFrontForALinkThatIsClicked) {
+TEST_F(JointSliders, AreMarkedForALinkThatIsClickedWhereverTheyAre) {
   const gui::SceneItem lower{gui::SceneItem::Kind::kLink, window().document().robot()->name,
                              "lower"};
-  EXPECT_FALSE(part<gui::SliderRow>("elbow").isVisible());
+  const int tab = part<QTabWidget>("control_tabs").currentIndex();
   emit window().view().picked(lower, false);
-  EXPECT_TRUE(part<gui::SliderRow>("elbow").isVisible());
+  EXPECT_EQ(part<QTabWidget>("control_tabs").currentIndex(), tab) << "another panel is in use";
   const auto is_marked = [&](const char* joint) {
     return part<gui::SliderRow>(joint).findChild<QLabel*>()->property("role").toString() ==
            QStringLiteral("chosen");
   };
   EXPECT_TRUE(is_marked("elbow"));
   EXPECT_FALSE(is_marked("shoulder"));
+  part<QTabWidget>("control_tabs").setCurrentIndex(1);
+  EXPECT_TRUE(part<gui::SliderRow>("elbow").isVisible());
   keep_picture("clicked_link");
 }
 

@@ -137,6 +137,8 @@ TEST_F(RunsInTheWindow, WithSeveralSeedsShowTheBest) {
   EXPECT_THAT(result(), AllOf(HasSubstr("Best path (shortest): seed " +
                                         std::to_string(shortest->run->request.seed)),
                               HasSubstr("6 paths from 6 seeds")));
+  EXPECT_TRUE(part<QDockWidget>("runs").isHidden()) << "the view keeps its place";
+  click("all_runs");
   EXPECT_FALSE(part<QDockWidget>("runs").isHidden());
 
   const auto best_run = shortest->run;
