@@ -35,8 +35,8 @@ QWidget* first_that_takes_keys(QWidget& pane) {
 PaneKeys::PaneKeys(QMainWindow& window, QWidget& view, QWidget& playback)
     : QObject(&window), window_(window), view_(view), playback_(playback) {
   connect(new QShortcut(Qt::Key_F6, &window), &QShortcut::activated, this, [this] { step(1); });
-  connect(new QShortcut(Qt::SHIFT + Qt::Key_F6, &window), &QShortcut::activated, this,
-          [this] { step(-1); });
+  connect(new QShortcut(QKeySequence(QStringLiteral("Shift+F6")), &window), &QShortcut::activated,
+          this, [this] { step(-1); });
 }
 
 void PaneKeys::step(int direction) {

@@ -8,6 +8,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/desktop_theme.h"
+#include "widgets/style/icons.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>

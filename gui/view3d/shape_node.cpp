@@ -18,6 +18,7 @@
 #include <Inventor/nodes/SoSphere.h>
 #include <Inventor/nodes/SoVertexProperty.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace handway::gui {
@@ -117,13 +118,39 @@ CoinRef<SoSeparator> make_shape_node(const geometric::Shape& shape) {
   return separator;
 }
 
+namespace {
+
+/// How a surface reflects the lamps.
+struct Finish {
+  float specular;
+  float shininess;
+};
+
+/// Files have colours and no finishes: dark greys are taken for rubber, other greys for brushed
+/// metal, browns for wood, and all else for paint.
+Finish finish_of(const geometric::Color& color) {
+  constexpr Finish kRubber{0.10F, 0.12F}, kMetal{0.34F, 0.30F}, kWood{0.05F, 0.10F},
+      kPaint{0.22F, 0.35F};
+  const auto [least, most] = std::minmax({color.red, color.green, color.blue});
+  const float saturation = most > 0.0F ? (most - least) / most : 0.0F;
+  if (saturation < 0.18F) {
+    return most < 0.35F ? kRubber : kMetal;
+  }
+  const bool is_brown = color.red >= color.green && color.green >= color.blue &&
+                        color.green > 0.6F * color.red && saturation < 0.65F;
+  return is_brown ? kWood : kPaint;
+}
+
+}  // namespace
+
 CoinRef<SoMaterial> make_material(const geometric::Color& color) {
   auto material = make_coin<SoMaterial>();
   const SbColor diffuse = to_coin(color);
   material->diffuseColor = diffuse;
   material->ambientColor = diffuse;
-  material->specularColor = SbColor(0.22F, 0.22F, 0.22F);
-  material->shininess = 0.35F;
+  const Finish finish = finish_of(color);
+  material->specularColor = SbColor(finish.specular, finish.specular, finish.specular);
+  material->shininess = finish.shininess;
   material->transparency = 1.0F - color.alpha;
   return material;
 }

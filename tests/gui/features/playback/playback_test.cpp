@@ -1,5 +1,6 @@
 #include "handway/planning/timing/blended_path.h"
 #include "view3d/scene_view.h"
+#include "widgets/panels/log_panel.h"
 #include "window_test.h"
 
 #include <QComboBox>
