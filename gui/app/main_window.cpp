@@ -217,11 +217,20 @@ void MainWindow::show_scene() {
     show_panels(false);
     return;
   }
-  show_panels(true);
-  // The view's first appearance takes a while: it has an event of its own.
-  QMetaObject::invokeMethod(
-      this, [this] { middle_->setCurrentIndex(workbench_.document.scene() ? 1 : 0); },
-      Qt::QueuedConnection);
+  // The first appearance of the view, and of the panels, takes a while: each has an event of its
+  // own.
+  const auto in_its_own_event = [this](const auto& show) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, show] {
+          if (workbench_.document.scene()) {
+            show();
+          }
+        },
+        Qt::QueuedConnection);
+  };
+  in_its_own_event([this] { middle_->setCurrentIndex(1); });
+  in_its_own_event([this] { show_panels(true); });
   workbench_.banner.hide_message();
   update_title();
   workbench_.log.add(LogPanel::Level::kNote, tr("Opened %1").arg(workbench_.scene_name()));

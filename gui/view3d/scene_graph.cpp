@@ -543,6 +543,19 @@ std::optional<SceneGraph::Surface> SceneGraph::surface_behind(
   return Surface{{p[0], p[1], p[2]}, {n[0], n[1], n[2]}};
 }
 
+Eigen::Vector3d SceneGraph::top_at(double x, double y) {
+  constexpr float kAboveAll = 100.0F;  // m
+  auto root = make_coin<SoSeparator>();
+  for (SoNode* node : bodies_.objects_without({})) {
+    root->addChild(node);
+  }
+  SoRayPickAction action{SbViewportRegion()};
+  action.setRay({static_cast<float>(x), static_cast<float>(y), kAboveAll}, {0.0F, 0.0F, -1.0F});
+  action.apply(root.get());
+  const SoPickedPoint* picked = action.getPickedPoint();
+  return {x, y, picked ? std::max(0.0F, picked->getPoint()[2]) : 0.0};
+}
+
 std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s& pixel) {
   SoRayPickAction action{SbViewportRegion(viewport)};
   action.setPoint(pixel);

@@ -177,6 +177,8 @@ class SceneGraph {
   /// Returns the foremost surface of other objects than these at a pixel (from the lower left).
   [[nodiscard]] std::optional<Surface> surface_behind(const SbVec2s& viewport, const SbVec2s& pixel,
                                                       const std::vector<std::string>& ignored);
+  /// Returns the highest point of all shown objects at a place, or the floor (z = 0); world, m.
+  [[nodiscard]] Eigen::Vector3d top_at(double x, double y);
   /// Returns the visible item at a pixel (from the lower left).
   [[nodiscard]] std::optional<SceneHit> pick(const SbVec2s& viewport, const SbVec2s& pixel);
 

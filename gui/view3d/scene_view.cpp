@@ -52,7 +52,15 @@ constexpr int kSettleMs = 150;
 constexpr int kClickReach = 4;       // px: shorter drags are clicks
 constexpr double kSnapReach = 0.15;  // of an arrow's length
 constexpr int kCubeMargin = 10;      // px
+constexpr double kLevel = 0.7;       // least upward part of the normal of what things can stand on
 constexpr double kCubeTurns = 0.8;   // as if the cube's corner were so much of the view's height
+
+std::optional<Eigen::Vector3d> at_height(const Ray& ray, double height) {
+  const double along = (height - ray.origin.z()) / ray.direction.z();
+  return ray.direction.z() < -1e-3 && along > 0.0
+             ? std::optional<Eigen::Vector3d>(ray.origin + along * ray.direction)
+             : std::nullopt;
+}
 
 }  // namespace
 
@@ -206,13 +214,23 @@ void SceneView::update_gizmo() {
 }
 
 Eigen::Vector3d SceneView::place_for_new() {
-  if (const auto hit = pick_at(rect().center());
-      hit && hit->item.kind == SceneItem::Kind::kObject) {
-    return hit->point;
+  graph_->aim(camera_, aspect());
+  const auto seen = graph_->surface_behind(viewport(), pixel_at(rect().center()), {});
+  if (seen && seen->normal.z() > kLevel) {
+    return seen->point;
   }
-  Eigen::Vector3d place = camera_.placement().target;
-  place.z() = 0.0;
-  return place;
+  // Furniture that is seen from the side, or stands above the floor that is seen, carries it; but
+  // roofs of cells do not.
+  constexpr double kBehindSide = 0.05;  // m
+  constexpr double kBeforeWall = 0.15;  // m
+  constexpr double kTableHigh = 1.2;    // m
+  const Ray ray = ray_through(camera_, size(), rect().center());
+  const Eigen::Vector3d place =
+      seen ? seen->point : at_height(ray, 0.0).value_or(camera_.placement().target);
+  const Eigen::Vector3d outwards = seen ? seen->normal : Eigen::Vector3d::Zero().eval();
+  const Eigen::Vector3d behind = place - kBehindSide * outwards;
+  const Eigen::Vector3d top = graph_->top_at(behind.x(), behind.y());
+  return top.z() - place.z() < kTableHigh ? top : place + kBeforeWall * outwards;
 }
 
 void SceneView::show_ghosts(bool start, bool goal) {
@@ -605,19 +623,6 @@ bool SceneView::can_carry_from(const QPoint& position) {
   return hit && hit->item.kind == SceneItem::Kind::kObject &&
          std::ranges::count(selection_.objects, hit->item.name) > 0;
 }
-
-namespace {
-
-constexpr double kLevel = 0.7;  // least upward part of the normal of what things can stand on
-
-std::optional<Eigen::Vector3d> at_height(const Ray& ray, double height) {
-  const double along = (height - ray.origin.z()) / ray.direction.z();
-  return ray.direction.z() < -1e-3 && along > 0.0
-             ? std::optional<Eigen::Vector3d>(ray.origin + along * ray.direction)
-             : std::nullopt;
-}
-
-}  // namespace
 
 void SceneView::begin_to_carry(const QPoint& position) {
   double underside = std::numeric_limits<double>::infinity();

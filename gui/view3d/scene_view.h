@@ -147,7 +147,8 @@ class SceneView : public QOpenGLWidget {
   void look_from(StandardView view);
   void set_camera(const OrbitCamera::Placement& placement);
 
-  /// Returns the place for a new object: the visible point in the middle, or the floor there
+  /// Returns the place for a new object: the visible surface of an object in the middle of the
+  /// view, the top of what is seen there from the side, or the floor, where nothing is above it
   /// (world, m).
   [[nodiscard]] Eigen::Vector3d place_for_new();
   /// Returns the visible item at a position in the widget.

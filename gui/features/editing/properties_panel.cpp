@@ -11,7 +11,6 @@
 #include "widgets/forms/shape_form.h"
 #include "widgets/forms/typed_input.h"
 #include "widgets/style/icons.h"
-#include "widgets/style/theme.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
@@ -44,7 +43,7 @@ QToolButton* toggle(const char* name) {
   button->setObjectName(QLatin1String(name));
   button->setCheckable(true);
   button->setAutoRaise(true);
-  button->setIconSize({scaled(16), scaled(16)});
+  button->setIconSize({16, 16});
   return button;
 }
 

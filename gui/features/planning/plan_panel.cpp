@@ -56,6 +56,7 @@ PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
       presets_(new PresetBar(settings.registry())),
       modified_(named("modified", note(tr("modified")))),
       reset_(named("reset_parameters", new QPushButton(tr("Reset")))),
+      changes_(boxed(in_row({modified_, room(1), reset_}))),
       form_place_(new QVBoxLayout),
       sections_(new QVBoxLayout),
       usual_(make_form()),
@@ -187,6 +188,7 @@ QWidget* PlanPanel::make_settings() {
   usual_->addRow(tr("Planner"), planners_);
   usual_->addRow(description_);
   usual_->addRow(tr("Preset"), presets_);
+  usual_->addRow(QString(), changes_);
   usual_->addRow(tr("Seeds"), make_seeds());
   usual_->addRow(tr("Margin"), margin_);
   return new PanelArea(boxed(
@@ -199,9 +201,7 @@ QWidget* PlanPanel::make_advanced() {
   form->addRow(tr("Seed"), seed_);
   form->addRow(tr("Time limit"), time_limit_);
   form->addRow(tr("Threads"), threads_);
-  return boxed(in_column({form, in_row({heading(tr("Parameters")), modified_, room(1), reset_}),
-                          form_place_, sections_},
-                         8));
+  return boxed(in_column({form, heading(tr("Parameters")), form_place_, sections_}, 8));
 }
 
 QWidget* PlanPanel::make_seeds() {
@@ -399,7 +399,7 @@ void PlanPanel::end_run() {
 
 void PlanPanel::show_modified() {
   const bool modified = presets_->is_modified();
-  modified_->setVisible(modified);
+  changes_->setVisible(modified);
   reset_->setEnabled(modified && form_ && form_->isEnabled());
   if (form_) {
     form_->mark(presets_->modified_keys());

@@ -103,6 +103,7 @@ class PlanPanel : public QWidget {
   PresetBar* presets_;
   QLabel* modified_;
   QPushButton* reset_;
+  QWidget* changes_;  ///< The row of the last two.
   QVBoxLayout* form_place_;
   QVBoxLayout* sections_;
   QFormLayout* usual_;

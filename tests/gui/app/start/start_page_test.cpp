@@ -4,6 +4,7 @@
 #include "patience.h"
 #include "window_test.h"
 
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QFrame>
 #include <QLabel>
@@ -69,13 +70,28 @@ TEST_F(StartingTheWindow, SavesAShippedSceneUnderANameOfItsOwn) {
 TEST_F(StartingTheWindow, ShowsAsManyPicturesBesideEachOtherAsThereIsRoomFor) {
   gui::StartPage page;
   page.show();
-  for (const auto& [width, columns] : {std::pair(320, 1), {580, 2}, {1200, 3}, {580, 2}}) {
+  for (const auto& [width, columns] : {std::pair(360, 1), {700, 2}, {1300, 4}, {700, 2}}) {
     page.resize(width, 600);
     QTest::qWait(50);
     EXPECT_EQ(page.horizontalScrollBar()->maximum(), 0) << width;
     const auto cards = page.findChildren<QAbstractButton*>(QRegularExpression("^open "));
     EXPECT_EQ(std::ranges::count(cards, cards.front()->y(), &QWidget::y), columns) << width;
   }
+}
+
+TEST_F(StartingTheWindow, HasNoPanelsUntilThereIsAScene) {
+  EXPECT_TRUE(part<QDockWidget>("scene").isHidden());
+  click("new tx90_sah");
+  wait_for_scene();
+  EXPECT_FALSE(part<QDockWidget>("scene").isHidden());
+  window().document().close();
+  EXPECT_TRUE(part<QDockWidget>("scene").isHidden());
+}
+
+TEST_F(StartingTheWindow, PlansAndPlaysTheSceneThatIsTried) {
+  click("start_try");
+  wait_for_scene();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window().player().is_playing(); }, 20000));
 }
 
 TEST_F(StartingTheWindow, BeginsANewSceneWithARobotOfTheLibrary) {

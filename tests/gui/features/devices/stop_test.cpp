@@ -262,6 +262,7 @@ std::vector<DialogCase> StopInDialogs::cases() const {
       {"features/export/pictures_dialog.cpp", "file",
        [this] { open_both("Export pictures of the path…", QStringLiteral("Browse…")); }},
       {"app/start/help.cpp", "about", trigger("About Handway")},
+      {"app/start/shortcut_list.cpp", "shortcuts", trigger("Keyboard shortcuts")},
       {"features/preferences/preferences_dialog.h", "preferences", trigger("Preferences…")},
       {"features/comparison/comparison_window.h", "compare", trigger("Compare two paths…")},
       {"features/comparison/comparison_window.cpp", "a path to compare",

@@ -328,5 +328,26 @@ TEST_F(Carrying, SaysAtOnceWhatTheBodyOverlaps) {
   QTest::mouseRelease(&view(), Qt::LeftButton, {}, lower);
 }
 
+TEST_F(Pointing, NewObjectsGoOnTopOfFurnitureAndNeverBelowIt) {
+  editor().add("board", geometric::Box{{0.8, 0.8, 0.04}}, {}, {-0.7, 0.0, 0.5});
+  editor().select({});
+  gui::OrbitCamera::Placement low = view().camera().placement();
+  low.target = {-0.7, 0.0, 0.2};
+  low.elevation = 0.1;
+  low.distance = 2.5;
+  view().set_camera(low);
+  EXPECT_NEAR(view().place_for_new().z(), 0.54, 1e-4) << "the floor is seen below the board";
+  low.target.z() = 0.52;
+  low.elevation = 0.02;
+  view().set_camera(low);
+  EXPECT_NEAR(view().place_for_new().z(), 0.54, 1e-4) << "its side is seen";
+  low.elevation = 0.9;
+  view().set_camera(low);
+  EXPECT_NEAR(view().place_for_new().z(), 0.54, 1e-4) << "its upper side is seen";
+  low.target = {-2.0, -2.0, 0.0};
+  view().set_camera(low);
+  EXPECT_NEAR(view().place_for_new().z(), 0.0, 1e-4) << "the floor is free";
+}
+
 }  // namespace
 }  // namespace handway::test

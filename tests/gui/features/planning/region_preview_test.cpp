@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QSlider>
 #include <QSpinBox>
+#include <QToolButton>
 
 namespace handway::test {
 namespace {
@@ -21,6 +22,7 @@ class RegionPreviewInThePanel : public WindowTest {
   void open_with(const char* planner) {
     open(cell().post());
     window().workbench().plan_settings.choose_planner(planner);
+    part<QToolButton>("advanced").setChecked(true);
   }
   void switch_on() {
     part<QCheckBox>("preview_region").setChecked(true);
