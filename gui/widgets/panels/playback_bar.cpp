@@ -162,7 +162,7 @@ QToolButton* PlaybackBar::make_button(const QString& name, const QString& tip) {
   auto* button = new QToolButton;
   button->setObjectName(name);
   button->setIcon(icon(name));
-  button->setIconSize({scaled(20), scaled(20)});
+  button->setIconSize({20, 20});  // larger ones would not fit beside large text
   button->setAutoRaise(true);
   button->setToolTip(tip);
   return button;

@@ -83,7 +83,7 @@ TEST_F(StartingTheWindow, HasNoPanelsUntilThereIsAScene) {
   EXPECT_TRUE(part<QDockWidget>("scene").isHidden());
   click("new tx90_sah");
   wait_for_scene();
-  EXPECT_FALSE(part<QDockWidget>("scene").isHidden());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !part<QDockWidget>("scene").isHidden(); }));
   window().document().close();
   EXPECT_TRUE(part<QDockWidget>("scene").isHidden());
 }

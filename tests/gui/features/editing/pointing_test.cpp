@@ -332,7 +332,7 @@ TEST_F(Pointing, NewObjectsGoOnTopOfFurnitureAndNeverBelowIt) {
   editor().add("board", geometric::Box{{0.8, 0.8, 0.04}}, {}, {-0.7, 0.0, 0.5});
   editor().select({});
   gui::OrbitCamera::Placement low = view().camera().placement();
-  low.target = {-0.7, 0.0, 0.2};
+  low.target = {-0.7, 0.0, 0.0};
   low.elevation = 0.1;
   low.distance = 2.5;
   view().set_camera(low);
