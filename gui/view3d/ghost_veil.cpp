@@ -21,6 +21,7 @@ namespace {
 constexpr float kVeilShare = 0.55F;  // of a ghost's opacity away from its outline
 constexpr float kRimOpacity = 0.85F;
 
+// A pixel is at an edge as far as its four diagonal neighbours are much nearer or farther.
 const char* const kRimShader = R"(#version 120
 uniform sampler2D color;
 uniform sampler2D depth;
@@ -31,31 +32,24 @@ uniform float faint;   // opacity away from the outline
 uniform float strong;  // opacity of the outline
 varying vec2 place;
 
-float distance_of(float z) {
-  return parallel ? mix(range.x, range.y, z) : range.x * range.y / mix(range.y, range.x, z);
-}
-
 void main() {
+  vec4 others = vec4(texture2D(depth, place - pixel).r, texture2D(depth, place + pixel).r,
+                     texture2D(depth, place + vec2(pixel.x, -pixel.y)).r,
+                     texture2D(depth, place + vec2(-pixel.x, pixel.y)).r);
   float z = texture2D(depth, place).r;
-  float d = distance_of(z);
-  float jump = 0.012 + 0.004 * d;
-  float edge = 0.0, nearest = z;
-  vec2 source = place;
-  for (int i = 0; i < 4; ++i) {
-    vec2 corner = vec2(mod(float(i), 2.0), floor(0.5 * float(i))) * 2.0 - 1.0;
-    vec2 at = place + corner * pixel;
-    float other = texture2D(depth, at).r;
-    edge += step(jump, abs(distance_of(other) - d)) * 0.4;
-    if (other < nearest) {
-      nearest = other;
-      source = at;
-    }
-  }
+  float nearest = min(z, min(min(others.x, others.y), min(others.z, others.w)));
   if (nearest == 1.0) {
     discard;
   }
-  float opacity = mix(z < 1.0 ? faint : 0.0, strong, min(edge, 1.0));
-  gl_FragColor = vec4(texture2D(color, source).rgb, opacity);
+  float span = range.y - range.x;
+  float d = parallel ? range.x + z * span : range.x * range.y / (range.y - z * span);
+  float slope = parallel ? 1.0 / span : range.x * range.y / (span * d * d);  // of z by d
+  vec4 jumps = step(vec4((0.012 + 0.004 * d) * slope), abs(others - z));
+  float edge = min(0.4 * dot(jumps, vec4(1.0)), 1.0);
+  vec2 source = others.x == nearest ? -pixel : others.y == nearest ? pixel
+              : others.z == nearest ? vec2(pixel.x, -pixel.y) : vec2(-pixel.x, pixel.y);
+  vec3 paint = texture2D(color, z < 1.0 ? place : place + source).rgb;
+  gl_FragColor = vec4(paint, mix(z < 1.0 ? faint : 0.0, strong, edge));
   gl_FragDepth = z < 1.0 ? z : nearest;
 }
 )";
@@ -66,14 +60,15 @@ VeilTools::VeilTools() : rim(make_screen_program(kRimShader)), lay(PictureLayer:
 
 VeilTools::~VeilTools() = default;
 
-bool GhostVeil::make(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost,
-                     const OrbitCamera& camera, const QSize& pixels) {
-  if (!tools.are_available() || !tools.solid.bind(pixels)) {
+namespace {
+
+// Draws the ghost as an opaque body into `solid`, within a part of the picture.
+bool draw_solid(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost, const QSize& pixels,
+                const QRect& region) {
+  if (!tools.solid.bind(pixels)) {
     return false;
   }
-  region_ = region_of(*ghost.root(), camera, pixels);
-  glPushAttrib(GL_ALL_ATTRIB_BITS);
-  glDisable(GL_SCISSOR_TEST);
+  restrict_to(region);
   glViewport(0, 0, pixels.width(), pixels.height());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -83,26 +78,58 @@ bool GhostVeil::make(VeilTools& tools, SoGLRenderAction& action, const Ghost& gh
   action.invalidateState();
   action.setViewportRegion(viewport_of(pixels));
   ghost.render_opaque(action);
+  return true;
+}
 
-  const bool is_bound = picture_.bind(pixels);
-  glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  if (is_bound && !region_.isEmpty()) {
-    const EyeRange range = eye_range(camera);
-    restrict_to(region_);
-    tools.rim->bind();
-    tools.rim->setUniformValue("pixel", QVector2D(1.0F / static_cast<float>(pixels.width()),
-                                                  1.0F / static_cast<float>(pixels.height())));
-    tools.rim->setUniformValue(
-        "range", QVector2D(static_cast<float>(range.nearest), static_cast<float>(range.farthest)));
-    tools.rim->setUniformValue("parallel", camera.projection() == Projection::kOrthographic);
-    tools.rim->setUniformValue("faint", kVeilShare * ghost.opacity());
-    tools.rim->setUniformValue("strong", std::max(kRimOpacity, ghost.opacity()));
-    tools.solid.draw(*tools.rim, PictureLayer::Mode::kReplace);
+void draw_rim(VeilTools& tools, const Ghost& ghost, const OrbitCamera& camera, const QSize& pixels,
+              PictureLayer::Mode mode) {
+  const EyeRange range = eye_range(camera);
+  tools.rim->bind();
+  tools.rim->setUniformValue("pixel", QVector2D(1.0F / static_cast<float>(pixels.width()),
+                                                1.0F / static_cast<float>(pixels.height())));
+  tools.rim->setUniformValue(
+      "range", QVector2D(static_cast<float>(range.nearest), static_cast<float>(range.farthest)));
+  tools.rim->setUniformValue("parallel", camera.projection() == Projection::kOrthographic);
+  tools.rim->setUniformValue("faint", kVeilShare * ghost.opacity());
+  tools.rim->setUniformValue("strong", std::max(kRimOpacity, ghost.opacity()));
+  tools.solid.draw(*tools.rim, mode);
+}
+
+}  // namespace
+
+void GhostVeil::paint(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost,
+                      const OrbitCamera& camera, const QSize& pixels, unsigned target) {
+  const QRect region = region_of(*ghost.root(), camera, pixels);
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
+  const bool is_drawn = !region.isEmpty() && draw_solid(tools, action, ghost, pixels, region);
+  bind_frame(target);
+  if (is_drawn) {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    draw_rim(tools, ghost, camera, pixels, PictureLayer::Mode::kBlend);
   }
   glPopAttrib();
   action.invalidateState();
-  return is_bound;
+}
+
+bool GhostVeil::make(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost,
+                     const OrbitCamera& camera, const QSize& pixels) {
+  region_ = region_of(*ghost.root(), camera, pixels);
+  if (!tools.are_available() || !picture_.bind(pixels)) {
+    return false;
+  }
+  if (region_.isEmpty()) {
+    return true;
+  }
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
+  const bool is_drawn = draw_solid(tools, action, ghost, pixels, region_) && picture_.bind(pixels);
+  if (is_drawn) {
+    glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    draw_rim(tools, ghost, camera, pixels, PictureLayer::Mode::kReplace);
+  }
+  glPopAttrib();
+  action.invalidateState();
+  return is_drawn;
 }
 
 void GhostVeil::draw(VeilTools& tools, const QRect& part) {

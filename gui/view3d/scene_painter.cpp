@@ -29,10 +29,6 @@ std::uint32_t new_cache_context() {
   return ++last;
 }
 
-void bind_frame(unsigned frame) {
-  QOpenGLContext::currentContext()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, frame);
-}
-
 double aspect_of(const QSize& pixels) {
   return static_cast<double>(pixels.width()) / pixels.height();
 }
@@ -115,19 +111,22 @@ void ScenePainter::begin(const PictureFrame& frame) {
   action_->setViewportRegion(viewport_of(frame.pixels));
 }
 
-void ScenePainter::paint_all(const PictureFrame& frame, unsigned target, bool shaded) {
-  const bool has_veils = make_veils(frame);
+void ScenePainter::paint_all(const PictureFrame& frame, unsigned target, bool fine) {
   bind_frame(target);
   begin(frame);
   draw_backdrop(frame.colors.sky, frame.colors.ground);
   graph_.render_bodies(*action_);
-  if (shaded) {
+  if (fine) {
     shade(frame, target, false);
   }
   graph_.render_drawings(*action_);
-  if (has_veils) {
-    draw_veils(QRect(QPoint(0, 0), frame.pixels));
-    action_->invalidateState();
+  if (fine && veil_tools_.are_available()) {
+    for (const Ghost* ghost : graph_.ghosts()) {
+      if (ghost->is_visible()) {
+        GhostVeil::paint(veil_tools_, *action_, *ghost, frame.camera, frame.pixels, target);
+      }
+    }
+    action_->setViewportRegion(viewport_of(frame.pixels));
   } else {
     graph_.render_ghosts(*action_);
   }

@@ -67,8 +67,8 @@ class ScenePainter {
   [[nodiscard]] bool make_veils(const PictureFrame& frame);
   void draw_veils(const QRect& part);
   void begin(const PictureFrame& frame);
-  /// @param shaded with light and shadows.
-  void paint_all(const PictureFrame& frame, unsigned target, bool shaded);
+  /// @param fine with shadows, and outlines of ghosts, which take too long while the view turns.
+  void paint_all(const PictureFrame& frame, unsigned target, bool fine);
   void shade(const PictureFrame& frame, unsigned target, bool only_still);
   void paint_marks(const PictureFrame& frame);
 

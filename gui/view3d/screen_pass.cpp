@@ -26,6 +26,10 @@ std::unique_ptr<QOpenGLShaderProgram> make_screen_program(const char* fragment) 
   return linked ? std::move(program) : nullptr;
 }
 
+void bind_frame(unsigned frame) {
+  QOpenGLContext::currentContext()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, frame);
+}
+
 void restrict_to(const QRect& part) {
   glEnable(GL_SCISSOR_TEST);
   glScissor(part.x(), part.y(), part.width(), part.height());

@@ -15,6 +15,9 @@ namespace handway::gui {
 /// @returns nullptr if the card can't have it. Needs a current context, as all below.
 [[nodiscard]] std::unique_ptr<QOpenGLShaderProgram> make_screen_program(const char* fragment);
 
+/// Makes a frame buffer what is drawn into.
+void bind_frame(unsigned frame);
+
 /// Restricts drawing to a part of the picture, px from the lower left.
 void restrict_to(const QRect& part);
 
