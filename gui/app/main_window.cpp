@@ -217,7 +217,7 @@ void MainWindow::show_scene() {
     show_panels(false);
     return;
   }
-  // The first appearance of the view, and of the panels, takes a while: each has an event of its
+  // The first appearance of the panels, and of the view, takes a while: each has an event of its
   // own.
   const auto in_its_own_event = [this](const auto& show) {
     QMetaObject::invokeMethod(
@@ -229,8 +229,8 @@ void MainWindow::show_scene() {
         },
         Qt::QueuedConnection);
   };
-  in_its_own_event([this] { middle_->setCurrentIndex(1); });
   in_its_own_event([this] { show_panels(true); });
+  in_its_own_event([this] { middle_->setCurrentIndex(1); });
   workbench_.banner.hide_message();
   update_title();
   workbench_.log.add(LogPanel::Level::kNote, tr("Opened %1").arg(workbench_.scene_name()));
@@ -246,6 +246,7 @@ void MainWindow::show_scene() {
 void MainWindow::show_panels(bool shown) {
   if (shown && layout_with_scene_) {
     restoreState(*layout_with_scene_);
+    layout()->activate();  // the view then has its size from the beginning
     layout_with_scene_.reset();
   } else if (!shown && !layout_with_scene_) {
     layout_with_scene_ = saveState();

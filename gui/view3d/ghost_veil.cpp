@@ -62,13 +62,13 @@ VeilTools::~VeilTools() = default;
 
 namespace {
 
-// Draws the ghost as an opaque body into `solid`, within a part of the picture.
-bool draw_solid(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost, const QSize& pixels,
-                const QRect& region) {
+// Draws the ghost as an opaque body into `solid`.
+bool draw_solid(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost,
+                const QSize& pixels) {
   if (!tools.solid.bind(pixels)) {
     return false;
   }
-  restrict_to(region);
+  glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, pixels.width(), pixels.height());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -81,8 +81,8 @@ bool draw_solid(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost, 
   return true;
 }
 
-void draw_rim(VeilTools& tools, const Ghost& ghost, const OrbitCamera& camera, const QSize& pixels,
-              PictureLayer::Mode mode) {
+void draw_rim(VeilTools& tools, const Ghost& ghost, const OrbitCamera& camera,
+              const QSize& pixels) {
   const EyeRange range = eye_range(camera);
   tools.rim->bind();
   tools.rim->setUniformValue("pixel", QVector2D(1.0F / static_cast<float>(pixels.width()),
@@ -92,24 +92,10 @@ void draw_rim(VeilTools& tools, const Ghost& ghost, const OrbitCamera& camera, c
   tools.rim->setUniformValue("parallel", camera.projection() == Projection::kOrthographic);
   tools.rim->setUniformValue("faint", kVeilShare * ghost.opacity());
   tools.rim->setUniformValue("strong", std::max(kRimOpacity, ghost.opacity()));
-  tools.solid.draw(*tools.rim, mode);
+  tools.solid.draw(*tools.rim, PictureLayer::Mode::kReplace);
 }
 
 }  // namespace
-
-void GhostVeil::paint(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost,
-                      const OrbitCamera& camera, const QSize& pixels, unsigned target) {
-  const QRect region = region_of(*ghost.root(), camera, pixels);
-  glPushAttrib(GL_ALL_ATTRIB_BITS);
-  const bool is_drawn = !region.isEmpty() && draw_solid(tools, action, ghost, pixels, region);
-  bind_frame(target);
-  if (is_drawn) {
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    draw_rim(tools, ghost, camera, pixels, PictureLayer::Mode::kBlend);
-  }
-  glPopAttrib();
-  action.invalidateState();
-}
 
 bool GhostVeil::make(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost,
                      const OrbitCamera& camera, const QSize& pixels) {
@@ -121,11 +107,12 @@ bool GhostVeil::make(VeilTools& tools, SoGLRenderAction& action, const Ghost& gh
     return true;
   }
   glPushAttrib(GL_ALL_ATTRIB_BITS);
-  const bool is_drawn = draw_solid(tools, action, ghost, pixels, region_) && picture_.bind(pixels);
+  const bool is_drawn = draw_solid(tools, action, ghost, pixels) && picture_.bind(pixels);
   if (is_drawn) {
     glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_rim(tools, ghost, camera, pixels, PictureLayer::Mode::kReplace);
+    restrict_to(region_);
+    draw_rim(tools, ghost, camera, pixels);
   }
   glPopAttrib();
   action.invalidateState();

@@ -32,11 +32,6 @@ struct VeilTools {
 /// other parts, so that the bodies behind it keep their colours.
 class GhostVeil {
  public:
-  /// Draws a visible ghost into a frame buffer, behind what is in front of it there, and binds
-  /// that. @pre tools.are_available().
-  static void paint(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost,
-                    const OrbitCamera& camera, const QSize& pixels, unsigned target);
-
   /// Makes the picture of a visible ghost, to be drawn several times. Binds other frame buffers
   /// than the current one. @returns false if the card can't.
   [[nodiscard]] bool make(VeilTools& tools, SoGLRenderAction& action, const Ghost& ghost,

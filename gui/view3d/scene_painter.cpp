@@ -112,6 +112,7 @@ void ScenePainter::begin(const PictureFrame& frame) {
 }
 
 void ScenePainter::paint_all(const PictureFrame& frame, unsigned target, bool fine) {
+  const bool has_veils = fine && make_veils(frame);
   bind_frame(target);
   begin(frame);
   draw_backdrop(frame.colors.sky, frame.colors.ground);
@@ -120,13 +121,9 @@ void ScenePainter::paint_all(const PictureFrame& frame, unsigned target, bool fi
     shade(frame, target, false);
   }
   graph_.render_drawings(*action_);
-  if (fine && veil_tools_.are_available()) {
-    for (const Ghost* ghost : graph_.ghosts()) {
-      if (ghost->is_visible()) {
-        GhostVeil::paint(veil_tools_, *action_, *ghost, frame.camera, frame.pixels, target);
-      }
-    }
-    action_->setViewportRegion(viewport_of(frame.pixels));
+  if (has_veils) {
+    draw_veils(QRect(QPoint(0, 0), frame.pixels));
+    action_->invalidateState();
   } else {
     graph_.render_ghosts(*action_);
   }
