@@ -234,8 +234,16 @@ std::array<QVector2D, kTaps> disc_points() {
   return mixed;
 }
 
-/// Values of the shaders that describe the camera.
-struct Lens {
+QSize half_of(const QSize& pixels) { return {(pixels.width() + 1) / 2, (pixels.height() + 1) / 2}; }
+
+/// Returns the size of a pixel of a texture, in shares of the texture.
+QVector2D step_of(const QSize& size) {
+  return {1.0F / static_cast<float>(size.width()), 1.0F / static_cast<float>(size.height())};
+}
+
+}  // namespace
+
+struct SceneShading::Lens {
   QVector4D values;
   bool is_parallel;
   Eigen::Isometry3d X_CW;
@@ -258,6 +266,8 @@ struct Lens {
     program.setUniformValue("parallel", is_parallel);
   }
 };
+
+namespace {
 
 QVector3D to_qt(const Eigen::Vector3d& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
@@ -331,27 +341,30 @@ bool SceneShading::draw_shadow_map(SoGLRenderAction& action, const OrbitCamera& 
 
 bool SceneShading::compute(const OrbitCamera& camera, const QSize& pixels, unsigned frame) {
   const Lens lens(camera, pixels);
-  const QSize half((pixels.width() + 1) / 2, (pixels.height() + 1) / 2);
-  const Eigen::Matrix3d& R_CW = lens.X_CW.linear();
-  const std::optional<FloorDisc> disc = graph_.floor_disc();
+  return copy_depths(pixels, frame) && find_distances(lens, pixels) && find_shades(lens, pixels) &&
+         blur(half_of(pixels));
+}
+
+bool SceneShading::copy_depths(const QSize& pixels, unsigned frame) {
   if (!depths_.bind(pixels)) {
     return false;
+  }
+  while (glGetError() != GL_NO_ERROR) {
   }
   glBindFramebuffer(GL_READ_FRAMEBUFFER, frame);
   glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(),
                     GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  return glGetError() == GL_NO_ERROR;  // or the kinds of depth differ
+}
 
+bool SceneShading::find_distances(const Lens& lens, const QSize& pixels) {
+  QVector4D ground;  // none
+  if (const std::optional<FloorDisc> disc = graph_.floor_disc()) {
+    const Eigen::Vector3d up = lens.X_CW.linear().col(2);
+    ground = QVector4D(to_qt(up), static_cast<float>(up.dot(lens.X_CW * disc->centre)));
+  }
   if (!distances_.bind(pixels)) {
     return false;
-  }
-  QVector4D ground;
-  QVector4D middle;
-  const Eigen::Vector3d up = R_CW.col(2);
-  if (disc) {
-    const Eigen::Vector3d centre = lens.X_CW * disc->centre;
-    ground = QVector4D(to_qt(up), static_cast<float>(up.dot(centre)));
-    middle = QVector4D(to_qt(centre), static_cast<float>(disc->radius));
   }
   distances_program_->bind();
   lens.pass_to(*distances_program_);
@@ -359,37 +372,45 @@ bool SceneShading::compute(const OrbitCamera& camera, const QSize& pixels, unsig
   distances_program_->setUniformValue("ground", ground);
   depths_.use(0);
   fill_viewport();
+  return true;
+}
 
-  if (!shades_[0].bind(half)) {
+bool SceneShading::find_shades(const Lens& lens, const QSize& pixels) {
+  if (!shades_[0].bind(half_of(pixels))) {
     return false;
   }
-  shade_program_->bind();
-  lens.pass_to(*shade_program_);
-  shade_program_->setUniformValue("distances", 0);
-  shade_program_->setUniformValue("shadows", 1);
-  shade_program_->setUniformValue("up", to_qt(up));
-  shade_program_->setUniformValue("middle", middle);
-  shade_program_->setUniformValue(
+  const Eigen::Matrix3d& R_CW = lens.X_CW.linear();
+  const FloorDisc disc = graph_.floor_disc().value_or(FloorDisc{Eigen::Vector3d::Zero(), 1.0});
+  QOpenGLShaderProgram& program = *shade_program_;
+  program.bind();
+  lens.pass_to(program);
+  program.setUniformValue("distances", 0);
+  program.setUniformValue("shadows", 1);
+  program.setUniformValue("up", to_qt(Eigen::Vector3d(R_CW.col(2))));
+  program.setUniformValue("middle", QVector4D(to_qt(Eigen::Vector3d(lens.X_CW * disc.centre)),
+                                              static_cast<float>(disc.radius)));
+  program.setUniformValue(
       "to_shadows",
       to_qt(Eigen::Matrix4f(shadow_from_world_ * lens.X_CW.inverse().matrix().cast<float>())));
-  shade_program_->setUniformValue("lamp_frame",
-                                  to_qt(Eigen::Matrix3f((R_CW * R_WL_).transpose().cast<float>())));
-  shade_program_->setUniformValue("map_size", QVector2D(shadow_size_.x(), shadow_size_.y()));
-  shade_program_->setUniformValue("pixel", QVector2D(1.0F / static_cast<float>(pixels.width()),
-                                                     1.0F / static_cast<float>(pixels.height())));
-  shade_program_->setUniformValue("reach", kOcclusionReach);
-  shade_program_->setUniformValueArray("spiral", spiral_points(5.0, false).data(), kTaps);
-  shade_program_->setUniformValueArray("disc", disc_points().data(), kTaps);
+  program.setUniformValue("lamp_frame",
+                          to_qt(Eigen::Matrix3f((R_CW * R_WL_).transpose().cast<float>())));
+  program.setUniformValue("map_size", QVector2D(shadow_size_.x(), shadow_size_.y()));
+  program.setUniformValue("pixel", step_of(pixels));
+  program.setUniformValue("reach", kOcclusionReach);
+  program.setUniformValueArray("spiral", spiral_points(5.0, false).data(), kTaps);
+  program.setUniformValueArray("disc", disc_points().data(), kTaps);
   shadow_map_.use(1);
   distances_.use(0);
   fill_viewport();
+  return true;
+}
 
+bool SceneShading::blur(const QSize& size) {
   blur_program_->bind();
   blur_program_->setUniformValue("shades", 0);
-  const QVector2D step(1.0F / static_cast<float>(half.width()),
-                       1.0F / static_cast<float>(half.height()));
+  const QVector2D step = step_of(size);
   for (const std::size_t from : {0U, 1U}) {
-    if (!shades_.at(1 - from).bind(half)) {
+    if (!shades_.at(1 - from).bind(size)) {
       return false;
     }
     blur_program_->setUniformValue(

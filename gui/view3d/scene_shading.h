@@ -39,7 +39,15 @@ class SceneShading : protected QOpenGLExtraFunctions {
  private:
   [[nodiscard]] bool draw_shadow_map(SoGLRenderAction& action, const OrbitCamera& camera,
                                      bool only_still);
+  /// Values of the shaders that describe the camera.
+  struct Lens;
+
   [[nodiscard]] bool compute(const OrbitCamera& camera, const QSize& pixels, unsigned frame);
+  [[nodiscard]] bool copy_depths(const QSize& pixels, unsigned frame);
+  [[nodiscard]] bool find_distances(const Lens& lens, const QSize& pixels);
+  [[nodiscard]] bool find_shades(const Lens& lens, const QSize& pixels);
+  /// @param size of the textures of shades, px.
+  [[nodiscard]] bool blur(const QSize& size);
   void multiply(const QSize& pixels);
 
   SceneGraph& graph_;

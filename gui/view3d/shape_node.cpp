@@ -120,7 +120,7 @@ CoinRef<SoSeparator> make_shape_node(const geometric::Shape& shape) {
 
 namespace {
 
-/// How a surface reflects the lamps.
+/// Reflection of the lamps by a surface.
 struct Finish {
   float specular;
   float shininess;

@@ -6,6 +6,7 @@
 #include "widgets/style/theme.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QHeaderView>
 #include <QLineEdit>

@@ -137,12 +137,12 @@ constexpr std::array<geometric::Color, 6> kNewColors{{{0.36F, 0.56F, 0.80F, 1.0F
 
 // Colours of the objects of the library: wood, lacquer, glass.
 const std::map<std::string, geometric::Color>& library_colors() {
-  static const std::map<std::string, geometric::Color> colors{
+  static const std::map<std::string, geometric::Color> kColors{
       {"can", {0.80F, 0.16F, 0.14F, 1.0F}},   {"desk", {0.82F, 0.68F, 0.50F, 1.0F}},
       {"mug", {0.16F, 0.52F, 0.42F, 1.0F}},   {"open_box", {0.60F, 0.70F, 0.80F, 0.5F}},
       {"shelf", {0.86F, 0.76F, 0.62F, 1.0F}}, {"t_shape", {0.85F, 0.38F, 0.18F, 1.0F}},
       {"table", {0.72F, 0.56F, 0.38F, 1.0F}}};
-  return colors;
+  return kColors;
 }
 
 // The first of them that fewest objects have.
