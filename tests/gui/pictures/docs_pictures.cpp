@@ -13,9 +13,11 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTableView>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -197,9 +199,19 @@ TEST_F(Pictures, Roadmap) {
 TEST_F(Pictures, SamplingRegion) {
   open_shipped("can_on_table");
   apply("pmd-prm", {{"rho_a", "0.03"}});
-  part<QCheckBox>("preview_region").click();
+  auto& advanced = part<QToolButton>("advanced");
+  advanced.setChecked(true);
+  auto& preview = part<QCheckBox>("preview_region");
+  preview.click();
   QTest::qWait(2000);  // it is drawn in the background
+  for (QWidget* around = &preview; around; around = around->parentWidget()) {
+    if (auto* area = qobject_cast<QScrollArea*>(around)) {
+      area->ensureWidgetVisible(&preview, 0, 400);
+    }
+  }
+  QTest::qWait(100);
   take("sampling_region");
+  advanced.setChecked(false);
 }
 
 TEST_F(Pictures, MeasuringInASection) {
