@@ -428,9 +428,9 @@ void SceneShading::multiply(const QSize& pixels) {
   multiply_program_->bind();
   multiply_program_->setUniformValue("shades", 0);
   multiply_program_->setUniformValue("distances", 1);
-  multiply_program_->setUniformValue("size",
-                                     QVector2D(static_cast<float>((pixels.width() + 1) / 2),
-                                               static_cast<float>((pixels.height() + 1) / 2)));
+  const QSize size = half_of(pixels);
+  multiply_program_->setUniformValue(
+      "size", QVector2D(static_cast<float>(size.width()), static_cast<float>(size.height())));
   distances_.use(1);
   shades_[0].use(0);
   fill_viewport();
