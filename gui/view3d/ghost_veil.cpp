@@ -3,13 +3,11 @@
 #include "view3d/coin_conversions.h"
 #include "view3d/ghost.h"
 #include "view3d/scene_graph.h"
-#include "view3d/scene_painter.h"
 #include "view3d/screen_pass.h"
 
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <QOpenGLShaderProgram>
 #include <QVector2D>
-#include <QVector4D>
 
 #include <GL/gl.h>
 
@@ -85,8 +83,7 @@ void draw_rim(VeilTools& tools, const Ghost& ghost, const OrbitCamera& camera,
               const QSize& pixels) {
   const EyeRange range = eye_range(camera);
   tools.rim->bind();
-  tools.rim->setUniformValue("pixel", QVector2D(1.0F / static_cast<float>(pixels.width()),
-                                                1.0F / static_cast<float>(pixels.height())));
+  tools.rim->setUniformValue("pixel", step_of(pixels));
   tools.rim->setUniformValue(
       "range", QVector2D(static_cast<float>(range.nearest), static_cast<float>(range.farthest)));
   tools.rim->setUniformValue("parallel", camera.projection() == Projection::kOrthographic);

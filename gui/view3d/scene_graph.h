@@ -17,6 +17,9 @@
 #include "view3d/scene_passes.h"
 #include "view3d/viewpoints.h"
 
+#include <QRect>
+#include <QSize>
+
 #include <Eigen/Core>
 
 #include <array>
@@ -58,6 +61,11 @@ struct EyeRange {
 
 /// Returns from where, and between which depths, aim_camera() lets a camera see.
 [[nodiscard]] EyeRange eye_range(const OrbitCamera& camera);
+
+/// The part of a picture that a drawing may cover, px from the lower left; a box around the
+/// drawing's box, all of the picture if that comes behind the camera, empty if there is nothing.
+/// @param root draws in the world's frame, m.
+[[nodiscard]] QRect region_of(SoNode& root, const OrbitCamera& camera, const QSize& pixels);
 
 /// A lamp with parallel rays that shines on a part of a scene.
 struct Lamp {

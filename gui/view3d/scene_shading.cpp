@@ -236,11 +236,6 @@ std::array<QVector2D, kTaps> disc_points() {
 
 QSize half_of(const QSize& pixels) { return {(pixels.width() + 1) / 2, (pixels.height() + 1) / 2}; }
 
-/// Returns the size of a pixel of a texture, in shares of the texture.
-QVector2D step_of(const QSize& size) {
-  return {1.0F / static_cast<float>(size.width()), 1.0F / static_cast<float>(size.height())};
-}
-
 }  // namespace
 
 struct SceneShading::Lens {

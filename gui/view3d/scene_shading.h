@@ -27,10 +27,8 @@ class SceneShading : protected QOpenGLExtraFunctions {
   explicit SceneShading(SceneGraph& graph);
   ~SceneShading();
 
-  /// Returns whether the card can do it; if not, shade() does nothing.
-  [[nodiscard]] bool is_available() const { return is_available_; }
-
-  /// Darkens the picture of graph.render_bodies() in a frame buffer, and binds that again.
+  /// Darkens the picture of graph.render_bodies() in a frame buffer, and binds that again;
+  /// does nothing if the card can't.
   /// @param frame has 24 bits of depth and a stencil. @param pixels its size.
   /// @param only_still the picture is that of graph.render_still_bodies().
   void shade(SoGLRenderAction& action, const OrbitCamera& camera, const QSize& pixels,

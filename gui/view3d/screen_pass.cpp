@@ -35,6 +35,10 @@ void restrict_to(const QRect& part) {
   glScissor(part.x(), part.y(), part.width(), part.height());
 }
 
+QVector2D step_of(const QSize& size) {
+  return {1.0F / static_cast<float>(size.width()), 1.0F / static_cast<float>(size.height())};
+}
+
 void fill_viewport() {
   glBegin(GL_QUADS);
   glVertex2f(-1.0F, -1.0F);

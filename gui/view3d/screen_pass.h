@@ -3,6 +3,7 @@
 #include <QOpenGLExtraFunctions>
 #include <QRect>
 #include <QSize>
+#include <QVector2D>
 
 #include <memory>
 
@@ -20,6 +21,9 @@ void bind_frame(unsigned frame);
 
 /// Restricts drawing to a part of the picture, px from the lower left.
 void restrict_to(const QRect& part);
+
+/// Returns the size of a pixel of a texture, in shares of the texture.
+[[nodiscard]] QVector2D step_of(const QSize& size);
 
 /// Draws one rectangle over the whole viewport with the bound program.
 void fill_viewport();
@@ -43,7 +47,6 @@ class ScreenTexture : protected QOpenGLExtraFunctions {
   [[nodiscard]] bool bind(const QSize& size);
   /// Makes it the texture of a unit. @pre bind() was called once.
   void use(int unit);
-  [[nodiscard]] unsigned frame() const { return frame_; }
 
  private:
   [[nodiscard]] bool create(const QSize& size);

@@ -26,11 +26,7 @@ Disclosure::Disclosure(const char* name, const QString& title, QWidget* content,
   });
   heading_->setArrowType(Qt::RightArrow);
   content_->hide();
-  set_open(QSettings().value(settings_key(heading_->objectName()), false).toBool());
+  heading_->setChecked(QSettings().value(settings_key(heading_->objectName()), false).toBool());
 }
-
-void Disclosure::set_open(bool open) { heading_->setChecked(open); }
-
-bool Disclosure::is_open() const { return heading_->isChecked(); }
 
 }  // namespace handway::gui

@@ -16,9 +16,6 @@ class Disclosure : public QWidget {
   /// @param name by which tests and kept settings find it. It is closed at first.
   Disclosure(const char* name, const QString& title, QWidget* content, QWidget* parent = nullptr);
 
-  void set_open(bool open);
-  [[nodiscard]] bool is_open() const;
-
  private:
   QToolButton* heading_;
   QWidget* content_;
