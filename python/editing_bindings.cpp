@@ -3,15 +3,18 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/mesh/point_cloud.h"
 #include "handway/geometric/setup/mounting.h"
 #include "handway/geometric/setup/moving_group.h"
 #include "handway/geometric/setup/placing.h"
 #include "handway/planning/edits/arranging.h"
+#include "handway/planning/edits/cloud_import.h"
 #include "handway/planning/edits/robot_edits.h"
 #include "handway/planning/edits/scene_edits.h"
 #include "planner_model.h"
 #include "scene_questions.h"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -213,6 +216,57 @@ std::unique_ptr<SceneModel> made(const SceneState& state) {
   return std::make_unique<SceneModel>(state.scene, state.basis);
 }
 
+// Rows of points [n, 3], or [n, 6] with colours from 0 to 255.
+geometric::PointCloud cloud_from(const Array& points) {
+  const Batch rows =
+      batch_from(points, points.ndim() == 2 && points.shape(1) == 6 ? 6 : 3, "points");
+  geometric::PointCloud cloud;
+  for (const Eigen::VectorXd& row : rows.rows) {
+    if (row.head<3>().cwiseAbs().maxCoeff() >
+        static_cast<double>(geometric::kLargestCloudCoordinate)) {
+      throw InputError({"points", "", "a coordinate farther away than 160 m", "metres", ""});
+    }
+    cloud.points.emplace_back(row.head<3>().cast<float>());
+    if (row.size() == 6) {
+      const Eigen::Vector3d parts = row.tail<3>().cwiseMax(0.0).cwiseMin(255.0);
+      cloud.colors.push_back({static_cast<std::uint8_t>(parts[0]),
+                              static_cast<std::uint8_t>(parts[1]),
+                              static_cast<std::uint8_t>(parts[2])});
+    }
+  }
+  return cloud;
+}
+
+double length_from(double value, double least, double most, const char* argument) {
+  if (!(value >= least && value <= most)) {
+    throw InputError(
+        {argument, "", std::to_string(value), fmt::format("{:g} to {:g} m", least, most), ""});
+  }
+  return value;
+}
+
+std::unique_ptr<SceneModel> with_cloud(const SceneModel& model, const std::string& name,
+                                       const Array& points, const py::object& X_WC, double cell,
+                                       double radius, const std::optional<double>& robot_margin,
+                                       const ObjectNames& cut_out, bool outliers) {
+  check_name(model.scene(), name);
+  planning::CloudImport import;
+  import.name = name;
+  import.X_WC = pose_or_identity(X_WC, "X_WC");
+  import.cells.size = length_from(cell, geometric::kSmallestCell, geometric::kLargestCell, "cell");
+  import.cells.radius = length_from(radius, 0.0, geometric::most_radius(cell), "radius");
+  import.robot_margin = robot_margin;
+  if (robot_margin) {
+    static_cast<void>(length_from(*robot_margin, 0.0, 1.0, "robot_margin"));
+  }
+  import.cut_out = cut_out;
+  if (outliers) {
+    import.outliers.reset();
+  }
+  return made(
+      import_cloud(state_of(model), posture_of(model), cloud_from(points), import, "points").state);
+}
+
 // A shift or a point in m, as far as scenes reach.
 Eigen::Vector3d triple_from(const std::array<double, 3>& values, const char* argument) {
   constexpr double kFarthest = 1e3;
@@ -371,6 +425,18 @@ void bind_editing(py::module_& module) {
            "objects: a list of dicts with the keys that objects of scene files have, such as\n"
            "{\"name\": \"can\", \"cylinder\": {\"radius\": 0.03, \"length\": 0.2},\n"
            "\"pose\": {\"xyz\": [0.5, 0, 0.1]}}.")
+      .def("with_cloud", &with_cloud, py::arg("name"), py::arg("points"),
+           py::arg("X_WC") = py::none(), py::kw_only(), py::arg("cell") = 0.01,
+           py::arg("radius") = 0.0, py::arg("robot_margin") = 0.02,
+           py::arg("cut_out") = ObjectNames(), py::arg("outliers") = false,
+           "Returns this scene with points of a camera as an object called name.\n\n"
+           "points: [n, 3], m, or [n, 6] with colours from 0 to 255, in a frame at X_WC, [4, 4], "
+           "in\n"
+           "the world. All cells of a grid of edge cell (m) that have a point, or are nearer to "
+           "one\n"
+           "than radius (m), are solid. Points nearer than robot_margin (m) to the robots at the\n"
+           "start, what they carry and the objects cut_out are left out (None: none are), and\n"
+           "single points unless outliers is true.")
       .def("without_object", &without_object, py::arg("name"),
            "Returns this scene without the object called name and the settings about it.")
       .def(

@@ -25,6 +25,9 @@ void add_bench_command(CLI::App& app, int& exit_code);
 /// `handway check SCENE PATH.csv`: re-checks a path on the exact meshes.
 void add_check_command(CLI::App& app, int& exit_code);
 
+/// `handway cloud FILE`: adds points of a camera to a scene.
+void add_cloud_command(CLI::App& app, int& exit_code);
+
 /// Adds `handway compare`.
 void add_compare_command(CLI::App& app, int& exit_code);
 

@@ -271,7 +271,8 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
 // Returns whether the shape is approximated by a polyhedron around it.
 bool is_round(const geometric::Shape& shape) {
   return !std::holds_alternative<geometric::Box>(shape) &&
-         !std::holds_alternative<geometric::Mesh>(shape);
+         !std::holds_alternative<geometric::Mesh>(shape) &&
+         !std::holds_alternative<geometric::Cloud>(shape);
 }
 
 void print_text(const std::filesystem::path& file, const planning::SceneState& loaded,

@@ -1,5 +1,6 @@
 #include "view3d/shape_node.h"
 
+#include "handway/geometric/mesh/point_cloud.h"
 #include "model/meshes/crease_normals.h"
 #include "model/meshes/drawn_mesh.h"
 #include "model/meshes/shaded_meshes.h"
@@ -9,9 +10,12 @@
 #include <Inventor/nodes/SoCone.h>
 #include <Inventor/nodes/SoCube.h>
 #include <Inventor/nodes/SoCylinder.h>
+#include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoIndexedFaceSet.h>
 #include <Inventor/nodes/SoLevelOfDetail.h>
+#include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoPointSet.h>
 #include <Inventor/nodes/SoRotationXYZ.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShapeHints.h>
@@ -19,6 +23,9 @@
 #include <Inventor/nodes/SoVertexProperty.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 
 namespace handway::gui {
@@ -70,6 +77,69 @@ void add_mesh(SoSeparator* parent, const DrawnMesh& mesh) {
   parent->addChild(levels);
 }
 
+/// Colours of points: their own, or greys that are lighter the higher a point is, so that shapes
+/// can be told apart.
+class PointColors {
+ public:
+  explicit PointColors(const geometric::PointCloud& cloud) : cloud_(cloud) {
+    for (const Eigen::Vector3f& point : cloud.points) {
+      lowest_ = std::min(lowest_, point.z());
+      highest_ = std::max(highest_, point.z());
+    }
+  }
+
+  [[nodiscard]] std::uint32_t rgba(std::size_t point) const {
+    if (!cloud_.colors.empty()) {
+      const auto& [red, green, blue] = cloud_.colors[point];
+      return packed(red, green, blue);
+    }
+    const float height = (cloud_.points[point].z() - lowest_) / std::max(highest_ - lowest_, 1e-6F);
+    const auto grey = static_cast<std::uint8_t>(70.0F + 130.0F * height);
+    return packed(grey, grey, static_cast<std::uint8_t>(grey + 25));
+  }
+
+ private:
+  static std::uint32_t packed(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
+    return static_cast<std::uint32_t>(red) << 24U | static_cast<std::uint32_t>(green) << 16U |
+           static_cast<std::uint32_t>(blue) << 8U | 0xFFU;
+  }
+
+  const geometric::PointCloud& cloud_;
+  float lowest_ = std::numeric_limits<float>::max();
+  float highest_ = std::numeric_limits<float>::lowest();
+};
+
+// Of very many points a part is drawn, evenly chosen.
+void add_points(SoSeparator* parent, const geometric::PointCloud& cloud) {
+  constexpr std::size_t kMostDrawn = 250'000;
+  const std::size_t every = cloud.size() / kMostDrawn + 1;
+  const auto count = static_cast<int>((cloud.size() + every - 1) / every);
+  const PointColors colors(cloud);
+  auto* properties = new SoVertexProperty;
+  properties->vertex.setNum(count);
+  properties->orderedRGBA.setNum(count);
+  SbVec3f* place = properties->vertex.startEditing();
+  std::uint32_t* color = properties->orderedRGBA.startEditing();
+  for (std::size_t i = 0; i < cloud.size(); i += every) {
+    const Eigen::Vector3f& p = cloud.points[i];
+    *place++ = SbVec3f(p.x(), p.y(), p.z());
+    *color++ = colors.rgba(i);
+  }
+  properties->vertex.finishEditing();
+  properties->orderedRGBA.finishEditing();
+  properties->materialBinding = SoVertexProperty::PER_VERTEX;
+
+  auto* light = new SoLightModel;
+  light->model = SoLightModel::BASE_COLOR;
+  parent->addChild(light);
+  auto* style = new SoDrawStyle;
+  style->pointSize = 3.0F;
+  parent->addChild(style);
+  auto* points = new SoPointSet;
+  points->vertexProperty = properties;
+  parent->addChild(points);
+}
+
 struct AddShape {
   SoSeparator* parent;
 
@@ -102,6 +172,7 @@ struct AddShape {
       add_mesh(parent, *shaded(mesh.triangles));
     }
   }
+  void operator()(const geometric::Cloud& cloud) const { add_points(parent, *cloud.points); }
 };
 
 }  // namespace

@@ -64,8 +64,9 @@ class CollisionObject {
   }
 
   void add(const geometric::Shape& shape, const Pose& X) {
-    if (const auto* mesh = std::get_if<geometric::Mesh>(&shape)) {
-      message_["meshes"].push_back(triangles(*mesh->triangles));
+    if (std::holds_alternative<geometric::Mesh>(shape) ||
+        std::holds_alternative<geometric::Cloud>(shape)) {
+      message_["meshes"].push_back(triangles(*geometric::tessellate(shape)));
       message_["mesh_poses"].push_back(pose(X));
       return;
     }
@@ -93,6 +94,7 @@ class CollisionObject {
       return primitive(4, {cone.length, cone.radius});
     }
     Message operator()(const geometric::Mesh& /*mesh*/) const { return {}; }
+    Message operator()(const geometric::Cloud& /*cloud*/) const { return {}; }
   };
 
   Message message_;

@@ -39,6 +39,9 @@ struct SizeWords {
   QString operator()(const geometric::Mesh& mesh) const {
     return QObject::tr("scale %1").arg(mesh.scale.x(), 0, 'g', 4);
   }
+  QString operator()(const geometric::Cloud& cloud) const {
+    return QObject::tr("cells of %1 mm").arg(measure(cloud.cells.size));
+  }
 };
 
 }  // namespace

@@ -65,6 +65,12 @@ struct SizeText {
         .arg(QString::fromStdString(mesh.file.filename().string()),
              QString::number(mesh.triangles ? mesh.triangles->triangles.size() : 0));
   }
+  QString operator()(const geometric::Cloud& cloud) const {
+    return QStringLiteral("point cloud %1, %2 points, cells of %3 mm")
+        .arg(QString::fromStdString(cloud.file.filename().string()))
+        .arg(cloud.points->size())
+        .arg(mm(cloud.cells.size));
+  }
 };
 
 }  // namespace

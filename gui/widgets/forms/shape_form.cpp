@@ -1,6 +1,8 @@
 #include "widgets/forms/shape_form.h"
 
+#include "handway/geometric/formats/cloud_reader.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/mesh/point_cloud.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/planning/edits/resizing.h"
 #include "widgets/forms/arrangement.h"
@@ -11,15 +13,13 @@
 #include <QFormLayout>
 #include <QLabel>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
 namespace handway::gui {
 namespace {
-
-constexpr double kSmallest = 1e-4;  // m
-constexpr double kLargest = 100.0;  // m
 
 using Values = std::vector<double>;
 
@@ -33,6 +33,9 @@ struct Measures {
   }
   Values operator()(const geometric::Cone& cone) const { return {cone.radius, cone.length}; }
   Values operator()(const geometric::Mesh& /*mesh*/) const { return {}; }
+  Values operator()(const geometric::Cloud& cloud) const {
+    return {cloud.cells.size, cloud.cells.radius};
+  }
 };
 
 struct Resize {
@@ -49,6 +52,13 @@ struct Resize {
     cone.length = values[1];
   }
   void operator()(geometric::Mesh& /*mesh*/) const {}
+  void operator()(geometric::Cloud& cloud) const {
+    const std::filesystem::path file = cloud.file;
+    cloud = geometric::make_cloud(
+        cloud.points, {values[0], std::min(values[1], geometric::most_radius(values[0]))},
+        file.string());
+    cloud.file = file;
+  }
 };
 
 QString mesh_text(const geometric::Mesh& mesh) {
@@ -67,8 +77,22 @@ QString mesh_text(const geometric::Mesh& mesh) {
       .arg(count);
 }
 
+QString cloud_text(const geometric::Cloud& cloud) {
+  const QString file = cloud.file.empty() ? QObject::tr("not saved yet")
+                                          : QString::fromStdString(cloud.file.filename().string());
+  return QObject::tr(
+             "%1: %2 points. All cells of a grid that have a point, or are nearer to one "
+             "than the radius, are solid.")
+      .arg(file)
+      .arg(cloud.points->size());
+}
+
 // A mesh is shown by its file and its size.
 bool has_same_fields(const geometric::Shape& a, const geometric::Shape& b) {
+  if (const auto* cloud = std::get_if<geometric::Cloud>(&a)) {
+    const auto* same = std::get_if<geometric::Cloud>(&b);
+    return same && same->file == cloud->file && same->points == cloud->points;
+  }
   const auto* one = std::get_if<geometric::Mesh>(&a);
   const auto* other = std::get_if<geometric::Mesh>(&b);
   return a.index() == b.index() &&
@@ -78,9 +102,9 @@ bool has_same_fields(const geometric::Shape& a, const geometric::Shape& b) {
 }  // namespace
 
 QString kind_of_shape(const geometric::Shape& shape) {
-  const std::array<QString, 5> words{QObject::tr("Box"), QObject::tr("Sphere"),
+  const std::array<QString, 6> words{QObject::tr("Box"),      QObject::tr("Sphere"),
                                      QObject::tr("Cylinder"), QObject::tr("Cone"),
-                                     QObject::tr("Mesh")};
+                                     QObject::tr("Mesh"),     QObject::tr("Point cloud")};
   return words.at(shape.index());
 }
 
@@ -91,8 +115,8 @@ ShapeForm::ShapeForm(QWidget* parent) : QWidget(parent), layout_(new QFormLayout
   rebuild();
 }
 
-void ShapeForm::add_field(const QString& label, const char* name) {
-  auto* field = new QuantityField(QuantityField::Kind::kLength, kSmallest, kLargest);
+void ShapeForm::add_field(const QString& label, const char* name, double least, double most) {
+  auto* field = new QuantityField(QuantityField::Kind::kLength, least, most);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   field->setObjectName(QLatin1String(name));
@@ -135,6 +159,12 @@ void ShapeForm::rebuild() {
     mesh_->setWordWrap(true);
     layout_->addRow(mesh_);
     add_scale();
+  } else if (const auto* cloud = std::get_if<geometric::Cloud>(&shape_)) {
+    QLabel* text = named("cloud_note", note(cloud_text(*cloud)));
+    text->setWordWrap(true);
+    layout_->addRow(text);
+    add_field(tr("Cell"), "cloud_cell", geometric::kSmallestCell, geometric::kLargestCell);
+    add_field(tr("Radius"), "cloud_radius", 0.0, geometric::most_radius(geometric::kLargestCell));
   } else {
     add_field(tr("Radius"), "size_radius");
     if (!std::holds_alternative<geometric::Sphere>(shape_)) {

@@ -14,7 +14,8 @@ namespace handway::gui {
 
 class QuantityField;
 
-/// The measures of a shape, typed: edges, radius, length; of a mesh its scale.
+/// The measures of a shape, typed: edges, radius, length; of a mesh its scale, of a point cloud its
+/// cells.
 class ShapeForm : public QWidget {
   Q_OBJECT
 
@@ -31,7 +32,8 @@ class ShapeForm : public QWidget {
   void rebuild();
   void take_values();
   void add_scale();
-  void add_field(const QString& label, const char* name);
+  // Lengths in m.
+  void add_field(const QString& label, const char* name, double least = 1e-4, double most = 100.0);
 
   QFormLayout* layout_;
   std::vector<QuantityField*> fields_;

@@ -1,7 +1,7 @@
+#include "handway/geometric/formats/numpy_array.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "recordings/array_recording.h"
-#include "recordings/numpy_array.h"
 #include "recordings/recording_formats.h"
 
 #include <fmt/format.h>
@@ -21,6 +21,11 @@ namespace handway::device {
 namespace {
 
 using geometric::InputError;
+using geometric::is_numpy;
+using geometric::kNumpyPreamble;
+using geometric::numpy_header_bytes;
+using geometric::NumpyHeader;
+using geometric::parse_numpy_header;
 
 /// Reads at most that many of the next bytes; fewer at the end.
 /// @throws InputError if they are damaged.

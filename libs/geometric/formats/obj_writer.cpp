@@ -1,5 +1,6 @@
 #include "handway/geometric/formats/obj_writer.h"
 
+#include "handway/geometric/formats/cloud_reader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
@@ -35,7 +36,7 @@ SavedMeshes::SavedMeshes(const std::filesystem::path& file)
     : beside_(std::filesystem::absolute(file).parent_path()),
       folder_(file.stem().string() + "_meshes") {}
 
-std::filesystem::path SavedMeshes::save(const std::string& name, const TriangleMesh& mesh) {
+std::filesystem::path SavedMeshes::new_file(const std::string& name, const char* extension) {
   const std::string stem = file_name_of(name);
   std::string unique = stem;
   for (int i = 2; !taken_.insert(unique).second; ++i) {
@@ -47,8 +48,18 @@ std::filesystem::path SavedMeshes::save(const std::string& name, const TriangleM
     throw InputError({(beside_ / folder_).string(), "", error.message(), "a folder for meshes",
                       "Save where you may write"});
   }
-  const std::filesystem::path file = folder_ / (unique + ".obj");
+  return folder_ / (unique + extension);
+}
+
+std::filesystem::path SavedMeshes::save(const std::string& name, const TriangleMesh& mesh) {
+  const std::filesystem::path file = new_file(name, ".obj");
   write_obj(mesh, beside_ / file);
+  return file;
+}
+
+std::filesystem::path SavedMeshes::save(const std::string& name, const PointCloud& cloud) {
+  const std::filesystem::path file = new_file(name, ".ply");
+  write_ply(cloud, beside_ / file);
   return file;
 }
 

@@ -1,4 +1,5 @@
 #include "formats/scene_sections.h"
+#include "handway/geometric/formats/cloud_reader.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
@@ -18,7 +19,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr const char* kShapes = "one of box, sphere, cylinder, cone and mesh";
+constexpr const char* kShapes = "one of box, sphere, cylinder, cone, mesh and cloud";
 
 double size_of(const YamlElement& element) {
   const double size = element.number();
@@ -58,13 +59,44 @@ Mesh mesh_of(const YamlElement& element, const std::filesystem::path& folder) {
   return mesh;
 }
 
+double length_within(const YamlElement& element, double least, double most) {
+  const double length = element.number();
+  if (length < least || length > most) {
+    element.refuse(element.found(), fmt::format("{:g} to {:g} m", least, most));
+  }
+  return length;
+}
+
+Cloud cloud_of(const YamlElement& element, const std::filesystem::path& folder, Scene& scene) {
+  element.allow_keys({"file", "cell", "radius"});
+  const YamlElement file = element.need("file");
+  const std::filesystem::path found = find_noted(ResourceKind::kObject, file, folder, scene);
+  ReadCloud read = read_cloud(found, file.where());
+  std::ranges::move(read.warnings, std::back_inserter(scene.warnings));
+  CloudCells cells;
+  cells.size = read.cloud.cell > 0.0 ? read.cloud.cell : cells.size;
+  if (const std::optional<YamlElement> cell = element.find("cell")) {
+    cells.size = length_within(*cell, kSmallestCell, kLargestCell);
+  }
+  if (const std::optional<YamlElement> radius = element.find("radius")) {
+    cells.radius = length_within(*radius, 0.0, most_radius(cells.size));
+  }
+  Cloud cloud = make_cloud(std::make_shared<const PointCloud>(std::move(read.cloud)), cells,
+                           file.where() + ": cloud " + found.string());
+  cloud.file = found;
+  return cloud;
+}
+
 Shape shape_of(const std::string& kind, const YamlElement& element,
-               const std::filesystem::path& folder) {
+               const std::filesystem::path& folder, Scene& scene) {
   if (kind == "box") {
     return box_of(element);
   }
   if (kind == "mesh") {
     return mesh_of(element, folder);
+  }
+  if (kind == "cloud") {
+    return cloud_of(element, folder, scene);
   }
   if (kind == "sphere") {
     element.allow_keys({"radius"});
@@ -76,14 +108,14 @@ Shape shape_of(const std::string& kind, const YamlElement& element,
   return kind == "cone" ? Shape(Cone{radius, length}) : Shape(Cylinder{radius, length});
 }
 
-Shape only_shape_of(const YamlElement& object, const std::filesystem::path& folder) {
+Shape only_shape_of(const YamlElement& object, const std::filesystem::path& folder, Scene& scene) {
   std::optional<Shape> shape;
-  for (const std::string kind : {"box", "sphere", "cylinder", "cone", "mesh"}) {
+  for (const std::string kind : {"box", "sphere", "cylinder", "cone", "mesh", "cloud"}) {
     if (const std::optional<YamlElement> element = object.find(kind)) {
       if (shape) {
         element->refuse("a second shape", kShapes, "Make one object for each shape");
       }
-      shape = shape_of(kind, *element, folder);
+      shape = shape_of(kind, *element, folder, scene);
     }
   }
   if (!shape) {
@@ -165,13 +197,13 @@ std::filesystem::path find_noted(ResourceKind kind, const YamlElement& reference
   return file;
 }
 
-SceneObject object_of(const YamlElement& element, const Scene& scene,
+SceneObject object_of(const YamlElement& element, Scene& scene,
                       const std::filesystem::path& folder) {
-  element.allow_keys({"name", "box", "sphere", "cylinder", "cone", "mesh", "pose", "color",
+  element.allow_keys({"name", "box", "sphere", "cylinder", "cone", "mesh", "cloud", "pose", "color",
                       "attach", "group", "hidden", "locked", "solid"});
   SceneObject object;
   object.name = element.need("name").text();
-  object.shape = only_shape_of(element, folder);
+  object.shape = only_shape_of(element, folder, scene);
   if (const std::optional<YamlElement> pose = element.find("pose")) {
     object.X_PO = pose_of(*pose);
   }

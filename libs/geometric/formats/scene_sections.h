@@ -45,9 +45,9 @@ void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
                                                const std::filesystem::path& folder, Scene& scene);
 
 /// One entry of a scene file's `objects`.
-/// @param scene with its robots, to which the object may be attached.
+/// @param scene with its robots, to which the object may be attached; warnings are added to it.
 /// @param folder of the scene file.
-[[nodiscard]] SceneObject object_of(const YamlElement& element, const Scene& scene,
+[[nodiscard]] SceneObject object_of(const YamlElement& element, Scene& scene,
                                     const std::filesystem::path& folder);
 
 /// Reads the display settings from the entry of an object.

@@ -180,6 +180,12 @@ class ShapeText {
     return fmt::format("mesh: {{file: {}{}}}", yaml_scalar(mesh_.generic_string()),
                        is_scaled_ && scale != "1" ? ", scale: " + scale : "");
   }
+  std::string operator()(const Cloud& cloud) const {
+    const std::string radius =
+        cloud.cells.radius > 0.0 ? ", radius: " + number_text(cloud.cells.radius) : "";
+    return fmt::format("cloud: {{file: {}, cell: {}{}}}", yaml_scalar(mesh_.generic_string()),
+                       number_text(cloud.cells.size), radius);
+  }
 
  private:
   const std::filesystem::path& mesh_;
@@ -306,7 +312,23 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
 
 namespace fs = std::filesystem;
 
-bool has_mesh_file(const Mesh& mesh) { return !mesh.file.empty() && is_mesh_file(mesh.file); }
+// The file that a shape is read from again; empty for a primitive, and if a program made the shape.
+fs::path file_of(const Shape& shape) {
+  if (const auto* cloud = std::get_if<Cloud>(&shape)) {
+    return cloud->file;
+  }
+  const auto* mesh = std::get_if<Mesh>(&shape);
+  return mesh && is_mesh_file(mesh->file) ? mesh->file : fs::path();
+}
+
+// Saves a shape that a program made. @returns its file; empty for a primitive.
+fs::path save_shape(SavedMeshes& meshes, const std::string& name, const Shape& shape) {
+  if (const auto* cloud = std::get_if<Cloud>(&shape)) {
+    return meshes.save(name, *cloud->points);
+  }
+  const auto* mesh = std::get_if<Mesh>(&shape);
+  return mesh ? meshes.save(name, *mesh->triangles) : fs::path();
+}
 
 fs::path folder_of(const fs::path& file) { return fs::absolute(file).parent_path(); }
 
@@ -377,16 +399,11 @@ class SceneFileWriter {
   }
 
   void add_mesh_reference(const SceneObject& object) {
-    const Mesh* mesh = std::get_if<Mesh>(&object.shape);
-    const bool has_file = mesh && has_mesh_file(*mesh);
-    references_.is_scaled.push_back(has_file);
-    if (!mesh) {
-      references_.meshes.emplace_back();
-    } else if (has_file) {
-      references_.meshes.push_back(resource_reference(ResourceKind::kObject, mesh->file, to_));
-    } else {
-      references_.meshes.push_back(meshes_.save(object.name, *mesh->triangles));
-    }
+    const fs::path known = file_of(object.shape);
+    references_.is_scaled.push_back(!known.empty());
+    references_.meshes.push_back(known.empty()
+                                     ? save_shape(meshes_, object.name, object.shape)
+                                     : resource_reference(ResourceKind::kObject, known, to_));
   }
 
   // Comments and blank lines at the top of the existing file.
@@ -432,14 +449,10 @@ std::string objects_text(const Scene& scene, const fs::path& meshes_beside) {
   SavedMeshes meshes(meshes_beside);
   std::string text = "objects:\n";
   for (const SceneObject& object : scene.objects) {
-    const Mesh* mesh = std::get_if<Mesh>(&object.shape);
-    const bool has_file = mesh && has_mesh_file(*mesh);
-    fs::path file;
-    if (mesh) {
-      file = has_file ? mesh->file
-                      : folder_of(meshes_beside) / meshes.save(object.name, *mesh->triangles);
-    }
-    text += object_text(object, scene.display.of(object.name), ShapeText(file, has_file));
+    const fs::path known = file_of(object.shape);
+    const fs::path saved = known.empty() ? save_shape(meshes, object.name, object.shape) : known;
+    const fs::path file = saved.empty() ? saved : folder_of(meshes_beside) / saved;
+    text += object_text(object, scene.display.of(object.name), ShapeText(file, !known.empty()));
   }
   return text;
 }

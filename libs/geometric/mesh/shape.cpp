@@ -108,6 +108,8 @@ TriangleMesh triangles_of(const Sphere& sphere) {
 
 TriangleMesh triangles_of(const Mesh& mesh) { return *mesh.triangles; }
 
+TriangleMesh triangles_of(const Cloud& cloud) { return *cloud.surface; }
+
 Shape times(Box box, double scale) {
   box.size *= scale;
   return box;
@@ -125,8 +127,8 @@ Shape times(Round shape, double scale) {
   return shape;
 }
 
-Shape times(const Mesh& mesh, double scale) {
-  auto triangles = std::make_shared<TriangleMesh>(*mesh.triangles);
+Shape times_about_mean(const TriangleMesh& mesh, double scale) {
+  auto triangles = std::make_shared<TriangleMesh>(mesh);
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& vertex : triangles->vertices) {
     centre += vertex / static_cast<double>(triangles->vertices.size());
@@ -136,6 +138,10 @@ Shape times(const Mesh& mesh, double scale) {
   }
   return Mesh{{}, Eigen::Vector3d::Ones(), std::move(triangles)};
 }
+
+Shape times(const Mesh& mesh, double scale) { return times_about_mean(*mesh.triangles, scale); }
+
+Shape times(const Cloud& cloud, double scale) { return times_about_mean(*cloud.surface, scale); }
 
 }  // namespace
 
@@ -183,14 +189,17 @@ TriangleMesh round_mesh(const Sphere& sphere, std::uint32_t segments) {
 }
 
 std::string_view shape_name(const Shape& shape) {
-  static constexpr std::array<std::string_view, 5> kNames = {"box", "sphere", "cylinder", "cone",
-                                                             "mesh"};
+  static constexpr std::array<std::string_view, 6> kNames = {"box",  "sphere", "cylinder",
+                                                             "cone", "mesh",   "cloud"};
   return kNames[shape.index()];
 }
 
 std::shared_ptr<const TriangleMesh> tessellate(const Shape& shape) {
   if (const Mesh* mesh = std::get_if<Mesh>(&shape)) {
     return mesh->triangles;
+  }
+  if (const Cloud* cloud = std::get_if<Cloud>(&shape)) {
+    return cloud->surface;
   }
   return std::make_shared<TriangleMesh>(
       std::visit([](const auto& solid) { return triangles_of(solid); }, shape));

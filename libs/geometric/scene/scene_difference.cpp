@@ -19,6 +19,7 @@ struct SameShape {
   bool operator()(const Mesh& a, const Mesh& b) const {
     return a.triangles == b.triangles && a.scale == b.scale;
   }
+  bool operator()(const Cloud& a, const Cloud& b) const { return a.surface == b.surface; }
   template <typename A, typename B>
   bool operator()(const A& /*a*/, const B& /*b*/) const {
     return false;

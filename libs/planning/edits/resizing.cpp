@@ -64,13 +64,17 @@ struct Pull {
     X_WO.translation() += X_WO.linear() * ((1.0 - factor) * fixed);
     mesh = scaled(mesh, factor);
   }
+  void operator()(geometric::Cloud& /*cloud*/) const {}  // measured
 };
 
 }  // namespace
 
 std::vector<ResizeKnob> resize_knobs(const geometric::Shape& shape) {
-  const Aabb box = box_of(shape);
   std::vector<ResizeKnob> knobs;
+  if (std::holds_alternative<geometric::Cloud>(shape)) {
+    return knobs;
+  }
+  const Aabb box = box_of(shape);
   for (int axis = 0; axis < 3; ++axis) {
     for (const int sign : {-1, 1}) {
       ResizeKnob knob{axis, sign, box.centre()};

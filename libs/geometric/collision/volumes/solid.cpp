@@ -138,8 +138,10 @@ class KnownShapes {
 
 std::shared_ptr<const ShapeSolid> solid_of(const Shape& shape) {
   static KnownShapes known;
-  const Mesh* mesh = std::get_if<Mesh>(&shape);
-  return mesh ? known.get(mesh->triangles) : std::make_shared<const ShapeSolid>(*tessellate(shape));
+  const bool is_shared =
+      std::holds_alternative<Mesh>(shape) || std::holds_alternative<Cloud>(shape);
+  const std::shared_ptr<const TriangleMesh> surface = tessellate(shape);
+  return is_shared ? known.get(surface) : std::make_shared<const ShapeSolid>(*surface);
 }
 
 void extend(Aabb& box, const Aabb& part, const Pose& X_BG) {

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/export.h"
 #include "handway/geometric/math/pose.h"
+#include "handway/geometric/mesh/point_cloud.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <Eigen/Core>
@@ -54,18 +55,27 @@ struct Mesh {
   std::shared_ptr<const TriangleMesh> triangles;    ///< Never null in a loaded scene.
 };
 
-/// Geometry of a body.
-using Shape = std::variant<Box, Sphere, Cylinder, Cone, Mesh>;
+/// Points from a file, or from a program when `file` is empty, and the cells around them, which are
+/// the body. See make_cloud().
+struct Cloud {
+  std::filesystem::path file;                   ///< File of the points; absolute.
+  CloudCells cells;                             ///< Already applied to `surface`.
+  std::shared_ptr<const PointCloud> points;     ///< Never null in a loaded scene.
+  std::shared_ptr<const TriangleMesh> surface;  ///< cells_around() the points; never null.
+};
 
-/// "box", "sphere", "cylinder", "cone" or "mesh": the word in scene files.
+/// Geometry of a body.
+using Shape = std::variant<Box, Sphere, Cylinder, Cone, Mesh, Cloud>;
+
+/// "box", "sphere", "cylinder", "cone", "mesh" or "cloud": the word in scene files.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string_view shape_name(const Shape& shape);
 
 /// Largest distance (m) of the polyhedron for a round shape from that shape.
 inline constexpr double kRoundTolerance = 1e-4;
 
-/// Returns the triangles of `shape` for collision checking. A box and a mesh are exact. A round
-/// shape becomes a polyhedron that contains the true solid and leaves it by at most
-/// kRoundTolerance, or, if its radius is more than 10 m, by 1e-5 of the radius.
+/// Returns the triangles of `shape` for collision checking. A box and a mesh are exact, a cloud has
+/// its surface. A round shape becomes a polyhedron that contains the true solid and leaves it by at
+/// most kRoundTolerance, or, if its radius is more than 10 m, by 1e-5 of the radius.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const TriangleMesh> tessellate(
     const Shape& shape);
 
@@ -78,11 +88,12 @@ struct Padding {
   friend bool operator==(const Padding&, const Padding&) = default;
 };
 
-/// Returns the shape `scale` times as large about its own centre, a mesh about the mean of its
-/// vertices.
+/// Returns the shape `scale` times as large about its own centre, a mesh or the surface of a cloud
+/// (as a mesh) about the mean of its vertices.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Shape scaled(const Shape& shape, double scale);
 
-/// Returns whether the shape has an inside: primitives do, and meshes whose surface is_closed().
+/// Returns whether the shape has an inside: primitives and clouds do, and meshes
+/// whose surface is_closed().
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const Shape& shape);
 
 // Shapes of other programs, converted to Handway's.

@@ -1,7 +1,6 @@
-#include "recordings/numpy_array.h"
+#include "handway/geometric/formats/numpy_array.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "recordings/array_file.h"
 
 #include <fmt/format.h>
 
@@ -16,10 +15,8 @@
 #include <map>
 #include <optional>
 
-namespace handway::device {
+namespace handway::geometric {
 namespace {
-
-using geometric::InputError;
 
 constexpr std::string_view kNumpyMagic = "\x93NUMPY";
 constexpr std::size_t kLongestHeader = std::size_t{1} << 20;
@@ -300,7 +297,7 @@ void append_utf8(std::string& text, std::uint32_t code) {
 std::string NumpyHeader::type_name() const {
   static const std::map<char, const char*> kNames{{'f', "float"}, {'i', "int"}, {'u', "uint"}};
   if (is_text()) {
-    return kText;
+    return "text";
   }
   const auto name = kNames.find(kind);
   return name == kNames.end() ? (kind == 'b' ? "bool" : "other")
@@ -341,7 +338,7 @@ NumpyHeader parse_numpy_header(std::string_view header, const std::string& sourc
   const std::size_t preamble = header[6] > 1 ? kNumpyPreamble : kNumpyPreamble - 2;
   NumpyHeader parsed = HeaderText(header.substr(preamble, size - preamble), source).read();
   const std::optional<std::size_t> count = product(parsed.shape);
-  if (parsed.problem.empty() && (!count || *count > kMostNumbers)) {
+  if (parsed.problem.empty() && (!count || *count > kMostNumpyElements)) {
     parsed.problem = "more numbers than can be read";
   }
   return parsed;
@@ -382,4 +379,4 @@ std::vector<std::string> numpy_words(const NumpyHeader& header, std::string_view
   return words;
 }
 
-}  // namespace handway::device
+}  // namespace handway::geometric

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "handway/geometric/export.h"
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -10,10 +12,13 @@
 /// Arrays in NumPy's format .npy, versions 1 to 3.
 /// Source: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 
-namespace handway::device {
+namespace handway::geometric {
+
+/// The largest number of elements of an array that is read.
+inline constexpr std::size_t kMostNumpyElements = std::size_t{1} << 27;
 
 /// Header of an array.
-struct NumpyHeader {
+struct HANDWAY_GEOMETRIC_EXPORT NumpyHeader {
   char kind = 'f';             ///< NumPy's letter: f, i, u, b (Boolean), U or S (text).
   std::size_t item_bytes = 8;  ///< Bytes of an element.
   bool big_endian = false;
@@ -32,26 +37,29 @@ struct NumpyHeader {
 inline constexpr std::size_t kNumpyPreamble = 12;
 
 /// Returns whether bytes begin as an array does.
-[[nodiscard]] bool is_numpy(std::string_view head);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_numpy(std::string_view head);
 
 /// Bytes in front of the elements.
 /// @param head the first kNumpyPreamble bytes, or all of a shorter file.
 /// @throws InputError naming `source` if this is no array, of an unknown version, or the header is
 /// longer than 1 MB.
-[[nodiscard]] std::size_t numpy_header_bytes(std::string_view head, const std::string& source);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::size_t numpy_header_bytes(std::string_view head,
+                                                                      const std::string& source);
 
 /// Parses a header. Arrays of objects and of records have a problem.
 /// @param header the first numpy_header_bytes() of the file.
 /// @throws InputError naming `source` if it is damaged.
-[[nodiscard]] NumpyHeader parse_numpy_header(std::string_view header, const std::string& source);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT NumpyHeader parse_numpy_header(std::string_view header,
+                                                                      const std::string& source);
 
 /// The elements, shape [first dimension, product of the others in C order].
 /// @pre the header has no problem and no text, and `elements` has its bytes().
-[[nodiscard]] Eigen::MatrixXd numpy_numbers(const NumpyHeader& header, std::string_view elements);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Eigen::MatrixXd numpy_numbers(const NumpyHeader& header,
+                                                                     std::string_view elements);
 
 /// The texts of an array in the order of its elements, as UTF-8.
 /// @pre the header is of text without a problem, and `elements` has its bytes().
-[[nodiscard]] std::vector<std::string> numpy_words(const NumpyHeader& header,
-                                                   std::string_view elements);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> numpy_words(
+    const NumpyHeader& header, std::string_view elements);
 
-}  // namespace handway::device
+}  // namespace handway::geometric

@@ -1,0 +1,64 @@
+#include "formats/cloud_formats.h"
+#include "handway/geometric/formats/numpy_array.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace handway::geometric {
+namespace {
+
+std::string words_for(const NumpyHeader& header) {
+  std::string shape;
+  for (const std::size_t side : header.shape) {
+    shape += (shape.empty() ? "" : "×") + std::to_string(side);
+  }
+  return header.problem.empty() ? fmt::format("{} of shape {}", header.type_name(), shape)
+                                : header.problem;
+}
+
+/// Refuses arrays that are no list or image of points. @returns the numbers of a point, 3 or 6.
+std::size_t checked_width(const NumpyHeader& header, const std::string& source) {
+  const std::size_t dimensions = header.shape.size();
+  const std::size_t width = header.shape.empty() ? 0 : header.shape.back();
+  if (!header.problem.empty() || header.is_text() || dimensions < 2 || dimensions > 3 ||
+      (width != 3 && width != 6)) {
+    refuse_cloud(source, "array", words_for(header),
+                 "numbers of shape n×3, n×6 (with colours) or h×w×3",
+                 "A depth image becomes points by its camera: see handway cloud --help");
+  }
+  return width;
+}
+
+}  // namespace
+
+ReadCloud read_numpy_points(std::string_view content, const std::string& source) {
+  const std::size_t in_front =
+      numpy_header_bytes(content.substr(0, std::min(content.size(), kNumpyPreamble)), source);
+  const NumpyHeader header =
+      parse_numpy_header(content.substr(0, std::min(content.size(), in_front)), source);
+  const auto width = static_cast<Eigen::Index>(checked_width(header, source));
+  if (content.size() - in_front < header.bytes()) {
+    refuse_cloud(source, "array", fmt::format("{} bytes of elements", content.size() - in_front),
+                 fmt::format("{} by the shape in the header", header.bytes()),
+                 "The file is cut off: copy it again");
+  }
+  const Eigen::MatrixXd numbers = numpy_numbers(header, content.substr(in_front));
+  PointCollector points(source, static_cast<std::size_t>(numbers.size() / width));
+  const bool has_shares = header.kind == 'f' && width == 6 && numbers.size() > 0 &&
+                          numbers.rightCols(3).maxCoeff() <= 1.0;
+  for (Eigen::Index row = 0; row < numbers.rows(); ++row) {
+    for (Eigen::Index at = 0; at < numbers.cols(); at += width) {
+      const Eigen::Vector3d place = numbers.row(row).segment<3>(at);
+      if (width == 3) {
+        points.add(place);
+      } else {
+        points.add(place,
+                   color_from(numbers.row(row).segment<3>(at + 3), has_shares ? 1.0 : 255.0));
+      }
+    }
+  }
+  return {std::move(points).take(), {}};
+}
+
+}  // namespace handway::geometric

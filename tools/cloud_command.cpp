@@ -1,0 +1,243 @@
+#include "commands.h"
+#include "handway/geometric/formats/cloud_reader.h"
+#include "handway/geometric/formats/depth_image.h"
+#include "handway/geometric/formats/scene_file.h"
+#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
+#include "handway/planning/edits/cloud_import.h"
+#include "handway/planning/extensions/load_scene.h"
+#include "handway/planning/extensions/plugin.h"
+#include "numbers.h"
+#include "printing.h"
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handway::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using geometric::Pose;
+
+struct CloudOptions {
+  fs::path file;
+  fs::path scene;
+  fs::path out;
+  std::vector<double> camera;  ///< fx, fy, cx, cy.
+  geometric::DepthCamera depth;
+  std::vector<double> xyz{0.0, 0.0, 0.0};
+  std::vector<double> rpy_deg{0.0, 0.0, 0.0};
+  bool is_optical = false;
+  std::string name = "cloud";
+  double cell_mm = 10.0;
+  CLI::Option* cell = nullptr;
+  double radius_mm = 0.0;
+  double margin_mm = 20.0;
+  bool keeps_robot = false;
+  bool keeps_outliers = false;
+  std::vector<double> box;
+  std::vector<std::string> cut_out;
+};
+
+Eigen::Vector3d vector_at(const std::vector<double>& values, std::size_t first = 0) {
+  return {values.at(first), values.at(first + 1), values.at(first + 2)};
+}
+
+/// Returns the pose of the points in the world.
+Pose pose_of(const CloudOptions& options) {
+  const Eigen::Vector3d rpy = geometric::radians(1.0) * vector_at(options.rpy_deg);
+  Pose X_WC = geometric::pose_from_rpy(vector_at(options.xyz), rpy.x(), rpy.y(), rpy.z());
+  if (options.is_optical) {
+    // The optical frame has z forwards and y down; a camera's body has x forwards and z up.
+    Eigen::Matrix3d R_BodyOptical;
+    R_BodyOptical << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+    X_WC.linear() = X_WC.linear() * R_BodyOptical;
+  }
+  return X_WC;
+}
+
+geometric::PointCloud read_points(const CloudOptions& options) {
+  if (options.camera.empty()) {
+    if (geometric::is_image_file(options.file)) {
+      throw geometric::InputError({options.file.string(), "", "a depth image without its camera",
+                                   "--camera FX FY CX CY",
+                                   "They are K[0], K[4], K[2] and K[5] of "
+                                   "ROS's CameraInfo"});
+    }
+    geometric::ReadCloud read = geometric::read_cloud(options.file);
+    for (const std::string& warning : read.warnings) {
+      print_error("handway: {}\n", warning);
+    }
+    return std::move(read.cloud);
+  }
+  geometric::DepthCamera camera = options.depth;
+  camera.focal = {options.camera.at(0), options.camera.at(1)};
+  camera.centre = {options.camera.at(2), options.camera.at(3)};
+  return geometric::read_depth_image(options.file, camera);
+}
+
+void print_cloud(const fs::path& file, const geometric::PointCloud& cloud) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& point : cloud.points) {
+    box.extend(point);
+  }
+  print_out("{}: {} points{}, {:.3f} × {:.3f} × {:.3f} m around ({:.3f}, {:.3f}, {:.3f}) m\n",
+            file.string(), cloud.size(), cloud.colors.empty() ? "" : " with colours",
+            box.sizes().x(), box.sizes().y(), box.sizes().z(), box.center().x(), box.center().y(),
+            box.center().z());
+}
+
+planning::CloudImport import_of(const CloudOptions& options, const geometric::PointCloud& cloud) {
+  planning::CloudImport import;
+  import.name = options.name;
+  import.X_WC = pose_of(options);
+  import.cells.size = options.cell->count() == 0 && cloud.cell > 0.0
+                          ? cloud.cell
+                          : geometric::metres(options.cell_mm);
+  import.cells.radius = geometric::metres(options.radius_mm);
+  if (import.cells.radius > geometric::most_radius(import.cells.size)) {
+    throw geometric::InputError({"--radius-mm", "", fmt::format("{:g}", options.radius_mm),
+                                 "at most five times the cell", "Make the cells larger"});
+  }
+  if (!options.box.empty()) {
+    import.box = geometric::Aabb{vector_at(options.box), vector_at(options.box, 3)};
+  }
+  if (options.keeps_outliers) {
+    import.outliers.reset();
+  }
+  import.robot_margin = geometric::metres(options.margin_mm);
+  if (options.keeps_robot) {
+    import.robot_margin.reset();
+  }
+  import.cut_out = options.cut_out;
+  return import;
+}
+
+int add_to_scene(const CloudOptions& options, geometric::PointCloud cloud) {
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  const planning::SceneState state = planning::load_scene(options.scene, plugins);
+  const geometric::Scene& scene = *state.scene;
+  const planning::CloudImport import = import_of(options, cloud);
+  const planning::ImportedCloud added =
+      planning::import_cloud(state, scene.start.value_or(scene.robots.front().configuration),
+                             std::move(cloud), import, options.file.string());
+  geometric::write_scene(*added.state.scene, options.out);
+  const auto& shape =
+      std::get<geometric::Cloud>(find_object(*added.state.scene, added.name)->shape);
+  print_out("Left out: {} outside of the box, {} of robots and cut-out objects, {} outliers\n",
+            added.outside, added.of_bodies, added.outliers);
+  print_out("Object {}: {} points in cells of {:g} mm, {} triangles, made in {:.2f} s\n",
+            added.name, added.points, geometric::millimetres(shape.cells.size),
+            shape.surface->triangles.size(), added.seconds);
+  print_out("Saved {}\n", options.out.string());
+  return kDone;
+}
+
+int run_cloud(const CloudOptions& options) {
+  geometric::PointCloud cloud = read_points(options);
+  print_cloud(options.file, cloud);
+  if (!options.scene.empty()) {
+    return add_to_scene(options, std::move(cloud));
+  }
+  if (!options.out.empty()) {
+    if (!geometric::has_extension(options.out, ".ply")) {
+      throw geometric::InputError(
+          {"--out", "", options.out.string(), "a file .ply", "With --scene it is a scene (.yaml)"});
+    }
+    geometric::write_ply(cloud, options.out);
+    print_out("Saved {}\n", options.out.string());
+  }
+  return kDone;
+}
+
+void add_reading(CLI::App& command, CloudOptions& options) {
+  command
+      .add_option("file", options.file,
+                  "Points (.pcd, .ply, .xyz, .pts, .asc, .txt, .csv, .npy), octomap (.bt, .ot), or "
+                  "depth image (.png, .npy)")
+      ->required();
+  command
+      .add_option("--camera", options.camera,
+                  "Of a depth image: focal lengths and centre, pixels (FX FY CX CY)")
+      ->expected(4)
+      ->check(number_in(0.0, 1e5));
+  command.add_option("--depth-unit", options.depth.unit, "Of a depth image: metres for 1")
+      ->check(number_in(1e-6, 1e3))
+      ->capture_default_str();
+  command
+      .add_option("--farthest", options.depth.farthest,
+                  "Of a depth image: depths beyond are left out, m")
+      ->check(number_in(0.0, 100.0))
+      ->capture_default_str();
+}
+
+void add_placing(CLI::App& command, CloudOptions& options) {
+  command.add_option("--xyz", options.xyz, "Place of the points' frame in the world, m")
+      ->expected(3)
+      ->check(number_in(-1e3, 1e3));
+  command.add_option("--rpy-deg", options.rpy_deg, "Its roll, pitch and yaw")
+      ->expected(3)
+      ->check(number_in(-360.0, 360.0));
+  command.add_flag(
+      "--optical", options.is_optical,
+      "The points are in a camera's optical frame (z forwards, y down), and the pose is "
+      "that of its body (x forwards, z up)");
+}
+
+void add_filters(CLI::App& command, CloudOptions& options) {
+  options.cell =
+      command
+          .add_option("--cell-mm", options.cell_mm,
+                      "Edge of the cells that become solid (default 10; of an octomap, "
+                      "its own)")
+          ->check(number_in(1e3 * geometric::kSmallestCell, 1e3 * geometric::kLargestCell));
+  command
+      .add_option("--radius-mm", options.radius_mm,
+                  "All cells nearer to a point than this become solid")
+      ->check(number_in(0.0, 1e3))
+      ->capture_default_str();
+  command
+      .add_option("--box", options.box,
+                  "Leave out points outside of a box of the world, m (X0 Y0 Z0 X1 Y1 Z1)")
+      ->expected(6)
+      ->check(number_in(-1e3, 1e3));
+  command
+      .add_option("--margin-mm", options.margin_mm,
+                  "Leave out points nearer than this to robots, what they carry, and --cut-out")
+      ->check(number_in(0.0, 1e3))
+      ->capture_default_str();
+  command.add_option("--cut-out", options.cut_out, "Objects whose points are left out");
+  command.add_flag("--keep-robot", options.keeps_robot, "Keep the points of robots");
+  command.add_flag("--keep-outliers", options.keeps_outliers, "Keep single points");
+}
+
+}  // namespace
+
+void add_cloud_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CloudOptions>();
+  CLI::App* command =
+      app.add_subcommand("cloud", "Add points of a camera or scanner to a scene, or show them");
+  add_reading(*command, *options);
+  CLI::Option* scene =
+      command->add_option("--scene", options->scene, "Scene to which the points are added");
+  CLI::Option* out = command->add_option(
+      "--out", options->out, "The new scene (.yaml); without --scene: the points (.ply)");
+  scene->needs(out);
+  command->add_option("--name", options->name, "Name of the object")->capture_default_str();
+  add_placing(*command, *options);
+  add_filters(*command, *options);
+  command->callback([options, &exit_code] { exit_code = run_cloud(*options); });
+}
+
+}  // namespace handway::tools
