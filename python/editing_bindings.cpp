@@ -247,24 +247,24 @@ double length_from(double value, double least, double most, const char* argument
 
 std::unique_ptr<SceneModel> with_cloud(const SceneModel& model, const std::string& name,
                                        const Array& points, const py::object& X_WC, double cell,
-                                       double radius, const std::optional<double>& robot_margin,
-                                       const ObjectNames& cut_out, bool outliers) {
+                                       double radius, double margin, bool robots,
+                                       const ObjectNames& cut_out, bool outliers,
+                                       bool find_objects) {
   check_name(model.scene(), name);
   planning::CloudImport import;
   import.name = name;
   import.X_WC = pose_or_identity(X_WC, "X_WC");
   import.cells.size = length_from(cell, geometric::kSmallestCell, geometric::kLargestCell, "cell");
   import.cells.radius = length_from(radius, 0.0, geometric::most_radius(cell), "radius");
-  import.robot_margin = robot_margin;
-  if (robot_margin) {
-    static_cast<void>(length_from(*robot_margin, 0.0, 1.0, "robot_margin"));
-  }
-  import.cut_out = cut_out;
+  import.finds_objects = find_objects;
+  import.bodies = {!robots, cut_out, length_from(margin, 0.0, 1.0, "margin")};
   if (outliers) {
     import.outliers.reset();
   }
-  return made(
-      import_cloud(state_of(model), posture_of(model), cloud_from(points), import, "points").state);
+  const SceneState state = state_of(model);
+  const planning::ImportedCloud cloud =
+      planning::import_cloud(*state.scene, posture_of(model), cloud_from(points), import, "points");
+  return made(with_cloud(state, cloud));
 }
 
 // A shift or a point in m, as far as scenes reach.
@@ -425,18 +425,20 @@ void bind_editing(py::module_& module) {
            "objects: a list of dicts with the keys that objects of scene files have, such as\n"
            "{\"name\": \"can\", \"cylinder\": {\"radius\": 0.03, \"length\": 0.2},\n"
            "\"pose\": {\"xyz\": [0.5, 0, 0.1]}}.")
-      .def("with_cloud", &with_cloud, py::arg("name"), py::arg("points"),
-           py::arg("X_WC") = py::none(), py::kw_only(), py::arg("cell") = 0.01,
-           py::arg("radius") = 0.0, py::arg("robot_margin") = 0.02,
-           py::arg("cut_out") = ObjectNames(), py::arg("outliers") = false,
-           "Returns this scene with points of a camera as an object called name.\n\n"
-           "points: [n, 3], m, or [n, 6] with colours from 0 to 255, in a frame at X_WC, [4, 4], "
-           "in\n"
-           "the world. All cells of a grid of edge cell (m) that have a point, or are nearer to "
-           "one\n"
-           "than radius (m), are solid. Points nearer than robot_margin (m) to the robots at the\n"
-           "start, what they carry and the objects cut_out are left out (None: none are), and\n"
-           "single points unless outliers is true.")
+      .def(
+          "with_cloud", &with_cloud, py::arg("name"), py::arg("points"),
+          py::arg("X_WC") = py::none(), py::kw_only(), py::arg("cell") = 0.01,
+          py::arg("radius") = 0.0, py::arg("margin") = 0.02, py::arg("robots") = false,
+          py::arg("cut_out") = ObjectNames(), py::arg("outliers") = false,
+          py::arg("find_objects") = false,
+          "Returns this scene with points of a camera as an object called name.\n\n"
+          "points: [n, 3], m, or [n, 6] with colours from 0 to 255, in a frame at X_WC, [4, 4],\n"
+          "in the world. All cells of a grid of edge cell (m) that have a point, or are nearer to\n"
+          "one than radius (m), are solid. Points nearer than margin (m) to the objects cut_out\n"
+          "are left out, and to the robots at the start and what they carry, unless robots is\n"
+          "true; so are single points, unless outliers is true. With find_objects, tables and "
+          "what\n"
+          "stands on them become primitives, called surface and object, in place of their points.")
       .def("without_object", &without_object, py::arg("name"),
            "Returns this scene without the object called name and the settings about it.")
       .def(

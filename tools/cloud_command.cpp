@@ -47,6 +47,7 @@ struct CloudOptions {
   bool keeps_outliers = false;
   std::vector<double> box;
   std::vector<std::string> cut_out;
+  bool finds_objects = false;
 };
 
 Eigen::Vector3d vector_at(const std::vector<double>& values, std::size_t first = 0) {
@@ -115,12 +116,24 @@ planning::CloudImport import_of(const CloudOptions& options, const geometric::Po
   if (options.keeps_outliers) {
     import.outliers.reset();
   }
-  import.robot_margin = geometric::metres(options.margin_mm);
-  if (options.keeps_robot) {
-    import.robot_margin.reset();
-  }
-  import.cut_out = options.cut_out;
+  import.finds_objects = options.finds_objects;
+  import.bodies = {!options.keeps_robot, options.cut_out, geometric::metres(options.margin_mm)};
   return import;
+}
+
+void print_object(const geometric::SceneObject& object) {
+  if (const auto* cloud = std::get_if<geometric::Cloud>(&object.shape)) {
+    print_out("Object {}: {} points in cells of {:g} mm, {} triangles\n", object.name,
+              cloud->points->size(), geometric::millimetres(cloud->cells.size),
+              cloud->surface->triangles.size());
+    return;
+  }
+  const Eigen::Vector3d size = geometric::bounding_box(*geometric::tessellate(object.shape)).size();
+  const Eigen::Vector3d place = object.X_PO.translation();
+  print_out("Object {}: {} of {:.0f} × {:.0f} × {:.0f} mm at ({:.3f}, {:.3f}, {:.3f}) m\n",
+            object.name, geometric::shape_name(object.shape), geometric::millimetres(size.x()),
+            geometric::millimetres(size.y()), geometric::millimetres(size.z()), place.x(),
+            place.y(), place.z());
 }
 
 int add_to_scene(const CloudOptions& options, geometric::PointCloud cloud) {
@@ -129,17 +142,16 @@ int add_to_scene(const CloudOptions& options, geometric::PointCloud cloud) {
   const planning::SceneState state = planning::load_scene(options.scene, plugins);
   const geometric::Scene& scene = *state.scene;
   const planning::CloudImport import = import_of(options, cloud);
-  const planning::ImportedCloud added =
-      planning::import_cloud(state, scene.start.value_or(scene.robots.front().configuration),
+  const planning::ImportedCloud made =
+      planning::import_cloud(scene, scene.start.value_or(scene.robots.front().configuration),
                              std::move(cloud), import, options.file.string());
-  geometric::write_scene(*added.state.scene, options.out);
-  const auto& shape =
-      std::get<geometric::Cloud>(find_object(*added.state.scene, added.name)->shape);
-  print_out("Left out: {} outside of the box, {} of robots and cut-out objects, {} outliers\n",
-            added.outside, added.of_bodies, added.outliers);
-  print_out("Object {}: {} points in cells of {:g} mm, {} triangles, made in {:.2f} s\n",
-            added.name, added.points, geometric::millimetres(shape.cells.size),
-            shape.surface->triangles.size(), added.seconds);
+  print_out(
+      "Left out: {} points outside of the box, {} of robots and cut-out objects, {} outliers\n",
+      made.outside, made.of_bodies, made.outliers);
+  for (const geometric::SceneObject& object : made.objects) {
+    print_object(object);
+  }
+  geometric::write_scene(*planning::with_cloud(state, made).scene, options.out);
   print_out("Saved {}\n", options.out.string());
   return kDone;
 }
@@ -218,6 +230,9 @@ void add_filters(CLI::App& command, CloudOptions& options) {
       ->check(number_in(0.0, 1e3))
       ->capture_default_str();
   command.add_option("--cut-out", options.cut_out, "Objects whose points are left out");
+  command.add_flag("--find-objects", options.finds_objects,
+                   "Find tables and what stands on them: boxes, upright cylinders and spheres, in "
+                   "place of their points");
   command.add_flag("--keep-robot", options.keeps_robot, "Keep the points of robots");
   command.add_flag("--keep-outliers", options.keeps_outliers, "Keep single points");
 }

@@ -9,6 +9,8 @@
 #include "app/start/shortcut_list.h"
 #include "app/start/start_page.h"
 #include "app/view_actions.h"
+#include "handway/geometric/formats/cloud_reader.h"
+#include "handway/geometric/formats/depth_image.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/planning/paths/path_file.h"
 #include "view3d/scene_view.h"
@@ -196,9 +198,14 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const QString file = event->mimeData()->urls().front().toLocalFile();
-  if (workbench_.document.scene() && geometric::is_mesh_file(file.toStdString())) {
+  const std::filesystem::path path = file.toStdString();
+  const bool has_scene = workbench_.document.scene() != nullptr;
+  // A PLY file of points is no mesh.
+  if (has_scene && (geometric::is_cloud_file(path) || geometric::is_image_file(path))) {
+    emit workbench_.cloud_dropped(file);
+  } else if (has_scene && geometric::is_mesh_file(path)) {
     emit workbench_.mesh_dropped(file);
-  } else if (workbench_.document.scene() && planning::is_path_file(file.toStdString())) {
+  } else if (has_scene && planning::is_path_file(path)) {
     emit workbench_.path_dropped(file);
   } else {
     open(file);

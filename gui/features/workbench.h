@@ -164,6 +164,8 @@ class Workbench : public QObject {
   void failed(const QString& message);
   /// A file of a mesh was dropped on the window.
   void mesh_dropped(const QString& file);
+  /// A file of points or a depth image was.
+  void cloud_dropped(const QString& file);
   /// A file of a path was.
   void path_dropped(const QString& file);
   /// A motion other than the played path is to be exported.

@@ -203,6 +203,12 @@ void EditActions::fill_add_menu(QMenu& menu) {
   }
   menu.addSeparator();
   add_mesh(tr("&Mesh from file…"), {});
+  QAction* cloud =
+      workbench_.make_action("object", tr("&Point cloud from file…"), {},
+                             tr("Add points of a depth camera or a scanner, or a depth image"));
+  connect(cloud, &QAction::triggered, this, &EditActions::add_cloud_requested);
+  menu.addAction(cloud);
+  adding_ << cloud;
   menu.addSeparator();  // what other features add follows
 }
 

@@ -50,6 +50,7 @@ class EditActions : public QObject {
   void add_requested(const QString& name, const handway::geometric::Shape& shape);
   /// A mesh of the library, or an empty path to ask for one.
   void add_mesh_requested(const QString& file);
+  void add_cloud_requested();
   void rename_requested();
   void attach_requested();
 

@@ -162,6 +162,7 @@ SceneEditing::SceneEditing(Workbench& workbench)
       edit_actions_(workbench),
       arrange_actions_(workbench),
       resize_(editor_, view_),
+      clouds_(workbench),
       tree_(new SceneTree),
       properties_(new PropertiesPanel(editor_)) {
   edit_actions_.setParent(this);
@@ -194,6 +195,7 @@ SceneEditing::SceneEditing(Workbench& workbench)
   });
   connect(&editor_, &SceneEditor::refused, &workbench_, &Workbench::show_error);
   connect(&edit_actions_, &EditActions::add_mesh_requested, this, &SceneEditing::add_mesh);
+  connect(&edit_actions_, &EditActions::add_cloud_requested, &clouds_, [this] { clouds_.add({}); });
   connect_view();
   connect_tree();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "features/editing/cloud_tool.h"
 #include "features/editing/edit_actions.h"
 #include "features/editing/resize_tool.h"
 #include "model/document/autosave.h"
@@ -99,6 +100,7 @@ class SceneEditing : public QObject {
   EditActions edit_actions_;
   ArrangeActions arrange_actions_;
   ResizeTool resize_;
+  CloudTool clouds_;
   SceneTree* tree_;
   PropertiesPanel* properties_;
   CollisionReport report_;

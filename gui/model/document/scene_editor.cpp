@@ -159,7 +159,7 @@ void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
     return;
   }
   SceneObject object;
-  object.name = planning::unused_name(*state().scene, name);
+  object.name = name;
   object.shape = shape;
   object.color = color;
   object.X_PO.linear() = R_WO;
@@ -167,8 +167,18 @@ void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
       geometric::bounding_box(geometric::transformed(*geometric::tessellate(shape), object.X_PO));
   const Eigen::Vector3d underside(box.centre().x(), box.centre().y(), box.lower.z());
   object.X_PO.translation() = foot - underside;
-  const std::string unused = object.name;
-  apply(tr("Add %1").arg(words(unused)), with_object(state(), std::move(object)), {unused});
+  add_objects({object});
+}
+
+void SceneEditor::add_objects(const std::vector<SceneObject>& objects) {
+  planning::SceneState next = state();
+  std::vector<std::string> names;
+  for (SceneObject object : objects) {
+    object.name = planning::unused_name(*next.scene, object.name);
+    names.push_back(object.name);
+    next = with_object(next, std::move(object));
+  }
+  apply(tr("Add %1").arg(words_for(names)), std::move(next), names);
 }
 
 void SceneEditor::add_room(const std::string& name, const geometric::Shape& shape,
@@ -177,13 +187,12 @@ void SceneEditor::add_room(const std::string& name, const geometric::Shape& shap
     return;
   }
   SceneObject object;
-  object.name = planning::unused_name(*state().scene, name);
+  object.name = name;
   object.shape = shape;
   object.color = color;
   object.X_PO = X_WO;
   object.solid = false;
-  const std::string unused = object.name;
-  apply(tr("Add %1").arg(words(unused)), with_object(state(), std::move(object)), {unused});
+  add_objects({object});
 }
 
 Eigen::Vector3d SceneEditor::place_for(const Eigen::Vector3d& size,

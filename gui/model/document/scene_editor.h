@@ -61,6 +61,9 @@ class SceneEditor : public QObject {
   void add(const std::string& name, const geometric::Shape& shape, const geometric::Color& color,
            const Eigen::Vector3d& foot, const Eigen::Matrix3d& R_WO = Eigen::Matrix3d::Identity());
 
+  /// Adds objects as they are, but for names of their own, as one edit, and selects them.
+  void add_objects(const std::vector<geometric::SceneObject>& objects);
+
   /// Adds a room or a cell, whose walls alone count, and selects it. @param X_WO where it is.
   void add_room(const std::string& name, const geometric::Shape& shape,
                 const geometric::Color& color, const geometric::Pose& X_WO);

@@ -4,52 +4,35 @@
 #include "collision/volumes/triangle_tree.h"
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/io/input_error.h"
+#include "setup/point_tree.h"
 
-#include <nanoflann.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
 namespace handway::geometric {
 namespace {
 
-/// Points as nanoflann reads them.
-struct PointColumns {
-  const std::vector<Eigen::Vector3f>& points;
-
-  [[nodiscard]] std::size_t kdtree_get_point_count() const { return points.size(); }
-  [[nodiscard]] float kdtree_get_pt(std::size_t point, std::size_t axis) const {
-    return points[point][static_cast<Eigen::Index>(axis)];
-  }
-  template <typename Box>
-  bool kdtree_get_bbox(Box& /*box*/) const {
-    return false;
-  }
-};
-
-using PointTree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PointColumns>,
-                                        PointColumns, 3, std::uint32_t>;
-
 // Mean distance (m) of each point from its nearest ones.
 std::vector<double> neighbour_distances(const PointCloud& cloud, std::size_t neighbours) {
-  const PointColumns columns{cloud.points};
-  const PointTree tree(3, columns, nanoflann::KDTreeSingleIndexAdaptorParams(16));
-  std::vector<double> distances(cloud.size());
-  tbb::parallel_for(std::size_t{0}, cloud.size(), [&](std::size_t i) {
-    std::vector<std::uint32_t> indices(neighbours + 1);
-    std::vector<float> squared(neighbours + 1);
-    const std::size_t found =
-        tree.knnSearch(cloud.points[i].data(), neighbours + 1, indices.data(), squared.data());
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(cloud.size());
+  for (const Eigen::Vector3f& point : cloud.points) {
+    points.push_back(point.cast<double>());
+  }
+  const PointTree tree(points);
+  std::vector<double> distances(points.size());
+  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
     double sum = 0.0;
-    for (std::size_t k = 1; k < found; ++k) {  // the first one is the point itself
-      sum += std::sqrt(static_cast<double>(squared[k]));
+    for (const std::uint32_t near : tree.nearest(points[i], neighbours + 1)) {  // one is itself
+      sum += (points[near] - points[i]).norm();
     }
-    distances[i] = sum / static_cast<double>(std::max<std::size_t>(found - 1, 1));
+    distances[i] = sum / static_cast<double>(neighbours);
   });
   return distances;
 }
@@ -81,10 +64,8 @@ class FilteredBody {
   TriangleTree tree_;
 };
 
-// Links of robots, what they carry, and the named objects.
 std::vector<FilteredBody> filtered_bodies(const CollisionWorld& world, const Scene& scene,
-                                          const Configuration& q,
-                                          std::span<const std::string> objects, double margin) {
+                                          const Configuration& q, const BodyFilter& filter) {
   std::vector<Pose> X_BL(static_cast<std::size_t>(world.model().link_count()));
   std::vector<Pose> X_WBody(world.bodies().size());
   world.place(q, X_BL, X_WBody);
@@ -92,9 +73,10 @@ std::vector<FilteredBody> filtered_bodies(const CollisionWorld& world, const Sce
   for (std::size_t i = 0; i < world.bodies().size(); ++i) {
     const CollisionBody& body = world.bodies()[i];
     const bool is_object = !body.moves() && find_object(scene, body.name) != nullptr;
-    if (body.mesh && !body.mesh->empty() &&
-        (!is_object || std::ranges::count(objects, body.name) > 0)) {
-      bodies.emplace_back(body, X_WBody[i], margin);
+    const bool is_filtered =
+        is_object ? std::ranges::count(filter.objects, body.name) > 0 : filter.robots;
+    if (is_filtered && body.mesh && !body.mesh->empty()) {
+      bodies.emplace_back(body, X_WBody[i], filter.margin);
     }
   }
   return bodies;
@@ -119,16 +101,15 @@ PointCloud without_outliers(const PointCloud& cloud, const OutlierRule& rule) {
 }
 
 PointCloud without_bodies(const PointCloud& cloud, const Pose& X_WC, const Scene& scene,
-                          const Configuration& q, std::span<const std::string> objects,
-                          double margin) {
-  for (const std::string& name : objects) {
+                          const Configuration& q, const BodyFilter& filter) {
+  for (const std::string& name : filter.objects) {
     if (find_object(scene, name) == nullptr) {
       throw InputError({scene.file.string(), "objects", "no object \"" + name + '"',
                         "an object of the scene", ""});
     }
   }
   const CollisionWorld world(scene);
-  const std::vector<FilteredBody> bodies = filtered_bodies(world, scene, q, objects, margin);
+  const std::vector<FilteredBody> bodies = filtered_bodies(world, scene, q, filter);
   std::vector<char> is_kept(cloud.size());
   tbb::parallel_for(std::size_t{0}, cloud.size(), [&](std::size_t i) {
     const Eigen::Vector3d p_W = X_WC * cloud.points[i].cast<double>();

@@ -38,16 +38,19 @@ TEST(CloudFilters, LeaveOutTheRobotAndWhatIsCutOut) {
   const Scene scene = shipped();
   const Pose X_WC = pose_from_rpy({1.0, -2.0, 0.5}, 0.3, -0.4, 2.0);
   const PointCloud cloud = seen(scene, X_WC);
-  const std::vector<std::string> can = {"can"};
   const std::size_t objects = vertices_of(scene, "pedestal") + vertices_of(scene, "table");
   // The arm stands on the pedestal: points of its top are the arm's too.
-  const PointCloud without_can = without_bodies(cloud, X_WC, scene, *scene.start, can, 1e-5);
+  const PointCloud without_can =
+      without_bodies(cloud, X_WC, scene, *scene.start, {true, {"can"}, 1e-5});
   EXPECT_EQ(without_can.size(), objects);
-  const PointCloud with_can = without_bodies(cloud, X_WC, scene, *scene.start, {}, 1e-5);
+  const PointCloud with_can = without_bodies(cloud, X_WC, scene, *scene.start, {true, {}, 1e-5});
   EXPECT_EQ(with_can.size(), objects + vertices_of(scene, "can"));
-  EXPECT_THROW(static_cast<void>(without_bodies(cloud, X_WC, scene, *scene.start,
-                                                std::vector<std::string>{"cup"}, 0.01)),
-               InputError);
+  const PointCloud objects_alone =
+      without_bodies(cloud, X_WC, scene, *scene.start, {false, {"can"}, 1e-5});
+  EXPECT_EQ(objects_alone.size(), cloud.size() - vertices_of(scene, "can"));
+  EXPECT_THROW(
+      static_cast<void>(without_bodies(cloud, X_WC, scene, *scene.start, {true, {"cup"}, 0.01})),
+      InputError);
 }
 
 TEST(CloudFilters, LeaveOutWhatIsInsideOrNearerThanTheMargin) {
@@ -56,8 +59,8 @@ TEST(CloudFilters, LeaveOutWhatIsInsideOrNearerThanTheMargin) {
   const Eigen::Vector3f above = (X_WO.translation() + Eigen::Vector3d(0, 0, 0.5)).cast<float>();
   const PointCloud cloud{
       {X_WO.translation().cast<float>(), above}, {{{1, 2, 3}}, {{4, 5, 6}}}, 0.0};
-  const PointCloud kept = without_bodies(cloud, Pose::Identity(), scene, *scene.start,
-                                         std::vector<std::string>{"can"}, 0.01);
+  const PointCloud kept =
+      without_bodies(cloud, Pose::Identity(), scene, *scene.start, {true, {"can"}, 0.01});
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_EQ(kept.points[0], above);
   EXPECT_EQ(kept.colors[0][0], 4);

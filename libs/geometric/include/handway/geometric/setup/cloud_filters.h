@@ -4,8 +4,8 @@
 #include "handway/geometric/mesh/point_cloud.h"
 #include "handway/geometric/scene/scene.h"
 
-#include <span>
 #include <string>
+#include <vector>
 
 /// @file
 /// Points of a camera are made ready for collision checking: noise, the robot and what it is to
@@ -25,14 +25,22 @@ struct OutlierRule {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT PointCloud without_outliers(const PointCloud& cloud,
                                                                    const OutlierRule& rule);
 
-/// Returns the cloud without the points that belong to bodies of a scene: those inside of one, or
-/// nearer to its surface than `margin` (m). Bodies are all links of all robots, what they carry,
-/// and the named objects.
+/// Bodies of a scene whose points are left out: those inside of one, and those nearer to its
+/// surface than the margin.
+struct BodyFilter {
+  bool robots = true;                ///< All links of all robots, and what they carry.
+  std::vector<std::string> objects;  ///< Names of other objects.
+  double margin = 0.02;              ///< m
+};
+
+/// Returns the cloud without the points of these bodies.
 /// @param X_WC pose of the cloud in the world. @param q configuration of the first robot.
 /// @throws InputError if the scene has no object of such a name.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT PointCloud
-without_bodies(const PointCloud& cloud, const Pose& X_WC, const Scene& scene,
-               const Configuration& q, std::span<const std::string> objects, double margin);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT PointCloud without_bodies(const PointCloud& cloud,
+                                                                 const Pose& X_WC,
+                                                                 const Scene& scene,
+                                                                 const Configuration& q,
+                                                                 const BodyFilter& filter);
 
 /// Returns the points within a box of the world.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT PointCloud within_box(const PointCloud& cloud,

@@ -3,6 +3,7 @@
 #include "handway/geometric/mesh/point_cloud.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/robot/robot_state.h"
+#include "handway/geometric/scene/scene.h"
 #include "handway/geometric/setup/cloud_filters.h"
 #include "handway/planning/edits/scene_state.h"
 #include "handway/planning/export.h"
@@ -21,32 +22,39 @@ struct CloudImport {
   geometric::CloudCells cells;
   std::optional<geometric::Aabb> box;  ///< Points outside of this box of the world are left out.
   std::optional<geometric::OutlierRule> outliers = geometric::OutlierRule{};
-  /// Points in the robots, in what they carry, and nearer to them than this (m) are left out.
-  std::optional<double> robot_margin = 0.02;
-  std::vector<std::string> cut_out;  ///< Objects whose points are left out, too.
+  geometric::BodyFilter bodies;  ///< Bodies whose points are left out.
+  /// Tables and what stands on them become primitives, in place of their points: propose_objects().
+  bool finds_objects = false;
 };
 
-/// The scene with the object, and what was left out.
+/// Objects made of points, and what was left out.
 struct ImportedCloud {
-  SceneState state;
-  std::string name;           ///< Of the object: the wanted one, or a similar one.
-  std::size_t points = 0;     ///< Points of the object.
+  /// Those that were found, then the cloud of all other points, if there are any; with names that
+  /// the scene does not have.
+  std::vector<geometric::SceneObject> objects;
+  std::size_t points = 0;     ///< Points of the cloud.
   std::size_t outside = 0;    ///< Points outside of the box.
-  std::size_t outliers = 0;   ///< Outliers.
-  std::size_t of_bodies = 0;  ///< Points of the robots and of the objects that are cut out.
-  double seconds = 0.0;       ///< Time that it took.
+  std::size_t of_bodies = 0;  ///< Points of bodies that are left out.
+  std::size_t outliers = 0;
+  std::size_t of_found = 0;  ///< Points of the objects that were found.
 };
 
-/// Adds the points that are left after filtering as an object: first those outside of the box go,
-/// then those of robots and cut-out objects, then outliers.
-/// @param q configuration of the first robot when the points were taken.
+/// Makes objects of the points that are left after filtering: first those outside of the box go,
+/// then those of bodies, then outliers, then those inside of objects that were found or nearer to
+/// them than 5 mm.
+/// @param scene to which the objects are to be added. @param q configuration of its first robot
+/// when the points were taken.
 /// @param source of the points, for messages.
 /// @throws InputError if no points are left, there are too many cells around them, or the scene has
-/// no object of a name in `cut_out`.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT ImportedCloud import_cloud(const SceneState& state,
+/// no object of a name in `bodies`.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT ImportedCloud import_cloud(const geometric::Scene& scene,
                                                                  const geometric::Configuration& q,
                                                                  geometric::PointCloud cloud,
                                                                  const CloudImport& import,
                                                                  const std::string& source);
+
+/// Adds the objects.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_cloud(const SceneState& state,
+                                                            const ImportedCloud& cloud);
 
 }  // namespace handway::planning
