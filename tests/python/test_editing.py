@@ -19,6 +19,26 @@ class Editing(unittest.TestCase):
         self.assertEqual(scene.objects, ["pedestal", "table", "can"])
         self.assertEqual(more.without_object("box").objects, scene.objects)
 
+    def test_adds_points_of_a_camera(self):
+        scene = can_on_table()
+        x, y = np.meshgrid(np.linspace(2, 3, 200), np.linspace(-0.5, 0.5, 200))
+        points = np.stack([x, y, np.full_like(x, 0.3)], axis=-1).reshape(-1, 3)
+        seen = scene.with_cloud("scan", points, cell=0.02, radius=0.01)
+        self.assertEqual(seen.objects, scene.objects + ["scan"])
+        self.assertFalse(seen.collides(scene.start))
+        X = np.eye(4)
+        X[:3, 3] = scene.link_pose("palm", scene.start)[:3, 3] - [2.5, 0, 0.3]
+        self.assertTrue(scene.with_cloud("scan", points, X, robots=True).collides(scene.start))
+        self.assertFalse(scene.with_cloud("scan", points, X).collides(scene.start))
+        found = scene.with_cloud("scan", points, find_objects=True)
+        self.assertEqual(found.objects, scene.objects + ["surface"])
+        with self.assertRaisesRegex(handway.InputError, "0.001 to 1 m"):
+            scene.with_cloud("scan", points, cell=0)
+        with self.assertRaisesRegex(handway.InputError, "taken"):
+            scene.with_cloud("can", points)
+        with self.assertRaisesRegex(handway.InputError, "no points"):
+            scene.with_cloud("scan", np.zeros((0, 3)))
+
     def test_changes_what_collides(self):
         scene = can_on_table()
         self.assertFalse(scene.collides(scene.start))

@@ -84,6 +84,7 @@ CloudImportDialog::CloudImportDialog(const std::filesystem::path& file,
       note(tr("Points become the solid cells of a grid. What is between the points and "
               "behind them counts as free."));
   words->setWordWrap(true);
+  words->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   lay_out(*this, in_column({words, form, buttons}, 10), {16, 16, 16, 12});
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

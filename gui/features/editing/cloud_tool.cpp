@@ -85,6 +85,9 @@ void CloudTool::show_added(const std::filesystem::path& file,
   workbench_.window.statusBar()->clearMessage();
   workbench_.editor.add_objects(added.objects);
   workbench_.view.keep_selection_in_view();
+  if (added.objects.size() > 1) {
+    workbench_.editor.select_objects({});  // each is clicked on by itself
+  }
   workbench_.log.add(
       LogPanel::Level::kNote,
       tr("Added %1: %2 points, %3 primitives. Left out: %4 points of the robot or of "

@@ -96,7 +96,7 @@ PointCloud without_outliers(const PointCloud& cloud, const OutlierRule& rule) {
   for (const double distance : distances) {
     squares += (distance - mean) * (distance - mean);
   }
-  const double most = mean + rule.deviations * std::sqrt(squares / count);
+  const double most = std::max(mean + rule.deviations * std::sqrt(squares / count), 2.0 * mean);
   return points_where(cloud, [&](std::size_t i) { return distances[i] <= most; });
 }
 

@@ -17,6 +17,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string_view>
 #include <utility>
 
 namespace handway::geometric {
@@ -28,6 +29,7 @@ using Eigen::Vector3d;
 constexpr double kThinning = 0.006;        // m: of points in one such cell one is looked at
 constexpr std::size_t kNeighbours = 12;    // of a normal
 constexpr double kLevel = 0.9;             // cosine of the angle of a level surface's normal
+constexpr double kMostlyLevel = 0.6;       // share of points
 constexpr double kUpright = 0.5;           // the same of a side, at most
 constexpr double kLayer = 0.005;           // m: heights in one layer
 constexpr double kSurfaceDepth = 0.012;    // m: points of a surface are that near to its height
@@ -41,6 +43,10 @@ constexpr double kObjectGap = 0.02;        // m
 constexpr std::size_t kFewestPoints = 40;  // of an object
 constexpr double kLargestRadius = 0.3;     // m
 constexpr std::size_t kMostSupports = 20;
+
+// Colours for points that have none.
+constexpr Color kSurfaceColor{0.72F, 0.62F, 0.48F, 1.0F};
+constexpr Color kObjectColor{0.28F, 0.50F, 0.72F, 1.0F};
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -196,6 +202,7 @@ struct Cluster {
   std::vector<Vector2d> sides;  ///< Those with level normals, seen from above.
   double lowest = 0.0;
   double highest = 0.0;
+  double level_share = 0.0;  ///< Share of the points with upright normals.
 
   Cluster(const Samples& samples, const Indices& members) {
     std::vector<double> heights;
@@ -203,6 +210,7 @@ struct Cluster {
       points.push_back(samples.points[i]);
       flat.emplace_back(samples.points[i].head<2>());
       heights.push_back(samples.points[i].z());
+      level_share += samples.levels[i] > kLevel ? 1.0 / static_cast<double>(members.size()) : 0.0;
       if (samples.levels[i] < kUpright) {
         sides.push_back(flat.back());
       }
@@ -420,7 +428,10 @@ class ObjectSearch {
     }
     for (const Indices& members : clusters_of(samples_.points, above, kObjectGap)) {
       const Cluster cluster(samples_, members);
-      if (members.size() >= kFewestPoints && cluster.lowest - support.height < 2.0 * kObjectGap) {
+      // A box that is seen from above has a top alone; all else begins at the surface.
+      const bool stands =
+          cluster.lowest - support.height < 2.0 * kObjectGap || cluster.level_share > kMostlyLevel;
+      if (members.size() >= kFewestPoints && stands) {
         objects.push_back(object_of("object", members, best_fit(cluster, support.height)));
       }
     }
@@ -438,6 +449,7 @@ class ObjectSearch {
     object.name = name;
     object.shape = fit.shape;
     object.X_PO = fit.X_WO;
+    object.color = std::string_view(name) == "surface" ? kSurfaceColor : kObjectColor;
     if (!samples_.colors.empty()) {
       Vector3d color = Vector3d::Zero();
       for (const std::uint32_t i : members) {

@@ -12,10 +12,10 @@
 /// grasp are taken out.
 namespace handway::geometric {
 
-/// Which points are outliers (R. B. Rusu et al., Towards 3D point cloud based object maps for
-/// household environments, Robotics and Autonomous Systems 56, 2008): those whose mean distance
-/// from their `neighbours` nearest points exceeds the mean of all points by `deviations` standard
-/// deviations.
+/// Outliers are points whose mean distance from their `neighbours` nearest points exceeds the mean
+/// of all points by `deviations` standard deviations (R. B. Rusu et al., Towards 3D point cloud
+/// based object maps for household environments, Robotics and Autonomous Systems 56, 2008), and is
+/// more than twice that mean: the borders of an even surface are none.
 struct OutlierRule {
   int neighbours = 12;
   double deviations = 3.0;

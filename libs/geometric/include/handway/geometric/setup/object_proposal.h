@@ -17,7 +17,8 @@ namespace handway::geometric {
 /// the sphere that fits its points best. Hidden sides are where the primitive has them.
 /// @param X_WC pose of the cloud in the world, whose z axis points up.
 /// @returns objects in the world, named "surface" and "object", supports first, the largest in
-/// front; empty if there is no support. Their colours are the means of those of their points.
+/// front; empty if there is no support. Their colours are the means of those of their points, if
+/// these have colours.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<SceneObject> propose_objects(
     const PointCloud& cloud, const Pose& X_WC);
 
