@@ -355,9 +355,10 @@ class LeRobotArrays final : public ArrayFile {
       return;
     }
     constexpr double kUsualStep = 0.02;  // s
+    double step = rows.count > 1 ? times[rows.first + 1] - times[rows.first] : kUsualStep;
+    step = info_ && info_->rate > 0.0 ? 1.0 / info_->rate : step;
     const std::size_t end = rows.first > 0 ? rows.first : before->size();
-    const double last = end > 0 ? (*before)[end - 1] : 0.0;
-    const double begin = last + (info_ && info_->rate > 0.0 ? 1.0 / info_->rate : kUsualStep);
+    const double begin = (end > 0 ? (*before)[end - 1] : 0.0) + step;
     const double shift = begin - times[rows.first];
     for (std::size_t row = rows.first; row < rows.first + rows.count; ++row) {
       times[row] += shift;
