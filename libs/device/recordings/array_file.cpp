@@ -58,6 +58,20 @@ const RecordingVariable* nearest(const std::vector<RecordingVariable>& all,
   }
 }
 
+/// Finds the variable of which all others are parts, as "state" of "episode_0/state" and
+/// "episode_1/state".
+const RecordingVariable* whole_of(const std::vector<RecordingVariable>& fitting) {
+  for (const RecordingVariable& whole : fitting) {
+    const bool has_all = std::ranges::all_of(fitting, [&](const RecordingVariable& part) {
+      return &part == &whole || part.name.ends_with("/" + whole.name);
+    });
+    if (has_all) {
+      return &whole;
+    }
+  }
+  return nullptr;
+}
+
 /// Some columns of a variable: "qpos[0:7]".
 struct ColumnRange {
   std::string_view variable;
@@ -197,9 +211,15 @@ std::string only_variable(const ArrayFile& arrays, const std::vector<RecordingVa
   if (fitting.size() == 1) {
     return fitting.front().name;
   }
+  if (const RecordingVariable* whole = whole_of(fitting)) {
+    return whole->name;
+  }
   std::string found;
-  for (const RecordingVariable& variable : fitting) {
-    found += (found.empty() ? "" : ", ") + to_string(variable);
+  for (std::size_t i = 0; i < std::min(fitting.size(), kMostNamed); ++i) {
+    found += (i > 0 ? ", " : "") + to_string(fitting[i]);
+  }
+  if (fitting.size() > kMostNamed) {
+    found += fmt::format(" and {} more", fitting.size() - kMostNamed);
   }
   throw InputError({arrays.path().string(), "",
                     fitting.empty()

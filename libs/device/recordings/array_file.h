@@ -86,7 +86,8 @@ class NamedArrays : public ArrayFile {
   [[nodiscard]] virtual std::vector<std::string> words(const RecordingVariable& variable) const;
 };
 
-/// Returns the name of the only one of some variables.
+/// Returns the name of the only one of some variables, or of the one that all others are parts of
+/// ("state" of "episode_0/state" and "episode_1/state").
 /// @param expected what is looked for. @param advice how to choose, with the name of one as
 /// example.
 /// @throws InputError with both, and the variables of the file, if there are none or several.

@@ -38,8 +38,9 @@ bool is_table(const RecordingVariable& variable) {
 
 /// Returns whether a name is one of positions, as data sets use it.
 bool names_positions(const std::string& name) {
-  constexpr std::array<std::string_view, 7> kPositions{
-      "qpos", "q", "joint_pos", "joint_positions", "joint_position", "positions", "position"};
+  constexpr std::array<std::string_view, 8> kPositions{
+      "qpos",           "q",         "joint_pos", "joint_positions",
+      "joint_position", "positions", "position",  "state"};
   const std::string leaf = name.substr(name.find_last_of("/.") + 1);
   return std::ranges::any_of(kPositions, [&](std::string_view known) {
     return leaf == known || (known.size() > 1 && leaf.ends_with(fmt::format("_{}", known)));

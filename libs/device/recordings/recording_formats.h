@@ -10,6 +10,8 @@
 
 namespace handway::device {
 
+/// Data sets of LeRobot, and other tables in Parquet.
+[[nodiscard]] const RecordingFormat& lerobot_format();
 /// Messages of a robot's joints as text: refused with advice.
 [[nodiscard]] const RecordingFormat& joint_message_format();
 /// Maps of a table's columns (YAML).

@@ -1,4 +1,5 @@
 /// Recordings in arrays and topics: NumPy, HDF5 and bags of ROS 2; also cut off and damaged.
+#include "cdr_message.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/recordings/recorded_table.h"
@@ -27,6 +28,7 @@ namespace handway::device {
 namespace {
 
 namespace fs = std::filesystem;
+using test::joint_state;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -58,46 +60,6 @@ std::string bytes_of(const std::vector<Number>& numbers, bool swapped = false) {
 std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// A message of sensor_msgs/msg/JointState in little-endian CDR.
-class Message {
- public:
-  void text(const std::string& word) {
-    number(static_cast<std::uint32_t>(word.size() + 1));
-    bytes_ += word + '\0';
-  }
-  template <typename Number>
-  void number(Number value) {
-    bytes_.resize((bytes_.size() + sizeof(Number) - 1) / sizeof(Number) * sizeof(Number));
-    bytes_ += bytes_of(std::vector<Number>{value});
-  }
-  void stamp(double seconds) {
-    number(static_cast<std::int32_t>(seconds));
-    number(static_cast<std::uint32_t>(std::lround(1e9 * (seconds - std::floor(seconds)))));
-    text("base");
-  }
-  [[nodiscard]] std::string encapsulated() const { return std::string("\0\x01\0\0", 4) + bytes_; }
-
- private:
-  std::string bytes_;
-};
-
-std::string joint_state(double stamp, const std::vector<std::string>& names,
-                        const std::vector<double>& positions) {
-  Message message;
-  message.stamp(stamp);
-  message.number(static_cast<std::uint32_t>(names.size()));
-  for (const std::string& name : names) {
-    message.text(name);
-  }
-  message.number(static_cast<std::uint32_t>(positions.size()));
-  for (const double position : positions) {
-    message.number(position);
-  }
-  message.number(std::uint32_t{0});
-  message.number(std::uint32_t{0});
-  return message.encapsulated();
 }
 
 class Arrays : public testing::Test {

@@ -88,6 +88,9 @@ struct Recording {
 ///     label, with or without a header;
 ///   - MATLAB files (version 5 and 7.3) with "angles" (degrees) or "glove" (counts) of 18 or 22
 ///     columns in the order of a CyberGlove's records, as Ninapro's;
+///   - a variable of a file with several, behind a `#`: arrays of NumPy and HDF5, episodes of
+///     LeRobot data sets and other tables in Parquet, topics of ROS 2 bags in SQLite or MCAP (see
+///     recording_contents());
 ///   - any table of numbers, text or MATLAB, by a YAML map of its columns, which names it:
 ///
 ///         table: postures.csv        # from this file's folder; lines end in CR, LF or both

@@ -9,8 +9,9 @@
 
 /// Contents of recording files, and the kinds of file that are read.
 ///
-/// Some files hold several variables: arrays of numbers (NumPy, HDF5, MATLAB) or topics (ROS bags).
-/// A variable is chosen by its name behind a `#`: "run.h5#/observations/qpos".
+/// Some files hold several variables: arrays of numbers (NumPy, HDF5, MATLAB), episodes (LeRobot)
+/// or topics (ROS bags). A variable is chosen by its name behind a `#`:
+/// "run.h5#/observations/qpos".
 
 namespace handway::device {
 

@@ -1,0 +1,251 @@
+/// Recordings in bags of ROS 2 in MCAP; also cut off and damaged.
+#include "cdr_message.h"
+#include "handway/device/recordings/recorded_table.h"
+#include "handway/device/recordings/recording_contents.h"
+#include "handway_test/input_errors.h"
+#include "handway_test/paths.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lz4frame.h>
+#include <zstd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace handway::device {
+namespace {
+
+namespace fs = std::filesystem;
+using test::joint_state;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kMagic = "\x89MCAP0\r\n";
+
+template <typename Number>
+std::string little_endian_bytes(Number number) {
+  std::string bytes(sizeof(Number), '\0');
+  std::memcpy(bytes.data(), &number, sizeof(Number));
+  return bytes;
+}
+
+std::string u16(int value) { return little_endian_bytes(static_cast<std::uint16_t>(value)); }
+std::string u32(std::size_t value) {
+  return little_endian_bytes(static_cast<std::uint32_t>(value));
+}
+std::string u64(std::uint64_t value) { return little_endian_bytes(value); }
+std::string text_field(const std::string& text) { return u32(text.size()) + text; }
+
+std::string record(int opcode, const std::string& content) {
+  return static_cast<char>(opcode) + u64(content.size()) + content;
+}
+
+std::string schema(int id, const std::string& name) {
+  return record(3, u16(id) + text_field(name) + text_field("ros2msg") + text_field("# fields"));
+}
+
+std::string channel(int id, int schema, const std::string& topic,
+                    const std::string& encoding = "cdr") {
+  return record(4, u16(id) + u16(schema) + text_field(topic) + text_field(encoding) + u32(0));
+}
+
+std::string message(int channel, std::uint64_t time, const std::string& data) {
+  return record(5, u16(channel) + u32(0) + u64(time) + u64(time) + data);
+}
+
+std::string compressed_records(const std::string& method, const std::string& records) {
+  std::string frame(records.size() + 1000, '\0');
+  if (method == "zstd") {
+    return frame.substr(
+        0, ZSTD_compress(frame.data(), frame.size(), records.data(), records.size(), 1));
+  }
+  if (method == "lz4") {
+    return frame.substr(
+        0, LZ4F_compressFrame(frame.data(), frame.size(), records.data(), records.size(), nullptr));
+  }
+  return records;
+}
+
+std::string chunk(const std::string& method, const std::string& records,
+                  std::uint32_t checksum = 0) {
+  const std::string stored = compressed_records(method, records);
+  return record(6, u64(0) + u64(0) + u64(records.size()) + u32(checksum) + text_field(method) +
+                       u64(stored.size()) + stored);
+}
+
+std::string message_index(int channel, std::size_t count) {
+  return record(7, u16(channel) + u32(16 * count) + std::string(16 * count, '\0'));
+}
+
+std::string whole_file(const std::string& records) {
+  return kMagic + record(1, text_field("ros2") + text_field("test")) + records +
+         record(2, u64(0) + u64(0) + u32(0)) + kMagic;
+}
+
+const std::string kDefinitions = schema(1, "sensor_msgs/msg/JointState") +
+                                 channel(7, 1, "/joint_states") +
+                                 schema(2, "tf2_msgs/msg/TFMessage") + channel(8, 2, "/tf");
+
+/// Messages of the first and the second half of a recording.
+std::string first_messages() {
+  return message(7, 1, joint_state(10.0, {"pan", "tilt"}, {0.1, 0.2})) + message(8, 2, "not read");
+}
+std::string last_messages() {
+  return message(7, 4, joint_state(11.0, {"tilt", "pan"}, {0.4, 0.5})) +
+         message(7, 3, joint_state(10.5, {"pan"}, {0.3}));  // out of order
+}
+
+/// A bag with indices behind its chunks, and definitions in its summary.
+std::string indexed_bag(const std::string& method) {
+  const std::string data = chunk(method, kDefinitions + first_messages()) + message_index(7, 1) +
+                           message_index(8, 1) + chunk(method, last_messages()) +
+                           message_index(7, 2) + record(0x0F, u32(0));
+  return whole_file(data + kDefinitions + record(0x0B, std::string(42, '\0') + u32(0)));
+}
+
+class Mcap : public testing::Test {
+ protected:
+  fs::path write(const std::string& name, const std::string& bytes) {
+    const fs::path file = folder_.path() / name;
+    fs::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << bytes;
+    return file;
+  }
+
+  test::ScratchFolder folder_;
+};
+
+std::string refusal_of_bag(const fs::path& file) {
+  return test::refusal_of([&] { static_cast<void>(read_recorded_table(file)); });
+}
+
+void expect_joints(const fs::path& file) {
+  const RecordingContents contents = recording_contents(file);
+  EXPECT_EQ(contents.kind.name, "ROS 2 bag");
+  ASSERT_EQ(contents.variables.size(), 2U);
+  EXPECT_EQ(to_string(contents.variables[0]), "/joint_states (3 x 2)");
+  EXPECT_EQ(to_string(contents.variables[1]), "/tf (1)");
+  EXPECT_THAT(contents.variables[1].problem, HasSubstr("tf2_msgs"));
+  const RecordedTable table = read_recorded_table(file);
+  EXPECT_THAT(table.names, ElementsAre("pan", "tilt"));
+  EXPECT_EQ(table.values, (Eigen::MatrixXd{{0.1, 0.2}, {0.3, 0.2}, {0.5, 0.4}}));
+  EXPECT_NEAR(table.times[2], 1.0, 1e-9);
+  EXPECT_THAT(table.warnings, testing::IsEmpty());
+}
+
+TEST_F(Mcap, ChunksAreReadWithEveryCompression) {
+  for (const char* method : {"", "zstd", "lz4"}) {
+    SCOPED_TRACE(method);
+    expect_joints(write("indexed.mcap", indexed_bag(method)));
+    expect_joints(
+        write("without_index.mcap", whole_file(chunk(method, kDefinitions + first_messages()) +
+                                               chunk(method, last_messages()))));
+  }
+}
+
+TEST_F(Mcap, MessagesOutsideOfChunksAreRead) {
+  expect_joints(write("bag.mcap",
+                      whole_file(kDefinitions + first_messages() + chunk("lz4", last_messages()))));
+}
+
+TEST_F(Mcap, BagsInSeveralFilesAreReadByTheirFolder) {
+  write("bag/metadata.yaml", "rosbag2_bagfile_information: {}\n");
+  write("bag/bag_0.mcap", whole_file(chunk("zstd", kDefinitions + first_messages())));
+  write("bag/bag_1.mcap", whole_file(chunk("zstd", kDefinitions + last_messages())));
+  expect_joints(folder_.path() / "bag");
+}
+
+// This file was written by the library @mcap/core.
+TEST_F(Mcap, FilesOfOtherWritersAreRead) {
+  std::ifstream stream(test::source_dir() / "tests/fuzz/corpora/recorded_mcap/mcap_core",
+                       std::ios::binary);
+  expect_joints(write("bag.mcap", {std::istreambuf_iterator<char>(stream), {}}));
+}
+
+TEST_F(Mcap, ABagThatIsCutOffIsReadUpToItsEnd) {
+  const std::string bytes = indexed_bag("zstd");
+  const std::string begin = kMagic + record(1, text_field("ros2") + text_field("test")) +
+                            chunk("zstd", kDefinitions + first_messages());
+  ASSERT_TRUE(bytes.starts_with(begin));
+  const RecordedTable table = read_recorded_table(
+      write("bag.mcap", bytes.substr(0, begin.size() + 4)).string() + "#/joint_states");
+  EXPECT_EQ(table.values, (Eigen::MatrixXd{{0.1, 0.2}}));
+  EXPECT_THAT(table.warnings, ElementsAre(AllOf(HasSubstr("cut off"), HasSubstr("4 bytes"))));
+}
+
+TEST_F(Mcap, OtherEncodingsAreNamed) {
+  const fs::path file =
+      write("bag.mcap", whole_file(schema(1, "sensor_msgs/msg/JointState") +
+                                   channel(7, 1, "/joint_states", "json") + message(7, 1, "{}")));
+  EXPECT_EQ(recording_contents(file).variables.at(0).problem, "messages encoded as json");
+}
+
+TEST_F(Mcap, DamagedRecordsAreRefusedByTheirPlace) {
+  const std::string records = kDefinitions + first_messages();
+  const std::size_t place = whole_file("").size() - 2 * kMagic.size() - 29 + kMagic.size() + 9;
+  const auto refusal = [&](const std::string& damaged) {
+    return refusal_of_bag(write("bag.mcap", whole_file(damaged)));
+  };
+  EXPECT_EQ(refusal(chunk("bz2", records)),
+            fmt::format("{}: record at byte {}: found a chunk compressed by bz2 (zstd, lz4 or none "
+                        "are read), expected a bag of ROS 2 in MCAP. Copy the file again, or run "
+                        "mcap recover.",
+                        (folder_.path() / "bag.mcap").string(), place));
+  EXPECT_THAT(refusal(chunk("", records, 1234)), HasSubstr("checksum"));
+  EXPECT_THAT(refusal(chunk("", records.substr(0, records.size() - 5))),
+              HasSubstr("an end within a field"));
+  std::string huge = chunk("zstd", records);
+  huge.replace(9 + 16, 8, u64(std::uint64_t{1} << 60));
+  EXPECT_THAT(refusal(huge), HasSubstr("a chunk of 1152921504606846976 bytes"));
+  huge.replace(9 + 16, 8, u64(std::uint64_t{200} << 20));
+  EXPECT_THAT(refusal(huge), HasSubstr("a damaged chunk"));
+}
+
+TEST_F(Mcap, FilesThatAreNotMcapAreRefused) {
+  for (const std::string& bytes :
+       {std::string(), std::string("SQLite?"), kMagic.substr(0, 5), std::string("\x89MCAP1\r\n"),
+        kMagic, kMagic + record(6, "") + std::string(9, '\xFF')}) {
+    const fs::path file = write("a.mcap", bytes);
+    EXPECT_THAT(refusal_of_bag(file), HasSubstr(file.string())) << bytes;
+  }
+}
+
+TEST_F(Mcap, NamesThatAreNotUtf8AreShownAsText) {
+  const fs::path file = write(
+      "bag.mcap", whole_file(schema(1, "sensor_msgs/msg/JointState") + channel(7, 1, "/j\xFF") +
+                             message(7, 1, joint_state(1.0, {"pan"}, {0.5}))));
+  EXPECT_EQ(recording_contents(file).variables.at(0).name, "/j\\ufffd");
+}
+
+TEST_F(Mcap, AnyDamageIsSurvived) {
+  for (const char* method : {"", "lz4"}) {
+    const std::string valid = indexed_bag(method);
+    const auto read = [&](const std::string& bytes) {
+      const fs::path file = write("d.mcap", bytes);
+      static_cast<void>(test::refusal_of([&] {
+        static_cast<void>(recording_contents(file));
+        static_cast<void>(read_recorded_table(file));
+      }));
+    };
+    for (std::size_t size = 0; size < valid.size(); size += 7) {
+      read(valid.substr(0, size));
+    }
+    for (std::size_t at = 0; at < valid.size(); ++at) {
+      std::string damaged = valid;
+      damaged[at] = static_cast<char>(damaged[at] ^ (at % 2 == 0 ? 0xFF : 0x01));
+      read(damaged);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace handway::device
