@@ -131,6 +131,7 @@ TEST_F(CameraStory, PlansAroundATableAndGraspsTheCanOnIt) {
   EXPECT_NEAR(std::get<geometric::Cylinder>(can->shape).radius, 0.033, 0.002);
   EXPECT_TRUE(can->X_PO.translation().isApprox(Vector3d(0.76, 0.14, 0.76), 0.005));
   const std::string name = can->name;
+  QTest::qWait(800);  // the view turns to what is new
   picture("camera_2_objects");
 
   click_object(name.c_str());
