@@ -177,9 +177,11 @@ int plan(PlanOptions options) {
   if (!options.report.empty()) {
     const auto quality =
         result.solved() ? std::optional(path_quality(problem, result.path)) : std::nullopt;
+    const auto recorded = recorded_postures(problem);
     geometric::replace_file(options.report,
                             plan_report(*planner, problem, request, result, load.count(),
-                                        hand_likeness(problem, result.path), quality));
+                                        hand_likeness(problem, result.path, recorded), quality,
+                                        measure_motion(problem, result.path, recorded)));
   }
   print_summary(result, problem);
   return exit_code_of(result.status);
