@@ -318,6 +318,24 @@ std::string recordings_of(const PlanBench& bench, const std::string& other) {
   return compared != bench.motions.end() ? (*compared)->recordings : other;
 }
 
+std::vector<report::Cell> motion_cells(const SceneBench& scene, const PlanBench& bench,
+                                       bool several_checkers) {
+  const MotionMedians m = motion_medians(bench);
+  return {scene.name(),
+          several_checkers ? fmt::format("{}, {}", bench.planner, bench.checker) : bench.planner,
+          shown(m.duration),
+          shown(m.hand_log_dimensionless_jerk),
+          shown(m.palm_log_dimensionless_jerk),
+          shown(m.hand_spectral_arc_length),
+          shown(m.palm_spectral_arc_length),
+          shown(m.arm_deviation),
+          shown(geometric::millimetres(m.palm_deviation)),
+          shown(m.component_error),
+          shown(m.recorded_error),
+          shown(m.warped_distance),
+          shown(m.largest_warped_distance)};
+}
+
 std::string plural(int count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
@@ -451,29 +469,24 @@ void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
 }
 
 void BenchTable::add_motions(const std::vector<SceneBench>& scenes) const {
-  print_out(
-      "\nMotions: medians of the paths found, timed with limited jerk. Smoothness (nearer to 0: "
-      "smoother), deviation from the straight motion, error by components of recorded motions, "
-      "distance between seeds.\n{}",
-      motions_.header());
+  std::string rows;
   std::string recordings;
   for (const SceneBench& scene : scenes) {
     for (const PlanBench& bench : scene.plans) {
-      if (solved_count(bench) == 0) {
-        continue;
+      if (solved_count(bench) > 0) {
+        rows += motions_.row(motion_cells(scene, bench, settings_.checkers.size() > 1));
+        recordings = recordings_of(bench, recordings);
       }
-      const MotionMedians m = motion_medians(bench);
-      print_out(
-          "{}",
-          motions_.row({scene.name(), bench.planner, shown(m.duration),
-                        shown(m.hand_log_dimensionless_jerk), shown(m.palm_log_dimensionless_jerk),
-                        shown(m.hand_spectral_arc_length), shown(m.palm_spectral_arc_length),
-                        shown(m.arm_deviation), shown(geometric::millimetres(m.palm_deviation)),
-                        shown(m.component_error), shown(m.recorded_error), shown(m.warped_distance),
-                        shown(m.largest_warped_distance)}));
-      recordings = recordings_of(bench, recordings);
     }
   }
+  if (rows.empty()) {
+    return;
+  }
+  print_out(
+      "\nMotions: medians of the paths found, timed with limited jerk. Smoothness (nearer to 0: "
+      "smoother), deviation from the straight motion, error by components of recorded motions, "
+      "distance between seeds.\n{}{}",
+      motions_.header(), rows);
   if (!recordings.empty()) {
     print_out("  Recorded motions: {}\n", recordings);
   }

@@ -160,8 +160,16 @@ void compare_with_recorded(const PlanningProblem& problem, const Trajectory& tra
     return;
   }
   const JointIndices& hand = problem.joints.hand;
-  const std::optional<sampling::HandMotion> motion = sampling::whole_motion(
-      times_of(trajectory), normalised_rows(problem.model(), trajectory, hand));
+  const sampling::HandJointIndices& counting = recorded->motions()->joints();
+  // Joints that don't count don't tell when a motion begins, either.
+  Eigen::MatrixXd rows = normalised_rows(problem.model(), trajectory, hand);
+  for (int joint = 0; joint < rows.cols(); ++joint) {
+    if (std::ranges::count(counting, joint) == 0) {
+      rows.col(joint).setZero();
+    }
+  }
+  const std::optional<sampling::HandMotion> motion =
+      sampling::whole_motion(times_of(trajectory), rows);
   if (!motion) {
     likeness.no_components = "The hand does not move.";
     return;

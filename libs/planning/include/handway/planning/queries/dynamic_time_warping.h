@@ -24,7 +24,7 @@ namespace handway::planning {
 /// Differences between several motions.
 struct MotionSpread {
   std::size_t motions = 0;  ///< Number compared, ≥ 2.
-  double median = 0.0;      ///< Of the warped distances of all pairs.
+  double median = 0.0;      ///< Median of the warped distances of all pairs.
   double largest = 0.0;
 };
 

@@ -19,9 +19,8 @@ namespace handway::planning {
 /// Largest distances of an arm's motion from the straight one with the same ends, in joint space
 /// ("rectilinear segment", paper, sections 5.1 and 7).
 struct StraightDeviation {
-  double arm = 0.0;  ///< Of the arm's joints from the nearest of the segment, normalised joints.
-  /// Of the palm from the nearest of its positions while all joints move along the straight segment
-  /// of the joints, m.
+  double arm = 0.0;  ///< Distance of the arm's joints from the segment, normalised joints.
+  /// Distance of the palm from its nearest position on the straight motion of all joints, m.
   double palm = 0.0;
 };
 
@@ -38,10 +37,10 @@ struct ComponentError {
 /// Measures of a timed motion that tell it from a human one: how smooth it is, how straight, and
 /// how well functions of time of recorded hands represent it. Each is empty where it doesn't apply.
 struct MotionLikeness {
-  double duration = 0.0;                   ///< s
-  std::optional<MovementSmoothness> hand;  ///< Of the norm of its rates in normalised joints.
+  double duration = 0.0;  ///< s
   std::optional<MovementSmoothness>
-      palm;  ///< Of the speed of the palm's frame, which the arm moves.
+      hand;  ///< Smoothness of the norm of its rates in normalised joints.
+  std::optional<MovementSmoothness> palm;  ///< Smoothness of the speed of the palm's origin.
   std::optional<StraightDeviation> deviation;
   std::optional<ComponentError> components;
   std::string no_components;  ///< Reason why `components` is empty, a sentence; or empty.

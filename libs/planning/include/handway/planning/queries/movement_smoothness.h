@@ -22,7 +22,8 @@ struct MovementSmoothness {
   /// arrests", Journal of Motor Behavior 41, 2009; in this form with the peak speed
   /// Balasubramanian, Melendez-Calderon, Roby-Brami and Burdet, "On the analysis of movement
   /// smoothness", Journal of NeuroEngineering and Rehabilitation 12, 2015). −ln 204.8 = −5.32 for a
-  /// minimum-jerk movement, which no movement exceeds.
+  /// minimum-jerk movement; at most −ln 192 = −5.26 for a movement that begins and ends without
+  /// acceleration.
   double log_dimensionless_jerk = 0.0;
   /// Spectral arc length, SPARC (the same paper of 2015): minus the length of the curve of the
   /// speed's normalised amplitude spectrum, up to the last frequency with an amplitude of 0.05, at
