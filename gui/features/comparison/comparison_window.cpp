@@ -36,6 +36,7 @@ enum Column { kName, kLeft, kRight, kDifference, kColumns };
 
 constexpr int kFigureRowHeight = 24;
 constexpr int kFewestVisibleRows = 9;
+constexpr int kUsualVisibleRows = 12;  // the views need the rest
 constexpr double kNoDifference = 1e-9;
 
 struct Figure {
@@ -69,7 +70,7 @@ QString difference_text(const Figure& figure) {
     return none;
   }
   const QString text = (by > 0.0 ? QStringLiteral("+") : QString()) + number(by, figure.decimals);
-  const double percent = 100.0 * by / *figure.left;
+  const double percent = 100.0 * by / std::abs(*figure.left);
   return std::abs(*figure.left) < kNoDifference
              ? text
              : QObject::tr("%1 (%2 %)")
@@ -230,7 +231,7 @@ void FigureTable::show_motions(const planning::MotionLikeness* left,
   fill();
 }
 
-QSize FigureTable::sizeHint() const { return {QTableWidget::sizeHint().width(), maximumHeight()}; }
+QSize FigureTable::sizeHint() const { return {QTableWidget::sizeHint().width(), usual_height_}; }
 
 void FigureTable::fill() {
   std::vector<Figure> list = figures(left_, right_);
@@ -263,6 +264,7 @@ void FigureTable::fill() {
     return horizontalHeader()->sizeHint().height() + rows * scaled(kFigureRowHeight) +
            2 * frameWidth();
   };
+  usual_height_ = height_of(std::min(rowCount(), kUsualVisibleRows));
   setMinimumHeight(height_of(std::min(rowCount(), kFewestVisibleRows)));
   setMaximumHeight(height_of(rowCount()));
   updateGeometry();

@@ -50,7 +50,7 @@ class FigureTable : public QTableWidget {
   /// null.
   void show_motions(const planning::MotionLikeness* left, const planning::MotionLikeness* right);
 
-  /// Height of all rows.
+  /// Height of a dozen rows, or of all if there are fewer.
   [[nodiscard]] QSize sizeHint() const override;
 
  private:
@@ -60,6 +60,7 @@ class FigureTable : public QTableWidget {
   std::optional<PathFigures> right_;
   std::optional<planning::MotionLikeness> left_motion_;
   std::optional<planning::MotionLikeness> right_motion_;
+  int usual_height_ = 0;
 };
 
 /// Two views side by side that always look from the same place.

@@ -176,10 +176,12 @@ std::vector<HandMotion> cut_into_motions(const Eigen::VectorXd& times,
   check_motion_rows(times, postures);
   std::vector<HandMotion> motions;
   Eigen::Index first = 0;
+  const auto begins_anew = [&](Eigen::Index row) {
+    const double step = times[row] - times[row - 1];
+    return step < 0.0 || step > kLongestGap;
+  };
   for (Eigen::Index row = 1; row <= times.size(); ++row) {
-    const bool is_end = row == times.size() || times[row] < times[row - 1] ||
-                        times[row] - times[row - 1] > kLongestGap;
-    if (is_end) {
+    if (row == times.size() || begins_anew(row)) {
       cut_recording(times.segment(first, row - first), postures.middleRows(first, row - first),
                     motions);
       first = row;

@@ -23,11 +23,11 @@ struct Recorded {
   Eigen::VectorXd times;
   Eigen::MatrixXd postures;
 
-  Recorded(double duration, const std::vector<double>& begins, double size = 0.5) {
-    const auto rows = static_cast<Eigen::Index>(duration * kRate) + 1;
-    times = Eigen::VectorXd::LinSpaced(rows, 0.0, static_cast<double>(rows - 1) / kRate);
-    postures = Eigen::MatrixXd::Constant(rows, 2, 0.2);
-    for (Eigen::Index row = 0; row < rows; ++row) {
+  Recorded(double duration, const std::vector<double>& begins, double size = 0.5)
+      : times(Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(duration * kRate) + 1, 0.0,
+                                         duration)),
+        postures(Eigen::MatrixXd::Constant(times.size(), 2, 0.2)) {
+    for (Eigen::Index row = 0; row < times.size(); ++row) {
       double sign = 1.0;
       for (const double begin : begins) {
         postures.row(row).array() += sign * size * minimum_jerk(times[row] - begin);
