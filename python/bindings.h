@@ -27,6 +27,9 @@ void bind_editing(pybind11::module_& module);
 /// Motion, find_pmds(), Scene.time(), Scene.grasps(). @pre bind_scene(), bind_basis()
 void bind_motion(pybind11::module_& module);
 
+/// movement_smoothness(), motion_distance(), Scene.measure_motion(). @pre bind_scene()
+void bind_likeness(pybind11::module_& module);
+
 /// Connection, Emulator, map_recording(), Scene.connect(), Scene.emulate(). @pre bind_motion()
 void bind_devices(pybind11::module_& module);
 

@@ -127,6 +127,7 @@ PYBIND11_MODULE(_core, module) {
   handway::python::bind_editing(module);
   handway::python::bind_tasks(module);
   handway::python::bind_motion(module);
+  handway::python::bind_likeness(module);
   handway::python::bind_devices(module);
   handway::python::refuse_uninitialised_instances(module);
 }

@@ -89,7 +89,8 @@ struct BenchOptions {
   std::vector<std::string> sets;   ///< KEY=VALUE
   std::vector<std::string> group;  ///< Moving joints; empty: the scenes'.
   bool checks_only = false;
-  fs::path write;  ///< Folder for variants; empty: they are run.
+  fs::path postures;  ///< Recorded postures to compare hands with; empty: those of the bases.
+  fs::path write;     ///< Folder for variants; empty: they are run.
   fs::path out;
   bool resume = false;
   int jobs = 0;
@@ -157,7 +158,8 @@ std::vector<std::uint64_t> all_seeds(const BenchOptions& options) {
 
 PlanBench bench_plan(planning::Planner& planner, const planning::SceneState& loaded,
                      const std::string& checker, double time_limit_s, const BenchOptions& options,
-                     const std::vector<std::uint64_t>& seeds) {
+                     const std::vector<std::uint64_t>& seeds,
+                     const std::shared_ptr<const sampling::RecordedPostures>& recorded) {
   planning::PlanRequest request;
   request.threads = options.settings.threads;
   request.time_limit_s = time_limit_s;
@@ -170,7 +172,7 @@ PlanBench bench_plan(planning::Planner& planner, const planning::SceneState& loa
     return problem;
   };
   PlanBench bench =
-      bench_planner(planner, make_problem, request, seeds, options.settings.check_paths);
+      bench_planner(planner, make_problem, request, seeds, options.settings.check_paths, recorded);
   bench.checker = checker;
   return bench;
 }
@@ -181,10 +183,12 @@ void bench_plans(SceneBench& bench, const BenchOptions& options,
   // Kept while they run, so that the meshes' volumes are not read again for each.
   const planning::PlanningProblem kept =
       planning::make_problem(scene.loaded.scene, scene.loaded.basis);
+  const auto recorded = kept.basis ? recorded_postures(kept, options.postures) : nullptr;
   for (const auto& planner : planners_for(options, scene, plugins.planners())) {
     for (const std::string& checker : options.settings.checkers) {
       bench.plans.push_back(bench_plan(*planner, scene.loaded, checker,
-                                       options.settings.time_limit_s, options, all_seeds(options)));
+                                       options.settings.time_limit_s, options, all_seeds(options),
+                                       recorded));
       table.add_plan(bench, bench.plans.size() - 1);
     }
   }
@@ -239,6 +243,7 @@ int bench(const BenchOptions& options) {
     for (SceneBench& scene : scenes) {
       bench_plans(scene, options, plugins, table);
     }
+    table.add_motions(scenes);
   }
   if (!options.out.empty()) {
     geometric::replace_file(options.out / "bench.csv", bench_csv(options.settings, scenes));
@@ -252,6 +257,7 @@ std::vector<PlanBench> bench_variant(const BenchScene& scene, const BenchOptions
   const std::string& checker = options.settings.checkers.front();
   const planning::PlanningProblem kept =
       planning::make_problem(scene.loaded.scene, scene.loaded.basis);
+  const auto recorded = kept.basis ? recorded_postures(kept, options.postures) : nullptr;
   std::vector<PlanBench> plans;
   for (const auto& planner : planners_for(options, scene, plugins.planners())) {
     const bool is_default = plans.empty();
@@ -259,7 +265,8 @@ std::vector<PlanBench> bench_variant(const BenchScene& scene, const BenchOptions
         *planner, scene.loaded, checker,
         is_default ? options.settings.time_limit_s : options.variants.others_time_limit_s, options,
         is_default || !options.variants.only_missed ? all_seeds(options)
-                                                    : unsolved_seeds(plans.front())));
+                                                    : unsolved_seeds(plans.front()),
+        recorded));
   }
   return plans;
 }
@@ -354,7 +361,7 @@ int bench_campaign(const BenchOptions& options, const CLI::App& command) {
     throw CLI::ValidationError("CAMPAIGN", "a campaign can't be combined with other files");
   }
   refuse({"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--check-paths",
-          "--checks", "--set", "--group", "--variants"},
+          "--checks", "--set", "--group", "--variants", "--postures"},
          command, "applies to scenes; for a campaign, set it in the campaign file");
   return run_campaign_file({options.scenes.front(), options.out, options.resume, options.jobs});
 }
@@ -375,7 +382,7 @@ int bench_or_campaign(BenchOptions& options, const CLI::App& command) {
   }
   if (!options.write.empty()) {
     refuse({"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--check-paths",
-            "--only-missed", "--others-limit", "--set", "--out"},
+            "--only-missed", "--others-limit", "--set", "--out", "--postures"},
            command, "can't be combined with --write, which runs no planner");
     return write_variants(options);
   }
@@ -457,6 +464,8 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--postures", options->postures,
+                      "Recorded postures to compare hands with (default: those of the hand bases)");
   add_group_option(*command, options->group);
   add_variant_options(*command, *options);
   command->add_flag("--resume", options->resume, "Continue the campaign whose runs are in --out");

@@ -63,10 +63,26 @@ Json runs_of(const PlanBench& bench) {
          {"edge_checks", result.statistics.edge_checks},
          {"path_nodes", bench.path_nodes[i]},
          {"objective", path_quality_json(bench.qualities[i])},
+         {"motion", motion_json(bench.motions[i])},
          {"path_faults", bench.path_faults[i]},
          {"min_clearance_mm", geometric::millimetres(result.certificate.min_clearance)}});
   }
   return runs;
+}
+
+Json motions_of(const PlanBench& bench) {
+  const MotionMedians medians = motion_medians(bench);
+  return {{"duration_s", number(medians.duration)},
+          {"hand_log_dimensionless_jerk", number(medians.hand_log_dimensionless_jerk)},
+          {"palm_log_dimensionless_jerk", number(medians.palm_log_dimensionless_jerk)},
+          {"hand_spectral_arc_length", number(medians.hand_spectral_arc_length)},
+          {"palm_spectral_arc_length", number(medians.palm_spectral_arc_length)},
+          {"arm_deviation", number(medians.arm_deviation)},
+          {"palm_deviation_mm", number(geometric::millimetres(medians.palm_deviation))},
+          {"component_error_rad", number(medians.component_error)},
+          {"recorded_error_rad", number(medians.recorded_error)},
+          {"warped_distance", number(medians.warped_distance)},
+          {"largest_warped_distance", number(medians.largest_warped_distance)}};
 }
 
 Json plan_of(const BenchSettings& settings, const PlanBench& bench, double ratio) {
@@ -85,6 +101,7 @@ Json plan_of(const BenchSettings& settings, const PlanBench& bench, double ratio
           {"path_nodes", number(median_path_nodes(bench))},
           {"length", number(median_length(bench))},
           {"to_subspace", number(median_to_subspace(bench))},
+          {"motion", motions_of(bench)},
           {"memory_bytes", bench.memory},
           {"runs", runs_of(bench)}};
 }
@@ -147,6 +164,7 @@ std::vector<report::Cell> scene_cells(const SceneBench& scene) {
 std::vector<report::Cell> plan_cells(const BenchSettings& settings, const SceneBench& scene,
                                      std::size_t i) {
   const PlanBench& bench = scene.plans[i];
+  const MotionMedians motion = motion_medians(bench);
   return {bench.planner,
           bench.checker,
           settings.threads,
@@ -163,6 +181,17 @@ std::vector<report::Cell> plan_cells(const BenchSettings& settings, const SceneB
           median_path_nodes(bench),
           median_length(bench),
           median_to_subspace(bench),
+          motion.duration,
+          motion.hand_log_dimensionless_jerk,
+          motion.palm_log_dimensionless_jerk,
+          motion.hand_spectral_arc_length,
+          motion.palm_spectral_arc_length,
+          motion.arm_deviation,
+          geometric::millimetres(motion.palm_deviation),
+          motion.component_error,
+          motion.recorded_error,
+          motion.warped_distance,
+          motion.largest_warped_distance,
           bench.memory};
 }
 
@@ -197,6 +226,17 @@ std::string bench_csv(const BenchSettings& settings, const std::vector<SceneBenc
                        "path_nodes",
                        "length",
                        "to_subspace",
+                       "duration_s",
+                       "hand_log_dimensionless_jerk",
+                       "palm_log_dimensionless_jerk",
+                       "hand_spectral_arc_length",
+                       "palm_spectral_arc_length",
+                       "arm_deviation",
+                       "palm_deviation_mm",
+                       "component_error_rad",
+                       "recorded_error_rad",
+                       "warped_distance",
+                       "largest_warped_distance",
                        "memory_bytes"}};
   for (const SceneBench& scene : scenes) {
     if (scene.plans.empty()) {
@@ -270,6 +310,32 @@ std::string solved_text(const PlanBench& bench) {
   return fmt::format("{}/{}", solved_count(bench), bench.results.size());
 }
 
+// The source of the recorded motions that a planner's motions were compared with; `other` if none.
+std::string recordings_of(const PlanBench& bench, const std::string& other) {
+  const auto compared = std::ranges::find_if(bench.motions, [](const auto& motion) {
+    return motion && motion->likeness.components.has_value();
+  });
+  return compared != bench.motions.end() ? (*compared)->recordings : other;
+}
+
+std::vector<report::Cell> motion_cells(const SceneBench& scene, const PlanBench& bench,
+                                       bool several_checkers) {
+  const MotionMedians m = motion_medians(bench);
+  return {scene.name(),
+          several_checkers ? fmt::format("{}, {}", bench.planner, bench.checker) : bench.planner,
+          shown(m.duration),
+          shown(m.hand_log_dimensionless_jerk),
+          shown(m.palm_log_dimensionless_jerk),
+          shown(m.hand_spectral_arc_length),
+          shown(m.palm_spectral_arc_length),
+          shown(m.arm_deviation),
+          shown(geometric::millimetres(m.palm_deviation)),
+          shown(m.component_error),
+          shown(m.recorded_error),
+          shown(m.warped_distance),
+          shown(m.largest_warped_distance)};
+}
+
 std::string plural(int count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
@@ -322,6 +388,18 @@ BenchTable::BenchTable(const BenchSettings& settings,
            {"length", 7},
            {"to PMDs", 7},
            {{"memory", "MB"}, 9}})),
+      motions_(table_of({{"scene", name_width(files), false}, {"planner", 18, false}},
+                        {{{"time", "s"}, 7},
+                         {"LDLJ hand", 9},
+                         {"palm", 6},
+                         {"SPARC hand", 10},
+                         {"palm", 6},
+                         {"arm", 6},
+                         {{"palm", "mm"}, 8},
+                         {{"fPCA", "rad"}, 9},
+                         {{"recorded", "rad"}, 13},
+                         {"DTW", 6},
+                         {"largest", 7}})),
       variants_(table_of({{"problem", name_width(files), false}, {"planner", 18, false}},
                          {{"solved", 8},
                           {"median", 8},
@@ -388,6 +466,30 @@ void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
     add_faults(bench);
   }
   std::fflush(stdout);
+}
+
+void BenchTable::add_motions(const std::vector<SceneBench>& scenes) const {
+  std::string rows;
+  std::string recordings;
+  for (const SceneBench& scene : scenes) {
+    for (const PlanBench& bench : scene.plans) {
+      if (solved_count(bench) > 0) {
+        rows += motions_.row(motion_cells(scene, bench, settings_.checkers.size() > 1));
+        recordings = recordings_of(bench, recordings);
+      }
+    }
+  }
+  if (rows.empty()) {
+    return;
+  }
+  print_out(
+      "\nMotions: medians of the paths found, timed with limited jerk. Smoothness (nearer to 0: "
+      "smoother), deviation from the straight motion, error by components of recorded motions, "
+      "distance between seeds.\n{}{}",
+      motions_.header(), rows);
+  if (!recordings.empty()) {
+    print_out("  Recorded motions: {}\n", recordings);
+  }
 }
 
 void BenchTable::begin_variants(const VariantSettings& variants) const {

@@ -71,6 +71,9 @@ class BenchTable {
   /// The scene's plan number `i`.
   void add_plan(const SceneBench& scene, std::size_t i) const;
 
+  /// Measures of the motions of all plans that found a path.
+  void add_motions(const std::vector<SceneBench>& scenes) const;
+
   /// Lines about planners on variants.
   void begin_variants(const VariantSettings& variants) const;
   void add_variants(const VariantBench& bench) const;
@@ -83,6 +86,7 @@ class BenchTable {
   BenchSettings settings_;
   report::TextTable collisions_;
   report::TextTable plans_;
+  report::TextTable motions_;
   report::TextTable variants_;
 };
 

@@ -88,7 +88,9 @@ int check(const CheckOptions& options) {
   }
   const bool has_configurations = result.configurations > 0;
   if (const auto likeness =
-          has_configurations ? hand_likeness(problem, path, options.postures) : std::nullopt) {
+          has_configurations
+              ? hand_likeness(problem, path, recorded_postures(problem, options.postures))
+              : std::nullopt) {
     print_likeness(*likeness);
   }
   return result.valid() ? kDone : kNoPath;

@@ -418,6 +418,27 @@ void look_at_rows(const std::vector<MappedRecording>& recordings, const PcaOptio
   }
 }
 
+// The times of all rows, from 0 for each recording.
+Eigen::VectorXd times_of(const std::vector<MappedRecording>& recordings) {
+  std::vector<double> times;
+  for (const MappedRecording& recording : recordings) {
+    for (const double time : recording.recording.times) {
+      times.push_back(time - recording.recording.times[0]);
+    }
+  }
+  return Eigen::Map<const Eigen::VectorXd>(times.data(), std::ssize(times));
+}
+
+// Origins of the recordings that say more than the names of their files, after a semicolon each.
+std::string origins_of(const std::vector<MappedRecording>& recordings) {
+  std::string text;
+  for (const MappedRecording& recording : recordings) {
+    const std::string& origin = recording.recording.header.origin;
+    text += origin.empty() || origin == recording.file.filename() ? "" : "; " + origin;
+  }
+  return text;
+}
+
 // Writes plots and, if there is a program that draws them, pictures of the hand.
 void write_plots(const fs::path& folder, const sampling::PmdBasis& basis,
                  const Eigen::MatrixXd& postures, const Eigen::VectorXd& shares) {
@@ -496,7 +517,8 @@ int pca(const PcaOptions& options) {
       {free, options.components, options.sigmas});
   print_out("Basis for {}:\n{}", basis.hand, basis_text(basis));
   if (!options.postures.empty()) {
-    sampling::write_postures({basis.hand, basis.source, basis.joints, chosen_samples},
+    sampling::write_postures({basis.hand, basis.source + origins_of(recordings), basis.joints,
+                              chosen_samples, times_of(recordings)},
                              options.postures);
     basis.postures = options.postures;
   }

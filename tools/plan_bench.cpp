@@ -58,7 +58,8 @@ void append_to(std::vector<Value>& all, const std::vector<Value>& more) {
 PlanBench bench_planner(planning::Planner& planner,
                         const std::function<planning::PlanningProblem()>& make_problem,
                         planning::PlanRequest request, const std::vector<std::uint64_t>& seeds,
-                        bool checked) {
+                        bool checked,
+                        const std::shared_ptr<const sampling::RecordedPostures>& recorded) {
   PlanBench bench;
   bench.planner = planner.name();
   reset_peak_memory();
@@ -71,6 +72,7 @@ PlanBench bench_planner(planning::Planner& planner,
       bench.path_nodes.push_back(result.path.waypoints.size());
       bench.qualities.push_back(result.solved() ? std::optional(path_quality(problem, result.path))
                                                 : std::nullopt);
+      bench.motions.push_back(measure_motion(problem, result.path, recorded));
       bench.path_faults.emplace_back();
       if (checked && result.solved()) {
         bench.path_faults.back() = check_path(problem, result.path, kBenchResolution).faults;
@@ -139,6 +141,72 @@ double median_to_subspace(const PlanBench& bench) {
   });
 }
 
+namespace {
+
+// Median over the runs that have this measure, or NaN.
+template <typename Value>
+double median_of_motions(const PlanBench& bench, const Value& value) {
+  std::vector<double> values;
+  for (const auto& motion : bench.motions) {
+    if (motion && motion->fault.empty()) {
+      if (const std::optional<double> measured = value(motion->likeness)) {
+        values.push_back(*measured);
+      }
+    }
+  }
+  return quantile(std::move(values), 0.5);
+}
+
+// Returns a getter of `value` of an optional measure.
+template <typename Measure>
+auto part(std::optional<Measure> planning::MotionLikeness::*measure, double Measure::*value) {
+  return [measure, value](const planning::MotionLikeness& likeness) {
+    const std::optional<Measure>& measured = likeness.*measure;
+    return measured ? std::optional((*measured).*value) : std::nullopt;
+  };
+}
+
+std::optional<planning::MotionSpread> spread_of(const PlanBench& bench) {
+  std::vector<Eigen::MatrixXd> motions;
+  for (const auto& motion : bench.motions) {
+    if (motion && motion->fault.empty()) {
+      motions.push_back(motion->motion);
+    }
+  }
+  return planning::motion_spread(motions);
+}
+
+}  // namespace
+
+MotionMedians motion_medians(const PlanBench& bench) {
+  using planning::ComponentError;
+  using planning::MotionLikeness;
+  using planning::MovementSmoothness;
+  using planning::StraightDeviation;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto median = [&](auto measure, auto value) {
+    return median_of_motions(bench, part(measure, value));
+  };
+  const std::optional<planning::MotionSpread> spread = spread_of(bench);
+  return {
+      .duration = median_of_motions(
+          bench, [](const MotionLikeness& likeness) { return std::optional(likeness.duration); }),
+      .hand_log_dimensionless_jerk =
+          median(&MotionLikeness::hand, &MovementSmoothness::log_dimensionless_jerk),
+      .palm_log_dimensionless_jerk =
+          median(&MotionLikeness::palm, &MovementSmoothness::log_dimensionless_jerk),
+      .hand_spectral_arc_length =
+          median(&MotionLikeness::hand, &MovementSmoothness::spectral_arc_length),
+      .palm_spectral_arc_length =
+          median(&MotionLikeness::palm, &MovementSmoothness::spectral_arc_length),
+      .arm_deviation = median(&MotionLikeness::deviation, &StraightDeviation::arm),
+      .palm_deviation = median(&MotionLikeness::deviation, &StraightDeviation::palm),
+      .component_error = median(&MotionLikeness::components, &ComponentError::error),
+      .recorded_error = median(&MotionLikeness::components, &ComponentError::recorded_median),
+      .warped_distance = spread ? spread->median : kNone,
+      .largest_warped_distance = spread ? spread->largest : kNone};
+}
+
 VariantSummary& VariantSummary::operator+=(const VariantSummary& other) {
   pairs += other.pairs;
   solved_by_any += other.solved_by_any;
@@ -197,6 +265,7 @@ std::vector<PlanBench> merged_plans(const VariantBench& bench) {
       append_to(merged[p].results, runs.plans[p].results);
       append_to(merged[p].path_nodes, runs.plans[p].path_nodes);
       append_to(merged[p].qualities, runs.plans[p].qualities);
+      append_to(merged[p].motions, runs.plans[p].motions);
       append_to(merged[p].path_faults, runs.plans[p].path_faults);
       merged[p].memory = std::max(merged[p].memory, runs.plans[p].memory);
     }

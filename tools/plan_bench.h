@@ -2,12 +2,15 @@
 
 #include "handway/planning/core/objective.h"
 #include "handway/planning/planners/planner.h"
+#include "handway/planning/queries/dynamic_time_warping.h"
+#include "plan_report.h"
 #include "scene_variants.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +26,7 @@ struct PlanBench {
   std::vector<planning::PlanResult> results;  ///< One per seed, without its path's points.
   std::vector<std::size_t> path_nodes;        ///< One per seed; 0 without a path.
   std::vector<std::optional<planning::PathQuality>> qualities;  ///< One per seed, of its path.
+  std::vector<std::optional<MotionMeasures>> motions;           ///< One per seed, of its path.
   std::vector<std::vector<std::string>> path_faults;            ///< One per seed, of checked paths.
   std::size_t memory = 0;                                       ///< Peak, bytes.
   std::string problem;  ///< Reason why it could not run; or empty.
@@ -30,11 +34,13 @@ struct PlanBench {
 
 /// Runs each of `seeds`; ends after the first if the query itself is not valid.
 /// @param checked whether every path is checked again at 1 mm (planning::check_path).
+/// @param recorded postures to compare hands with; may be null.
 /// @param make_problem is called for every run, so that none profits from a checker's caches of
 /// another.
 [[nodiscard]] PlanBench bench_planner(
     planning::Planner& planner, const std::function<planning::PlanningProblem()>& make_problem,
-    planning::PlanRequest request, const std::vector<std::uint64_t>& seeds, bool checked);
+    planning::PlanRequest request, const std::vector<std::uint64_t>& seeds, bool checked,
+    const std::shared_ptr<const sampling::RecordedPostures>& recorded = nullptr);
 
 [[nodiscard]] int solved_count(const PlanBench& bench);
 /// Paths in which a check found a fault.
@@ -54,6 +60,24 @@ struct PlanBench {
 /// hand's mean distance from the PMD subspace (NaN without a basis, too).
 [[nodiscard]] double median_length(const PlanBench& bench);
 [[nodiscard]] double median_to_subspace(const PlanBench& bench);
+
+/// Medians over the runs that found a path of the measures of their motions; NaN where there is
+/// none.
+struct MotionMedians {
+  double duration;  ///< s
+  double hand_log_dimensionless_jerk;
+  double palm_log_dimensionless_jerk;
+  double hand_spectral_arc_length;
+  double palm_spectral_arc_length;
+  double arm_deviation;    ///< Normalised joints.
+  double palm_deviation;   ///< m
+  double component_error;  ///< rad
+  double recorded_error;   ///< Median of recorded motions, rad.
+  double warped_distance;  ///< Between motions of two seeds, normalised joints.
+  double largest_warped_distance;
+};
+
+[[nodiscard]] MotionMedians motion_medians(const PlanBench& bench);
 
 /// A variant and the runs on it.
 struct VariantRuns {

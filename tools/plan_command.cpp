@@ -55,6 +55,7 @@ struct PlanOptions {
   std::vector<std::string> group;
   fs::path out;
   fs::path report;
+  fs::path postures;
 };
 
 PlanResult plan_until_interrupted(planning::Planner& planner,
@@ -177,9 +178,11 @@ int plan(PlanOptions options) {
   if (!options.report.empty()) {
     const auto quality =
         result.solved() ? std::optional(path_quality(problem, result.path)) : std::nullopt;
+    const auto recorded = recorded_postures(problem, options.postures);
     geometric::replace_file(options.report,
                             plan_report(*planner, problem, request, result, load.count(),
-                                        hand_likeness(problem, result.path), quality));
+                                        hand_likeness(problem, result.path, recorded), quality,
+                                        measure_motion(problem, result.path, recorded)));
   }
   print_summary(result, problem);
   return exit_code_of(result.status);
@@ -217,6 +220,11 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   add_group_option(*command, options->group);
   command->add_option("--out", options->out, "File for the path (CSV)");
   command->add_option("--report", options->report, "File for the report (JSON)");
+  command
+      ->add_option("--postures", options->postures,
+                   "Recorded postures to compare the hand with in the report (default: those of "
+                   "the hand basis)")
+      ->needs("--report");
   command->callback([options, &exit_code] { exit_code = plan(*options); });
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <variant>
 
 namespace handway::tools {
 namespace {
@@ -69,6 +70,14 @@ Json likeness_of(const std::optional<planning::PathLikeness>& likeness) {
       {"to_recorded", likeness->to_recorded ? distance_of(*likeness->to_recorded) : Json(nullptr)}};
 }
 
+Json smoothness_of(const std::optional<planning::MovementSmoothness>& smoothness) {
+  if (!smoothness) {
+    return nullptr;
+  }
+  return {{"log_dimensionless_jerk", smoothness->log_dimensionless_jerk},
+          {"spectral_arc_length", smoothness->spectral_arc_length}};
+}
+
 std::vector<std::string> names_of(const geometric::RobotModel& model,
                                   const std::vector<int>& variables) {
   std::vector<std::string> names;
@@ -94,7 +103,8 @@ Json goal_of(const planning::PlanningProblem& problem, const planning::PlanResul
 std::string plan_report(planning::Planner& planner, const planning::PlanningProblem& problem,
                         const planning::PlanRequest& request, const planning::PlanResult& result,
                         double load_s, const std::optional<planning::PathLikeness>& likeness,
-                        const std::optional<planning::PathQuality>& quality) {
+                        const std::optional<planning::PathQuality>& quality,
+                        const std::optional<MotionMeasures>& motion) {
   Json parameters = Json::object();
   for (const geometric::Parameter& parameter : planner.parameters()) {
     parameters[parameter.key] = value_of(parameter);
@@ -136,6 +146,7 @@ std::string plan_report(planning::Planner& planner, const planning::PlanningProb
       {"out_of_margin", out_of_margin},
       {"objective", path_quality_json(quality)},
       {"human_likeness", likeness_of(likeness)},
+      {"motion", motion_json(motion)},
       {"statistics", statistics_of(result.statistics)},
       {"parameters", parameters},
       {"departures", departures},
@@ -166,22 +177,74 @@ nlohmann::ordered_json path_quality_json(const std::optional<planning::PathQuali
           {"duration_s", quality->duration}};
 }
 
-std::optional<planning::PathLikeness> hand_likeness(const planning::PlanningProblem& problem,
-                                                    const planning::Path& path,
-                                                    const std::filesystem::path& postures) {
+nlohmann::ordered_json motion_json(const std::optional<MotionMeasures>& motion) {
+  if (!motion || !motion->fault.empty()) {
+    return nullptr;
+  }
+  const planning::MotionLikeness& likeness = motion->likeness;
+  Json deviation = nullptr;
+  if (likeness.deviation) {
+    deviation = {{"arm", likeness.deviation->arm},
+                 {"palm_mm", geometric::millimetres(likeness.deviation->palm)}};
+  }
+  Json components = nullptr;
+  if (const auto& error = likeness.components) {
+    components = {{"error_rad", error->error},
+                  {"recorded_median_rad", error->recorded_median},
+                  {"recorded_95_rad", error->recorded_95},
+                  {"motions", error->motions},
+                  {"components", error->components},
+                  {"recordings", motion->recordings}};
+  }
+  return {{"duration_s", likeness.duration},
+          {"hand", smoothness_of(likeness.hand)},
+          {"palm", smoothness_of(likeness.palm)},
+          {"deviation", deviation},
+          {"components", components},
+          {"no_components", likeness.no_components}};
+}
+
+std::shared_ptr<const sampling::RecordedPostures> recorded_postures(
+    const planning::PlanningProblem& problem, const std::filesystem::path& postures) {
   if (!problem.basis && !postures.empty()) {
     throw geometric::InputError({problem.scene->file.string(), "hand_basis", "nothing",
                                  "a PMD basis with the joints of the postures",
                                  "Name one in the scene."});
   }
+  if (!problem.basis) {
+    return nullptr;
+  }
+  return postures.empty() ? sampling::load_recorded_postures(*problem.basis)
+                          : sampling::load_recorded_postures(*problem.basis, postures);
+}
+
+std::optional<planning::PathLikeness> hand_likeness(
+    const planning::PlanningProblem& problem, const planning::Path& path,
+    const std::shared_ptr<const sampling::RecordedPostures>& recorded) {
   if (!problem.basis || path.empty()) {
     return std::nullopt;
   }
-  const planning::HumanLikeness likeness(
-      problem.model(), problem.joints.hand, *problem.basis,
-      postures.empty() ? sampling::load_recorded_postures(*problem.basis)
-                       : sampling::load_recorded_postures(*problem.basis, postures));
+  const planning::HumanLikeness likeness(problem.model(), problem.joints.hand, *problem.basis,
+                                         recorded);
   return planning::path_likeness(problem.model(), likeness, path);
+}
+
+std::optional<MotionMeasures> measure_motion(
+    const planning::PlanningProblem& problem, const planning::Path& path,
+    const std::shared_ptr<const sampling::RecordedPostures>& recorded) {
+  if (path.empty()) {
+    return std::nullopt;
+  }
+  MotionMeasures measures;
+  const auto timed = planning::likeness_trajectory(problem, path);
+  if (const auto* trajectory = std::get_if<planning::Trajectory>(&timed)) {
+    measures.likeness = planning::motion_likeness(problem, *trajectory, recorded.get());
+    measures.recordings = recorded ? recorded->source() : std::string();
+    measures.motion = planning::comparable_motion(problem, *trajectory);
+  } else {
+    measures.fault = std::get<std::string>(timed);
+  }
+  return measures;
 }
 
 }  // namespace handway::tools

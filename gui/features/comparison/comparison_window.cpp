@@ -3,6 +3,7 @@
 #include "features/workbench.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/paths/path_file.h"
+#include "handway/planning/queries/dynamic_time_warping.h"
 #include "model/playback/path_player.h"
 #include "model/playback/path_timeline.h"
 #include "view3d/scene_view.h"
@@ -24,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace handway::gui {
@@ -33,6 +35,8 @@ enum class Better { kLess, kMore, kNeither };
 enum Column { kName, kLeft, kRight, kDifference, kColumns };
 
 constexpr int kFigureRowHeight = 24;
+constexpr int kFewestVisibleRows = 9;
+constexpr int kUsualVisibleRows = 12;  // the views need the rest
 constexpr double kNoDifference = 1e-9;
 
 struct Figure {
@@ -66,7 +70,7 @@ QString difference_text(const Figure& figure) {
     return none;
   }
   const QString text = (by > 0.0 ? QStringLiteral("+") : QString()) + number(by, figure.decimals);
-  const double percent = 100.0 * by / *figure.left;
+  const double percent = 100.0 * by / std::abs(*figure.left);
   return std::abs(*figure.left) < kNoDifference
              ? text
              : QObject::tr("%1 (%2 %)")
@@ -142,6 +146,52 @@ std::vector<Figure> figures(const std::optional<PathFigures>& left,
   return list;
 }
 
+using planning::MotionLikeness;
+
+// Adds a figure of a motion unless both are missing. @param read returns an optional number.
+template <typename Read>
+void add_motion_figure(std::vector<Figure>& list, const QString& name, int decimals, Better better,
+                       const MotionLikeness& left, const MotionLikeness& right, const Read& read) {
+  const std::optional<double> of_left = read(left);
+  const std::optional<double> of_right = read(right);
+  if (of_left || of_right) {
+    list.push_back({name, decimals, better, of_left, of_right});
+  }
+}
+
+// Returns a getter of `value` of an optional measure, in units of `unit`.
+template <typename Measure>
+auto measure(std::optional<Measure> MotionLikeness::*measure, double Measure::*value,
+             double unit = 1.0) {
+  return [=](const MotionLikeness& motion) {
+    const std::optional<Measure>& measured = motion.*measure;
+    return measured ? std::optional((*measured).*value / unit) : std::nullopt;
+  };
+}
+
+void add_motion_figures(std::vector<Figure>& list, const MotionLikeness& left,
+                        const MotionLikeness& right) {
+  using planning::MovementSmoothness;
+  const auto add = [&](const QString& name, int decimals, Better better, const auto& read) {
+    add_motion_figure(list, name, decimals, better, left, right, read);
+  };
+  add(QObject::tr("Log dimensionless jerk of the hand"), 2, Better::kMore,
+      measure(&MotionLikeness::hand, &MovementSmoothness::log_dimensionless_jerk));
+  add(QObject::tr("Log dimensionless jerk of the palm"), 2, Better::kMore,
+      measure(&MotionLikeness::palm, &MovementSmoothness::log_dimensionless_jerk));
+  add(QObject::tr("Spectral arc length of the hand"), 2, Better::kMore,
+      measure(&MotionLikeness::hand, &MovementSmoothness::spectral_arc_length));
+  add(QObject::tr("Spectral arc length of the palm"), 2, Better::kMore,
+      measure(&MotionLikeness::palm, &MovementSmoothness::spectral_arc_length));
+  add(QObject::tr("Arm off the straight motion, largest"), 3, Better::kLess,
+      measure(&MotionLikeness::deviation, &planning::StraightDeviation::arm));
+  add(QObject::tr("Palm off the straight motion, largest, mm"), 1, Better::kLess,
+      measure(&MotionLikeness::deviation, &planning::StraightDeviation::palm,
+              geometric::kMillimetre));
+  add(QObject::tr("Hand off recorded motions, RMS, °"), 1, Better::kLess,
+      measure(&MotionLikeness::components, &planning::ComponentError::error, geometric::kDegree));
+}
+
 }  // namespace
 
 FigureTable::FigureTable(QWidget* parent) : QTableWidget(parent) {
@@ -162,7 +212,8 @@ FigureTable::FigureTable(QWidget* parent) : QTableWidget(parent) {
   setSelectionMode(QAbstractItemView::NoSelection);
   setFocusPolicy(Qt::TabFocus);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   follow_theme(*this, [this] { fill(); });
 }
 
@@ -173,8 +224,21 @@ void FigureTable::show_figures(const std::optional<PathFigures>& left,
   fill();
 }
 
+void FigureTable::show_motions(const planning::MotionLikeness* left,
+                               const planning::MotionLikeness* right) {
+  left_motion_ = left != nullptr ? std::optional(*left) : std::nullopt;
+  right_motion_ = right != nullptr ? std::optional(*right) : std::nullopt;
+  fill();
+}
+
+QSize FigureTable::sizeHint() const { return {QTableWidget::sizeHint().width(), usual_height_}; }
+
 void FigureTable::fill() {
-  const std::vector<Figure> list = figures(left_, right_);
+  std::vector<Figure> list = figures(left_, right_);
+  if (left_motion_ || right_motion_) {
+    add_motion_figures(list, left_motion_.value_or(MotionLikeness()),
+                       right_motion_.value_or(MotionLikeness()));
+  }
   const QColor good = colors_of(current_theme()).good;
   setRowCount(static_cast<int>(list.size()));
   for (int row = 0; row < rowCount(); ++row) {
@@ -196,8 +260,14 @@ void FigureTable::fill() {
       setItem(row, column, item);
     }
   }
-  setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * scaled(kFigureRowHeight) +
-                 2 * frameWidth());
+  const auto height_of = [&](int rows) {
+    return horizontalHeader()->sizeHint().height() + rows * scaled(kFigureRowHeight) +
+           2 * frameWidth();
+  };
+  usual_height_ = height_of(std::min(rowCount(), kUsualVisibleRows));
+  setMinimumHeight(height_of(std::min(rowCount(), kFewestVisibleRows)));
+  setMaximumHeight(height_of(rowCount()));
+  updateGeometry();
 }
 
 namespace {
@@ -254,6 +324,9 @@ ComparisonWindow::ComparisonWindow(PathHistory& history, Query query, QWidget* p
   connect(&player_, &PathPlayer::moved, this, &ComparisonWindow::show_moment);
   connect(&history_, &PathHistory::changed, this, &ComparisonWindow::take_history);
   connect(&job_, &LatestJob::failed, note_, &QLabel::setText);
+  for (const LatestJob& measuring : measuring_) {
+    connect(&measuring, &LatestJob::failed, note_, &QLabel::setText);
+  }
   fill_choosers();
   for (std::size_t side = 0; side < choosers_.size(); ++side) {
     views_->view(side).set_scene(query_.scene);
@@ -368,7 +441,14 @@ void ComparisonWindow::show_figures() {
     return record ? record->figures : std::nullopt;
   };
   table_->show_figures(figures(shown_[0]), figures(shown_[1]));
+  const auto likeness = [&](std::size_t side) {
+    const MeasuredMotion* const motion = measured(side);
+    return motion != nullptr ? &motion->likeness : nullptr;
+  };
+  table_->show_motions(likeness(0), likeness(1));
+  measure_motions();
   QStringList notes{note_on_both()};
+  notes << notes_on_motions();
   for (const auto& shown : shown_) {
     if (shown && !shown->remark.isEmpty()) {
       notes << shown->remark + QLatin1Char('.');
@@ -376,6 +456,65 @@ void ComparisonWindow::show_figures() {
   }
   notes.removeDuplicates();
   note_->setText(notes.join(QLatin1Char(' ')));
+}
+
+const MeasuredMotion* ComparisonWindow::measured(std::size_t side) const {
+  return measured_.at(side).is_of(shown_.at(side)) ? &measured_.at(side) : nullptr;
+}
+
+void ComparisonWindow::measure_motions() {
+  for (std::size_t side = 0; side < shown_.size(); ++side) {
+    const auto& shown = shown_.at(side);
+    // Paths of another scene would need its problem.
+    if (shown && query_.problem && shown->scene == query_.scene &&
+        shown->motion != measured_.at(side).motion) {
+      measured_.at(side) = {shown->motion, {}, {}};
+      measure_motion(side);
+    }
+  }
+}
+
+void ComparisonWindow::measure_motion(std::size_t side) {
+  measuring_.at(side).run([this, side, result = measured_.at(side),
+                           query = query_](const std::stop_token& stop) -> LatestJob::Answer {
+    const PreparedProblem::Problem problem = query.problem->wait(stop);
+    if (!problem) {
+      return {};
+    }
+    const auto timed = planning::likeness_trajectory(*problem, result.motion->path, stop);
+    const auto* trajectory = std::get_if<planning::Trajectory>(&timed);
+    if (trajectory == nullptr) {
+      return {};
+    }
+    MeasuredMotion measured = result;
+    measured.likeness = motion_likeness(*problem, *trajectory, query.postures.get());
+    measured.comparable = comparable_motion(*problem, *trajectory);
+    return [this, side, measured = std::move(measured)] {
+      measured_.at(side) = measured;
+      show_figures();
+    };
+  });
+}
+
+QStringList ComparisonWindow::notes_on_motions() const {
+  QStringList notes;
+  const MeasuredMotion* const left = measured(0);
+  const MeasuredMotion* const right = measured(1);
+  if (left != nullptr && right != nullptr && left != right && left->motion != right->motion &&
+      left->comparable.cols() == right->comparable.cols()) {
+    notes << tr("The motions differ by %1 in normalised joints (dynamic time warping).")
+                 .arg(number(planning::warped_distance(left->comparable, right->comparable), 3));
+  }
+  for (const MeasuredMotion* motion : {left, right}) {
+    if (motion != nullptr && motion->likeness.components) {
+      const planning::ComponentError& error = *motion->likeness.components;
+      notes << tr("%1 recorded motions of the hand are off by %2° (median): %3.")
+                   .arg(error.motions)
+                   .arg(number(geometric::degrees(error.recorded_median), 1),
+                        QString::fromStdString(query_.postures->source()));
+    }
+  }
+  return notes;
 }
 
 QString ComparisonWindow::note_on_both() const {

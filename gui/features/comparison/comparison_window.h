@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/planning/queries/motion_likeness.h"
 #include "model/document/prepared_problem.h"
 #include "model/jobs/background.h"
 #include "model/planning/path_history.h"
@@ -23,6 +24,17 @@ class PlaybackBar;
 class Workbench;
 class SceneView;
 
+/// A motion of the history with its measures.
+struct MeasuredMotion {
+  std::shared_ptr<const planning::Motion> motion;  ///< Null: not measured.
+  planning::MotionLikeness likeness;
+  Eigen::MatrixXd comparable;  ///< planning::comparable_motion(); empty if it can't be timed.
+
+  [[nodiscard]] bool is_of(const std::optional<PathRecord>& record) const {
+    return record && motion == record->motion && comparable.size() > 0;
+  }
+};
+
 /// The figures of two paths side by side, with what the right one has more or less; the better
 /// of two numbers is bold and green where more or less is better.
 class FigureTable : public QTableWidget {
@@ -34,12 +46,21 @@ class FigureTable : public QTableWidget {
   /// Shows dashes for figures that are missing.
   void show_figures(const std::optional<PathFigures>& left,
                     const std::optional<PathFigures>& right);
+  /// Shows rows for the measures of the motions, unless both are missing. @param left, right may be
+  /// null.
+  void show_motions(const planning::MotionLikeness* left, const planning::MotionLikeness* right);
+
+  /// Height of a dozen rows, or of all if there are fewer.
+  [[nodiscard]] QSize sizeHint() const override;
 
  private:
   void fill();
 
   std::optional<PathFigures> left_;
   std::optional<PathFigures> right_;
+  std::optional<planning::MotionLikeness> left_motion_;
+  std::optional<planning::MotionLikeness> right_motion_;
+  int usual_height_ = 0;
 };
 
 /// Two views side by side that always look from the same place.
@@ -89,7 +110,13 @@ class ComparisonWindow : public QDialog {
   void ask_for_file(std::size_t side);
   void show_side(std::size_t side);
   void show_figures();
+  /// Measures the motions that are shown and not measured yet, in the background.
+  void measure_motions();
+  void measure_motion(std::size_t side);
+  [[nodiscard]] const MeasuredMotion* measured(std::size_t side) const;
   [[nodiscard]] QString note_on_both() const;
+  /// Sentences about the measured motions.
+  [[nodiscard]] QStringList notes_on_motions() const;
   void show_moment();
   void update_player();
 
@@ -97,11 +124,13 @@ class ComparisonWindow : public QDialog {
   Query query_;
   PathPlayer player_;  ///< Plays the longer path.
   LatestJob job_;
+  std::array<LatestJob, 2> measuring_;
   LockedViews* views_;
   PlaybackBar* bar_;
   std::array<QComboBox*, 2> choosers_;
   std::array<std::optional<PathRecord>, 2> shown_;
   std::array<PathTimeline, 2> timelines_;
+  std::array<MeasuredMotion, 2> measured_;
   FigureTable* table_;
   QLabel* note_;
 };

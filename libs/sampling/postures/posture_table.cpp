@@ -25,6 +25,7 @@ using geometric::InputError;
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 28;  // some million postures
 constexpr std::string_view kFirstLine = "# handway postures 1";
+constexpr std::string_view kTimeColumn = "time";
 constexpr double kRounding = 1e-6;
 
 class TableReader {
@@ -37,9 +38,10 @@ class TableReader {
     read_head();
     read_names();
     std::vector<double> values;
+    std::vector<double> times;
     Eigen::Index rows = 0;
     for (; next_line(); ++rows) {
-      read_row(values);
+      read_row(values, times);
     }
     if (rows == 0) {
       fail("", "no rows", "at least one posture");
@@ -47,6 +49,7 @@ class TableReader {
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     table_.postures = Eigen::Map<const RowMajor>(values.data(), rows,
                                                  static_cast<Eigen::Index>(table_.joints.size()));
+    table_.times = Eigen::Map<const Eigen::VectorXd>(times.data(), std::ssize(times));
     return table_;
   }
 
@@ -95,17 +98,36 @@ class TableReader {
       }
       table_.joints.emplace_back(name);
     }
+    if (table_.joints.front() == kTimeColumn) {
+      has_times_ = true;
+      table_.joints.erase(table_.joints.begin());
+    }
+    if (table_.joints.empty()) {
+      fail("", "no joints", "a column for every joint");
+    }
   }
 
-  void read_row(std::vector<double>& values) const {
+  void read_row(std::vector<double>& values, std::vector<double>& times) const {
     const std::vector<std::string_view> cells = geometric::cells(line_, ',');
-    if (cells.size() != table_.joints.size()) {
+    const std::size_t first = has_times_ ? 1 : 0;
+    if (cells.size() != first + table_.joints.size()) {
       fail("", fmt::format("{} values", cells.size()),
-           fmt::format("{} as in the header", table_.joints.size()));
+           fmt::format("{} as in the header", first + table_.joints.size()));
     }
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      values.push_back(value_of(cells[i], table_.joints[i]));
+    if (has_times_) {
+      times.push_back(time_of(cells.front()));
     }
+    for (std::size_t i = 0; i < table_.joints.size(); ++i) {
+      values.push_back(value_of(cells[first + i], table_.joints[i]));
+    }
+  }
+
+  [[nodiscard]] double time_of(std::string_view cell) const {
+    const std::optional<double> time = geometric::parse_number(cell);
+    if (!time || !std::isfinite(*time)) {
+      fail(std::string(kTimeColumn), fmt::format("\"{}\"", cell), "a number of seconds");
+    }
+    return *time;
   }
 
   [[nodiscard]] double value_of(std::string_view cell, const std::string& joint) const {
@@ -120,6 +142,7 @@ class TableReader {
   std::istringstream text_;
   std::string line_;
   int number_ = 0;
+  bool has_times_ = false;
   PostureTable table_;
 };
 
@@ -157,10 +180,18 @@ void write_postures(const PostureTable& table, const std::filesystem::path& file
   if (static_cast<Eigen::Index>(table.joints.size()) != table.postures.cols()) {
     throw std::invalid_argument("postures need a name for every column");
   }
+  const bool has_times = table.times.size() > 0;
+  if (has_times && table.times.size() != table.postures.rows()) {
+    throw std::invalid_argument("postures need a time for every row, or none");
+  }
   std::string text =
-      fmt::format("{}\n# hand: {}\n# source: {}\n{}\n", kFirstLine, one_line(table.hand),
-                  one_line(table.source), fmt::join(table.joints, ","));
-  for (const auto& row : table.postures.rowwise()) {
+      fmt::format("{}\n# hand: {}\n# source: {}\n{}{}\n", kFirstLine, one_line(table.hand),
+                  one_line(table.source), has_times ? "time," : "", fmt::join(table.joints, ","));
+  for (Eigen::Index number = 0; number < table.postures.rows(); ++number) {
+    const auto row = table.postures.row(number);
+    if (has_times) {
+      fmt::format_to(std::back_inserter(text), "{:.3f},", table.times[number]);
+    }
     for (Eigen::Index joint = 0; joint < row.size(); ++joint) {
       fmt::format_to(std::back_inserter(text), "{}{:.4f}", joint > 0 ? "," : "", row[joint]);
     }
@@ -196,10 +227,28 @@ RecordedPostures::RecordedPostures(const PmdBasis& basis, const PostureTable& ta
     free_joints_.push_back(free.joint);
     postures.row(free.joint).setZero();
   }
+  find_motions(table.times, postures);
   tree_ = std::make_unique<const Tree>(std::move(postures));
 }
 
 RecordedPostures::~RecordedPostures() = default;
+
+void RecordedPostures::find_motions(const Eigen::VectorXd& times, const Eigen::MatrixXd& postures) {
+  if (times.size() == 0) {
+    motions_fault_ =
+        "The recorded postures have no times, so that no motions can be cut from them.";
+    return;
+  }
+  const std::vector<HandMotion> motions = cut_into_motions(times, postures.transpose());
+  if (motions.size() < MotionComponents::kFewestMotions) {
+    motions_fault_ = fmt::format(
+        "The recording has {} motions, which are too few: at least {} are "
+        "needed. Record for longer, or with pauses between motions.",
+        motions.size(), MotionComponents::kFewestMotions);
+    return;
+  }
+  motions_ = std::make_unique<const MotionComponents>(motions);
+}
 
 Eigen::Index RecordedPostures::count() const { return tree_->postures.cols(); }
 

@@ -58,6 +58,29 @@ TEST_F(PostureTableFile, ReadsBackWhatItWrote) {
   EXPECT_LT((again.postures - table.postures).cwiseAbs().maxCoeff(), 5e-5);
 }
 
+TEST_F(PostureTableFile, KeepsTheTimes) {
+  const PostureTable table{"claw",
+                           "",
+                           {"left"},
+                           (Eigen::MatrixXd(3, 1) << 0.1, 0.2, 0.3).finished(),
+                           Eigen::Vector3d(0.0, 0.01, 0.0)};
+  write_postures(table, file());
+  const PostureTable again = read_postures(file());
+  EXPECT_EQ(again.joints, table.joints);
+  EXPECT_TRUE(again.times.isApprox(table.times)) << again.times;
+  EXPECT_EQ(read(kHead + std::string("left\n0.5\n")).times.size(), 0);
+}
+
+TEST_F(PostureTableFile, RefusesWrongTimes) {
+  EXPECT_THAT(complaint(kHead + std::string("time,left\nsoon,0.5\n")),
+              HasSubstr(":5: time: found \"soon\", expected a number of seconds"));
+  EXPECT_THAT(complaint(kHead + std::string("time\n0\n")), HasSubstr("no joints"));
+  EXPECT_THROW(
+      write_postures({"claw", "", {"left"}, Eigen::MatrixXd::Zero(2, 1), Eigen::VectorXd::Zero(1)},
+                     file()),
+      std::invalid_argument);
+}
+
 TEST_F(PostureTableFile, NamesTheLineOfAWrongValue) {
   const std::string complained = complaint(kHead + std::string("left,right\n0,0.5\n0,1.5\n"));
   EXPECT_THAT(complained, HasSubstr("postures.csv:6: right: found \"1.5\""));

@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 
 namespace handway::sampling {
@@ -119,6 +121,61 @@ TEST(RecordedPostures, ComeWithTheBasisThatShips) {
   EXPECT_GT(recorded->usual_distance_to_subspace(), 0.01);
   EXPECT_LT(recorded->usual_distance_to_subspace(), 0.6);
   EXPECT_LT(recorded->nearest(basis.mean).distance, 0.5);
+}
+
+// Postures that move from the first to the second drawn posture and back, with rests between.
+PostureTable back_and_forth(const PmdBasis& basis, int times) {
+  constexpr Eigen::Index kRest = 50;
+  const PostureTable ends = random_postures(basis, 2);
+  PostureTable table = ends;
+  table.postures.resize(2 * kRest * times, ends.postures.cols());
+  table.times.resize(table.postures.rows());
+  for (Eigen::Index row = 0; row < table.times.size(); ++row) {
+    const auto step = static_cast<double>(row % (2 * kRest)) / static_cast<double>(kRest);
+    const double smooth = 0.5 - 0.5 * std::cos(std::numbers::pi * std::fmin(step, 1.0));
+    const Eigen::Index from = row / (2 * kRest) % 2;
+    table.times[row] = 0.01 * static_cast<double>(row);
+    table.postures.row(row) =
+        (1.0 - smooth) * ends.postures.row(from) + smooth * ends.postures.row(1 - from);
+  }
+  return table;
+}
+
+TEST(RecordedPostures, HaveComponentsOfTheirMotions) {
+  const PmdBasis basis = sah_thumb_basis();
+  const RecordedPostures recorded(basis, back_and_forth(basis, 12), "made up");
+  ASSERT_NE(recorded.motions(), nullptr) << recorded.motions_fault();
+  EXPECT_EQ(recorded.motions()->motions(), 12U);
+  EXPECT_EQ(recorded.motions()->count(), 1) << "they all have the same course";
+  for (const int joint : recorded.motions()->joints()) {
+    EXPECT_NE(joint, basis.free_joints.front().joint) << "free joints don't count";
+  }
+  EXPECT_EQ(recorded.motions_fault(), "");
+}
+
+TEST(RecordedPostures, SayThatMotionsAreTooFew) {
+  const PmdBasis basis = sah_thumb_basis();
+  const RecordedPostures recorded(basis, back_and_forth(basis, 9), "made up");
+  EXPECT_EQ(recorded.motions(), nullptr);
+  EXPECT_EQ(recorded.motions_fault(),
+            "The recording has 9 motions, which are too few: at least 10 are needed. Record for "
+            "longer, or with pauses between motions.");
+}
+
+TEST(RecordedPostures, SayThatTimesAreMissing) {
+  const PmdBasis basis = sah_thumb_basis();
+  const RecordedPostures recorded(basis, random_postures(basis, 100), "drawn");
+  EXPECT_EQ(recorded.motions(), nullptr);
+  EXPECT_EQ(recorded.motions_fault(),
+            "The recorded postures have no times, so that no motions can be cut from them.");
+}
+
+TEST(RecordedPostures, OfTheShippedBasisHaveManyMotions) {
+  const auto recorded = load_recorded_postures(
+      read_pmd_basis(geometric::resource_dir() / "bases" / "sah_free_hand.yaml"));
+  ASSERT_NE(recorded->motions(), nullptr);
+  EXPECT_GT(recorded->motions()->motions(), 100U);
+  EXPECT_THAT(recorded->source(), HasSubstr("a synthetic hand"));
 }
 
 }  // namespace

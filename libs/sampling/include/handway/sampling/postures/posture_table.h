@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/sampling/export.h"
+#include "handway/sampling/postures/motion_components.h"
 #include "handway/sampling/postures/pmd_basis.h"
 
 #include <Eigen/Core>
@@ -18,26 +19,30 @@ struct PostureTable {
   std::string source;               ///< Source of the postures.
   std::vector<std::string> joints;  ///< Names of the columns.
   Eigen::MatrixXd postures;         ///< Normalised joints, shape [postures, joints].
+  /// Time of each posture, s, shape [postures]; empty: not known. Where it falls, another recording
+  /// begins.
+  Eigen::VectorXd times = {};
 };
 
 /// Posture tables as CSV files: lines that begin with `#` describe the rows, then comes a header
-/// and a row for each posture, joints normalised to [0, 1].
+/// and a row for each posture, joints normalised to [0, 1]. The first column may be the time, s.
 ///
 ///     # handway postures 1
 ///     # hand: sah_right
 ///     # source: where the postures come from
-///     thumb_base,thumb_abduction,…
-///     0.5561,0.5561,…
+///     time,thumb_base,thumb_abduction,…
+///     0.010,0.5561,0.5561,…
 ///
 /// @throws geometric::InputError with file, line and the fault: no such file, another first line,
 /// no hand, no header or a joint twice in it, a row of another length, a value that is no number
-/// within 1e-6 of [0, 1], no rows.
+/// within 1e-6 of [0, 1], a time that is no finite number, no rows.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PostureTable read_postures(const std::filesystem::path& file);
 
 /// Replaces the file whole. Values are rounded to four decimals, a hundredth of a degree for a
-/// joint that turns by 100°.
+/// joint that turns by 100°; times to milliseconds.
 /// @throws geometric::InputError if the file can't be written.
-/// @throws std::invalid_argument unless there is a name for every column.
+/// @throws std::invalid_argument unless there is a name for every column, and a time for every row
+/// or for none.
 HANDWAY_SAMPLING_EXPORT void write_postures(const PostureTable& table,
                                             const std::filesystem::path& file);
 
@@ -69,13 +74,24 @@ class HANDWAY_SAMPLING_EXPORT RecordedPostures {
   /// hand like the recorded one.
   [[nodiscard]] double usual_distance_to_subspace() const { return usual_distance_; }
 
+  /// Functional components of the motions in the recording, joints in the order of the basis; null
+  /// if there are none. Free joints don't count.
+  [[nodiscard]] const MotionComponents* motions() const { return motions_.get(); }
+  /// Reason why there are no components of motions, a sentence; empty if there are.
+  [[nodiscard]] const std::string& motions_fault() const { return motions_fault_; }
+
  private:
   struct Tree;
+
+  /// @param postures in the order of the basis' joints, one a column.
+  void find_motions(const Eigen::VectorXd& times, const Eigen::MatrixXd& postures);
 
   std::string source_;
   HandJointIndices free_joints_;
   std::unique_ptr<const Tree> tree_;
   double usual_distance_ = 0.0;
+  std::unique_ptr<const MotionComponents> motions_;
+  std::string motions_fault_;
 };
 
 /// The postures named by a basis; null if it names none.
