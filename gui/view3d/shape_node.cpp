@@ -109,7 +109,7 @@ class PointColors {
   float highest_ = std::numeric_limits<float>::lowest();
 };
 
-// Of very many points a part is drawn, evenly chosen.
+// If there are very many points, an evenly chosen part of them is drawn.
 void add_points(SoSeparator* parent, const geometric::PointCloud& cloud) {
   constexpr std::size_t kMostDrawn = 250'000;
   const std::size_t every = cloud.size() / kMostDrawn + 1;

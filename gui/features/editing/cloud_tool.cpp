@@ -21,7 +21,7 @@
 namespace handway::gui {
 namespace {
 
-/// What is read and filtered in the background.
+/// A file of points that is read and filtered in the background.
 struct CloudRequest {
   std::filesystem::path file;
   std::shared_ptr<const geometric::Scene> scene;

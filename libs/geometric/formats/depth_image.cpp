@@ -71,6 +71,11 @@ class PngReader {
       problem_ = "an image with colours";
       return false;
     }
+    if (std::size_t{png_get_image_width(png_, info_)} * png_get_image_height(png_, info_) >
+        kMostCloudPoints) {
+      problem_ = "an image with more than 20 million pixels";
+      return false;
+    }
     if (png_get_bit_depth(png_, info_) == 16) {
       png_set_swap(png_);
     }

@@ -30,7 +30,7 @@ constexpr std::size_t kMostBytes = std::size_t{2} << 30;
 /// A field of a point; one of several numbers (a histogram) has a larger count.
 struct PcdField {
   std::string name;
-  std::size_t bytes = 4;  ///< Of one number.
+  std::size_t bytes = 4;  ///< Bytes of one number.
   char type = 'F';        ///< F, I or U.
   std::size_t count = 1;
   std::size_t offset = 0;  ///< Bytes in front of it in a point.
@@ -217,7 +217,7 @@ class PcdPoints {
   PcdPoints(const PcdHeader& header, const std::string& source)
       : header_(header), source_(source), points_(source, header.points) {
     color_ = header.find("rgb") != nullptr ? header.find("rgb") : header.find("rgba");
-    if (color_ != nullptr && color_->bytes != sizeof(std::uint32_t)) {
+    if (color_ != nullptr && (color_->bytes != sizeof(std::uint32_t) || color_->count != 1)) {
       color_ = nullptr;
     }
   }
@@ -280,7 +280,7 @@ class PcdPoints {
     return parse_number(words[column]).value_or(kMissing);
   }
 
-  // As text a colour is a whole number, or that number's bits as a float.
+  // A colour in a text is a whole number, or that number's bits as a float.
   [[nodiscard]] std::uint32_t color_in(const std::vector<std::string_view>& words) const {
     const double value = number_in(words, color_->column);
     if (color_->type == 'F') {

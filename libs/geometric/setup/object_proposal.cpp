@@ -199,7 +199,7 @@ struct Support {
 struct Cluster {
   std::vector<Vector3d> points;
   std::vector<Vector2d> flat;   ///< Seen from above.
-  std::vector<Vector2d> sides;  ///< Those with level normals, seen from above.
+  std::vector<Vector2d> sides;  ///< Points with level normals, seen from above.
   double lowest = 0.0;
   double highest = 0.0;
   double level_share = 0.0;  ///< Share of the points with upright normals.

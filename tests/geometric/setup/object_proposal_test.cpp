@@ -110,7 +110,7 @@ TEST(ObjectProposal, IsEmptyWithoutALevelSurface) {
   wall.add(object(Box{{0.05, 2.0, 2.0}}, {0.0, 0.0, 1.0}));
   // Only its front is seen from there: its top is lower than a surface may be narrow.
   EXPECT_TRUE(propose_objects(wall.cloud(), Pose::Identity()).empty());
-  // The same wall, laid down by the pose of the cloud, is a surface.
+  // This wall is a surface if the pose of the cloud lays it down.
   EXPECT_EQ(propose_objects(wall.cloud(), pose_from_rpy({0, 0, 0}, 0.0, -M_PI / 2.0, 0.0)).size(),
             1U);
 }

@@ -14,7 +14,7 @@ namespace handway::geometric {
 /// The points of a file.
 struct ReadCloud {
   PointCloud cloud;
-  std::vector<std::string> warnings;  ///< What the file has and the cloud has not.
+  std::vector<std::string> warnings;  ///< Contents of the file that the cloud has not.
 };
 
 /// Reads the points of a file, in metres, in the file's axes:

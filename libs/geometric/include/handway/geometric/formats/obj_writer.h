@@ -27,7 +27,7 @@ class SavedMeshes {
   /// Writes an OBJ file named after `name` and returns its path relative to the
   /// folder of the file. @throws InputError if it can't be written.
   [[nodiscard]] std::filesystem::path save(const std::string& name, const TriangleMesh& mesh);
-  /// The same for the points of a cloud, as a PLY file.
+  /// Writes a PLY file of points in the same way.
   [[nodiscard]] std::filesystem::path save(const std::string& name, const PointCloud& cloud);
 
  private:

@@ -23,8 +23,9 @@ struct PointCloud {
   [[nodiscard]] std::size_t size() const { return points.size(); }
 };
 
-/// How points become a body: the body consists of all cells of a regular grid that a ball of
-/// `radius` around a point touches. All that is nearer than `radius` to a point is in the body.
+/// The way in which points become a body: the body consists of all cells of a regular grid that a
+/// ball of `radius` around a point touches. All that is nearer than `radius` to a point is in the
+/// body.
 struct CloudCells {
   double size = 0.01;   ///< Edge of a cell, m: from kSmallestCell to kLargestCell.
   double radius = 0.0;  ///< m, for example the error of the camera; at most most_radius().

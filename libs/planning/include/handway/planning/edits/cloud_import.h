@@ -15,7 +15,7 @@
 
 namespace handway::planning {
 
-/// How points of a camera become an object of a scene.
+/// The way in which points of a camera become objects of a scene.
 struct CloudImport {
   std::string name = "cloud";
   geometric::Pose X_WC = geometric::Pose::Identity();  ///< Pose of the points in the world.
@@ -29,7 +29,7 @@ struct CloudImport {
 
 /// Objects made of points, and what was left out.
 struct ImportedCloud {
-  /// Those that were found, then the cloud of all other points, if there are any; with names that
+  /// Objects that were found, then the cloud of all other points, if there are any; with names that
   /// the scene does not have.
   std::vector<geometric::SceneObject> objects;
   std::size_t points = 0;     ///< Points of the cloud.
