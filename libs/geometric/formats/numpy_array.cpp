@@ -1,16 +1,15 @@
 #include "handway/geometric/formats/numpy_array.h"
 
+#include "formats/binary_number.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
@@ -145,10 +144,9 @@ class HeaderText {
     const std::size_t size = header.item_bytes;
     switch (header.kind) {
       case 'f':
-        return size == 2 || size == 4 || size == 8;
       case 'i':
       case 'u':
-        return size == 1 || size == 2 || size == 4 || size == 8;
+        return BinaryNumber{header.kind, size}.is_known();
       case 'b':
         return size == 1;
       case 'U':
@@ -176,51 +174,6 @@ class HeaderText {
   const std::string& source_;
   std::vector<std::string> seen_;
 };
-
-template <typename Number>
-Number number_at(const char* bytes, bool big_endian) {
-  std::array<char, sizeof(Number)> copy{};
-  std::memcpy(copy.data(), bytes, sizeof(Number));
-  if (big_endian) {
-    std::ranges::reverse(copy);
-  }
-  return std::bit_cast<Number>(copy);
-}
-
-/// IEEE 754 binary16.
-double half_precision(std::uint16_t bits) {
-  const int exponent = (bits >> 10) & 0x1F;
-  const int fraction = bits & 0x3FF;
-  const double size = exponent == 31  ? (fraction == 0 ? std::numeric_limits<double>::infinity()
-                                                       : std::numeric_limits<double>::quiet_NaN())
-                      : exponent == 0 ? std::ldexp(fraction, -24)
-                                      : std::ldexp(1024 + fraction, exponent - 25);
-  return (bits & 0x8000) != 0 ? -size : size;
-}
-
-double element(const NumpyHeader& header, const char* bytes) {
-  const bool swapped = header.big_endian;
-  if (header.kind == 'f') {
-    return header.item_bytes == 8   ? number_at<double>(bytes, swapped)
-           : header.item_bytes == 4 ? static_cast<double>(number_at<float>(bytes, swapped))
-                                    : half_precision(number_at<std::uint16_t>(bytes, swapped));
-  }
-  const bool is_signed = header.kind == 'i';
-  switch (header.item_bytes) {
-    case 8:
-      return is_signed ? static_cast<double>(number_at<std::int64_t>(bytes, swapped))
-                       : static_cast<double>(number_at<std::uint64_t>(bytes, swapped));
-    case 4:
-      return is_signed ? static_cast<double>(number_at<std::int32_t>(bytes, swapped))
-                       : static_cast<double>(number_at<std::uint32_t>(bytes, swapped));
-    case 2:
-      return is_signed ? static_cast<double>(number_at<std::int16_t>(bytes, swapped))
-                       : static_cast<double>(number_at<std::uint16_t>(bytes, swapped));
-    default:
-      return is_signed ? static_cast<double>(number_at<std::int8_t>(bytes, swapped))
-                       : static_cast<double>(number_at<std::uint8_t>(bytes, swapped));
-  }
-}
 
 /// Number of elements; nothing if it overflows.
 std::optional<std::size_t> product(const std::vector<std::size_t>& sides) {
@@ -346,19 +299,23 @@ NumpyHeader parse_numpy_header(std::string_view header, const std::string& sourc
 
 Eigen::MatrixXd numpy_numbers(const NumpyHeader& header, std::string_view elements) {
   const Places places(header);
+  // A Boolean is a byte.
+  const BinaryNumber type{header.kind == 'b' ? 'u' : header.kind, header.item_bytes,
+                          header.big_endian};
   const std::size_t rows = header.shape.empty() ? 1 : header.shape.front();
   Eigen::MatrixXd numbers(static_cast<Eigen::Index>(rows),
                           static_cast<Eigen::Index>(places.columns()));
   for (std::size_t column = 0; column < places.columns(); ++column) {
     for (std::size_t row = 0; row < rows; ++row) {
       numbers(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
-          element(header, elements.data() + places.at(row, column) * header.item_bytes);
+          type.value(elements.data() + places.at(row, column) * header.item_bytes);
     }
   }
   return numbers;
 }
 
 std::vector<std::string> numpy_words(const NumpyHeader& header, std::string_view elements) {
+  const BinaryNumber letter{'u', 4, header.big_endian};
   std::vector<std::string> words;
   for (std::size_t at = 0; header.item_bytes > 0 && at < header.bytes(); at += header.item_bytes) {
     const std::string_view cell = elements.substr(at, header.item_bytes);
@@ -367,7 +324,7 @@ std::vector<std::string> numpy_words(const NumpyHeader& header, std::string_view
       word = cell.substr(0, cell.find('\0'));
     } else {
       for (std::size_t i = 0; i + 4 <= cell.size(); i += 4) {
-        const auto code = number_at<std::uint32_t>(cell.data() + i, header.big_endian);
+        const auto code = static_cast<std::uint32_t>(letter.value(cell.data() + i));
         if (code == 0) {
           break;
         }

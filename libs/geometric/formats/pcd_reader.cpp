@@ -1,3 +1,4 @@
+#include "formats/binary_number.h"
 #include "formats/cloud_formats.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/table_text.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -30,8 +32,7 @@ constexpr std::size_t kMostBytes = std::size_t{2} << 30;
 /// A field of a point; one of several numbers (a histogram) has a larger count.
 struct PcdField {
   std::string name;
-  std::size_t bytes = 4;  ///< Bytes of one number.
-  char type = 'F';        ///< F, I or U.
+  BinaryNumber number;
   std::size_t count = 1;
   std::size_t offset = 0;  ///< Bytes in front of it in a point.
   std::size_t column = 0;  ///< Numbers in front of it in a line of text.
@@ -105,7 +106,7 @@ class PcdHeaderReader {
     }
     header_.fields.clear();
     for (const std::string_view word : words) {
-      header_.fields.push_back({std::string(word)});
+      header_.fields.emplace_back().name = word;
     }
   }
 
@@ -126,11 +127,12 @@ class PcdHeaderReader {
     for (std::size_t i = 0; i < words.size(); ++i) {
       PcdField& field = header_.fields[i];
       if (key == "SIZE") {
-        field.bytes = whole_number(key, words[i], 8);
+        field.number.bytes = whole_number(key, words[i], 8);
       } else if (key == "COUNT") {
         field.count = whole_number(key, words[i], 1e5);
       } else {
-        field.type = words[i].front();
+        field.number.kind =
+            static_cast<char>(std::tolower(static_cast<unsigned char>(words[i].front())));
       }
     }
   }
@@ -145,16 +147,13 @@ class PcdHeaderReader {
 
   void check() {
     for (PcdField& field : header_.fields) {
-      const bool known = field.type == 'F' ? field.bytes == 4 || field.bytes == 8
-                                           : (field.type == 'I' || field.type == 'U') &&
-                                                 std::has_single_bit(field.bytes);
-      if (!known) {
+      if (!field.number.is_known()) {
         refuse_cloud(source_, "field " + field.name,
-                     fmt::format("type {} of {} bytes", field.type, field.bytes),
-                     "F of 4 or 8 bytes, I or U of 1, 2, 4 or 8");
+                     fmt::format("type {} of {} bytes", field.number.kind, field.number.bytes),
+                     "F of 2, 4 or 8 bytes, I or U of 1, 2, 4 or 8");
       }
       field.offset = header_.point_bytes;
-      header_.point_bytes += field.bytes * field.count;
+      header_.point_bytes += field.number.bytes * field.count;
       field.column = columns_;
       columns_ += field.count;
     }
@@ -184,28 +183,6 @@ Number number_at(std::string_view bytes) {
   return number;
 }
 
-template <typename Number>
-double value_at(std::string_view bytes) {
-  return static_cast<double>(number_at<Number>(bytes));
-}
-
-double value_of(const PcdField& field, std::string_view bytes) {
-  if (field.type == 'F') {
-    return field.bytes == 4 ? value_at<float>(bytes) : value_at<double>(bytes);
-  }
-  const bool is_signed = field.type == 'I';
-  switch (field.bytes) {
-    case 1:
-      return is_signed ? value_at<std::int8_t>(bytes) : value_at<std::uint8_t>(bytes);
-    case 2:
-      return is_signed ? value_at<std::int16_t>(bytes) : value_at<std::uint16_t>(bytes);
-    case 4:
-      return is_signed ? value_at<std::int32_t>(bytes) : value_at<std::uint32_t>(bytes);
-    default:
-      return is_signed ? value_at<std::int64_t>(bytes) : value_at<std::uint64_t>(bytes);
-  }
-}
-
 std::array<std::uint8_t, 3> color_of_bits(std::uint32_t bits) {
   return {static_cast<std::uint8_t>(bits >> 16U), static_cast<std::uint8_t>(bits >> 8U),
           static_cast<std::uint8_t>(bits)};
@@ -217,7 +194,8 @@ class PcdPoints {
   PcdPoints(const PcdHeader& header, const std::string& source)
       : header_(header), source_(source), points_(source, header.points) {
     color_ = header.find("rgb") != nullptr ? header.find("rgb") : header.find("rgba");
-    if (color_ != nullptr && (color_->bytes != sizeof(std::uint32_t) || color_->count != 1)) {
+    if (color_ != nullptr &&
+        (color_->number.bytes != sizeof(std::uint32_t) || color_->count != 1)) {
       color_ = nullptr;
     }
   }
@@ -233,7 +211,7 @@ class PcdPoints {
     } else if (header_.data == "binary_compressed") {
       // Fields one after the other, each of all points.
       read_binary(decompressed(), [&](const PcdField& field, std::size_t i) {
-        return header_.points * field.offset + i * field.bytes * field.count;
+        return header_.points * field.offset + i * field.number.bytes * field.count;
       });
     } else {
       refuse_cloud(source_, "DATA", fmt::format("\"{:.40}\"", header_.data),
@@ -283,7 +261,7 @@ class PcdPoints {
   // A colour in a text is a whole number, or that number's bits as a float.
   [[nodiscard]] std::uint32_t color_in(const std::vector<std::string_view>& words) const {
     const double value = number_in(words, color_->column);
-    if (color_->type == 'F') {
+    if (color_->number.kind == 'f') {
       return std::bit_cast<std::uint32_t>(static_cast<float>(value));
     }
     return value >= 0.0 && value < 4294967296.0 ? static_cast<std::uint32_t>(value) : 0;
@@ -298,7 +276,8 @@ class PcdPoints {
       Eigen::Vector3d point;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const PcdField& field = *axes().at(axis);
-        point[static_cast<Eigen::Index>(axis)] = value_of(field, bytes.substr(place_of(field, i)));
+        point[static_cast<Eigen::Index>(axis)] =
+            field.number.value(bytes.data() + place_of(field, i));
       }
       add(point,
           color_ != nullptr ? number_at<std::uint32_t>(bytes.substr(place_of(*color_, i))) : 0);

@@ -1,3 +1,4 @@
+#include "formats/binary_number.h"
 #include "formats/cloud_formats.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/table_text.h"
@@ -6,10 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
@@ -23,14 +21,9 @@ namespace {
 
 enum class PlyForm { kText, kLittleEndian, kBigEndian };
 
-struct PlyType {
-  char kind = 'f';  ///< f, i or u.
-  std::size_t bytes = 4;
-};
-
 struct PlyProperty {
   std::string name;
-  PlyType type;
+  BinaryNumber type;
   std::size_t offset = 0;  ///< Bytes in front of it in a vertex.
 };
 
@@ -53,8 +46,8 @@ struct PlyHeader {
   }
 };
 
-std::optional<PlyType> ply_type(std::string_view word) {
-  static const std::map<std::string_view, PlyType> kTypes{
+std::optional<BinaryNumber> ply_type(std::string_view word) {
+  static const std::map<std::string_view, BinaryNumber> kTypes{
       {"char", {'i', 1}},  {"int8", {'i', 1}},    {"uchar", {'u', 1}},  {"uint8", {'u', 1}},
       {"short", {'i', 2}}, {"int16", {'i', 2}},   {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
       {"int", {'i', 4}},   {"int32", {'i', 4}},   {"uint", {'u', 4}},   {"uint32", {'u', 4}},
@@ -134,12 +127,13 @@ class PlyHeaderReader {
   }
 
   void take_property(const std::vector<std::string_view>& words, std::string_view text) {
-    const std::optional<PlyType> type = words.size() == 3 ? ply_type(words[1]) : std::nullopt;
+    const std::optional<BinaryNumber> type = words.size() == 3 ? ply_type(words[1]) : std::nullopt;
     if (!type) {
       refuse_cloud(source_, "element vertex", fmt::format("\"{:.40}\"", text),
                    "properties of one number");
     }
     header_.properties.push_back({std::string(words[2]), *type, header_.vertex_bytes});
+    header_.properties.back().type.big_endian = header_.form == PlyForm::kBigEndian;
     header_.vertex_bytes += type->bytes;
   }
 
@@ -156,35 +150,6 @@ class PlyHeaderReader {
   std::string_view element_;
   PlyHeader header_;
 };
-
-template <typename Number>
-double ply_number(const char* bytes, bool is_reversed) {
-  std::array<char, sizeof(Number)> copy{};
-  std::memcpy(copy.data(), bytes, sizeof(Number));
-  if (is_reversed) {
-    std::ranges::reverse(copy);
-  }
-  return static_cast<double>(std::bit_cast<Number>(copy));
-}
-
-double ply_number(PlyType type, const char* bytes, bool is_reversed) {
-  if (type.kind == 'f') {
-    return type.bytes == 4 ? ply_number<float>(bytes, is_reversed)
-                           : ply_number<double>(bytes, is_reversed);
-  }
-  const bool is_signed = type.kind == 'i';
-  switch (type.bytes) {
-    case 1:
-      return is_signed ? ply_number<std::int8_t>(bytes, false)
-                       : ply_number<std::uint8_t>(bytes, false);
-    case 2:
-      return is_signed ? ply_number<std::int16_t>(bytes, is_reversed)
-                       : ply_number<std::uint16_t>(bytes, is_reversed);
-    default:
-      return is_signed ? ply_number<std::int32_t>(bytes, is_reversed)
-                       : ply_number<std::uint32_t>(bytes, is_reversed);
-  }
-}
 
 /// The numbers of one vertex after the other.
 class PlyVertices {
@@ -225,12 +190,11 @@ class PlyVertices {
   template <typename Take>
   void each_record(const Take& take) {
     check_count(std::min(header_.count, header_.body.size() / header_.vertex_bytes));
-    const bool is_reversed = header_.form == PlyForm::kBigEndian;
     for (std::size_t i = 0; i < header_.count; ++i) {
       const char* vertex = header_.body.data() + i * header_.vertex_bytes;
       for (std::size_t k = 0; k < row_.size(); ++k) {
         const PlyProperty& property = header_.properties[k];
-        row_[k] = ply_number(property.type, vertex + property.offset, is_reversed);
+        row_[k] = property.type.value(vertex + property.offset);
       }
       take(row_);
     }

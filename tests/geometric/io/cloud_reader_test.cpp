@@ -146,7 +146,7 @@ TEST_F(CloudFiles, ThatAreDamagedAreRefused) {
               HasSubstr("found 1 points, expected 9"));
   EXPECT_THAT(refusal("a.pcd", pcd("x y", "4 4", "F F", 1, "ascii\n1 2\n")), HasSubstr("field z"));
   EXPECT_THAT(refusal("a.pcd", pcd("x y z", "4 4 3", "F F F", 1, "ascii\n1 2 3\n")),
-              HasSubstr("type F of 3 bytes"));
+              HasSubstr("type f of 3 bytes"));
   EXPECT_THAT(refusal("a.ply",
                       "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
                       "property float y\nproperty float z\nend_header\n1 2 3\n"),
