@@ -305,6 +305,20 @@ class Scene:
         link: str = "",
     ) -> Scene: ...
     def with_objects(self, objects: Sequence[dict[str, Any]]) -> Scene: ...
+    def with_cloud(
+        self,
+        name: str,
+        points: npt.ArrayLike,
+        X_WC: Union[npt.ArrayLike, None] = None,
+        *,
+        cell: float = 0.01,
+        radius: float = 0.0,
+        margin: float = 0.02,
+        robots: bool = False,
+        cut_out: Sequence[str] = ...,
+        outliers: bool = False,
+        find_objects: bool = False,
+    ) -> Scene: ...
     def without_object(self, name: str) -> Scene: ...
     def with_object_at(self, name: str, X_PO: npt.ArrayLike) -> Scene: ...
     def object_pose(self, name: str, q: Union[npt.ArrayLike, None] = None) -> _Floats: ...

@@ -22,6 +22,10 @@ namespace handway::geometric {
 [[nodiscard]] ReadCloud read_numpy_points(std::string_view content, const std::string& source);
 [[nodiscard]] ReadCloud read_octomap_file(std::string_view content, const std::string& source);
 
+/// Returns whether the head of a NumPy file is that of points, and not of the 21 landmarks of hands
+/// (n×21×3).
+[[nodiscard]] bool has_numpy_points(std::string_view head);
+
 /// The whole content of a file.
 /// @throws InputError if it is missing, unreadable, larger than 2 GB, or stands in for another one
 /// (a pointer of Git LFS, a web page).

@@ -147,8 +147,13 @@ bool is_cloud_file(const fs::path& file) {
   // Any text may end like this, so that such files are read as clouds only where one is asked for.
   constexpr std::array<std::string_view, 2> kAnyText = {".txt", ".csv"};
   const CloudFormat* format = format_of(file);
-  return format != nullptr && std::ranges::count(kAnyText, format->extension) == 0 &&
-         (format->extension != ".ply" || !has_faces(head_of(file)));
+  if (format == nullptr || std::ranges::count(kAnyText, format->extension) > 0) {
+    return false;
+  }
+  if (format->extension == ".ply") {
+    return !has_faces(head_of(file));
+  }
+  return format->extension != ".npy" || has_numpy_points(head_of(file));
 }
 
 Cloud make_cloud(std::shared_ptr<const PointCloud> points, const CloudCells& cells,

@@ -1,8 +1,10 @@
 #include "formats/cloud_formats.h"
 #include "handway/geometric/formats/numpy_array.h"
+#include "handway/geometric/io/input_error.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 namespace handway::geometric {
@@ -17,27 +19,42 @@ std::string words_for(const NumpyHeader& header) {
                                 : header.problem;
 }
 
-/// Refuses arrays that are no list or image of points. @returns the numbers of a point, 3 or 6.
-std::size_t checked_width(const NumpyHeader& header, const std::string& source) {
+/// Returns the numbers of a point, 3 or 6; 0 for an array that is no list or image of points.
+std::size_t width_of(const NumpyHeader& header) {
   const std::size_t dimensions = header.shape.size();
   const std::size_t width = header.shape.empty() ? 0 : header.shape.back();
-  if (!header.problem.empty() || header.is_text() || dimensions < 2 || dimensions > 3 ||
-      (width != 3 && width != 6)) {
-    refuse_cloud(source, "array", words_for(header),
-                 "numbers of shape n×3, n×6 (with colours) or h×w×3",
-                 "A depth image becomes points by its camera: see handway cloud --help");
-  }
-  return width;
+  const bool has_points = header.problem.empty() && !header.is_text() && dimensions >= 2 &&
+                          dimensions <= 3 && (width == 3 || width == 6);
+  return has_points ? width : 0;
+}
+
+NumpyHeader header_of(std::string_view content, const std::string& source) {
+  const std::size_t size =
+      numpy_header_bytes(content.substr(0, std::min(content.size(), kNumpyPreamble)), source);
+  return parse_numpy_header(content.substr(0, std::min(content.size(), size)), source);
 }
 
 }  // namespace
 
+bool has_numpy_points(std::string_view head) {
+  constexpr std::size_t kLandmarks = 21;
+  try {
+    const NumpyHeader header = header_of(head, "");
+    return width_of(header) > 0 && (header.shape.size() == 2 || header.shape[1] != kLandmarks);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 ReadCloud read_numpy_points(std::string_view content, const std::string& source) {
-  const std::size_t in_front =
-      numpy_header_bytes(content.substr(0, std::min(content.size(), kNumpyPreamble)), source);
-  const NumpyHeader header =
-      parse_numpy_header(content.substr(0, std::min(content.size(), in_front)), source);
-  const auto width = static_cast<Eigen::Index>(checked_width(header, source));
+  const NumpyHeader header = header_of(content, source);
+  const auto width = static_cast<Eigen::Index>(width_of(header));
+  if (width == 0) {
+    refuse_cloud(source, "array", words_for(header),
+                 "numbers of shape n×3, n×6 (with colours) or h×w×3",
+                 "A depth image becomes points by its camera: see handway cloud --help");
+  }
+  const std::size_t in_front = numpy_header_bytes(content, source);
   if (content.size() - in_front < header.bytes()) {
     refuse_cloud(source, "array", fmt::format("{} bytes of elements", content.size() - in_front),
                  fmt::format("{} by the shape in the header", header.bytes()),

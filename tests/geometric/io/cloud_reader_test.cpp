@@ -163,11 +163,14 @@ TEST_F(CloudFiles, ThatAreDamagedAreRefused) {
       HasSubstr("LFS"));
 }
 
-TEST_F(CloudFiles, OfPlyHaveNoFaces) {
+TEST_F(CloudFiles, AreToldFromMeshesAndRecordings) {
   const std::string head =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement face ";
   EXPECT_FALSE(is_cloud_file(files_.write("mesh.ply", head + "1\nend_header\n")));
   EXPECT_TRUE(is_cloud_file(files_.write("points.ply", head + "0\nend_header\n")));
+  EXPECT_TRUE(is_cloud_file(files_.write("points.npy", numpy("<f4", "9, 3", ""))));
+  EXPECT_FALSE(is_cloud_file(files_.write("hands.npy", numpy("<f4", "9, 21, 3", ""))));
+  EXPECT_FALSE(is_cloud_file(files_.write("joints.npy", numpy("<f4", "9, 16", ""))));
   EXPECT_TRUE(is_cloud_file("scan.PCD"));
   EXPECT_FALSE(is_cloud_file("path.csv"));
 }

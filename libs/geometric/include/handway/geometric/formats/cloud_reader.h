@@ -33,7 +33,8 @@ struct ReadCloud {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT ReadCloud read_cloud(const std::filesystem::path& file,
                                                             const std::string& referenced_by = "");
 
-/// Returns whether a file is a point cloud, by its name; a PLY file if it has no faces.
+/// Returns whether a file is a point cloud, by its name; a PLY file if it has no faces, a NumPy
+/// file if its shape is that of points, and not of the 21 landmarks of hands.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_cloud_file(const std::filesystem::path& file);
 
 /// Makes the body of points. @param source of the points, for messages.
