@@ -52,8 +52,7 @@ class CellSet {
   }
   void sort() {
     std::ranges::sort(keys_);
-    const auto rest = std::ranges::unique(keys_);
-    keys_.erase(rest.begin(), rest.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     next_sort_ = std::max(kFewestToSort, 2 * keys_.size());
   }
 

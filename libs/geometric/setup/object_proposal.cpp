@@ -295,7 +295,8 @@ std::optional<Fit> cylinder_fit(const Cluster& cluster, double foot) {
   if (!circle || length <= 0.0) {
     return std::nullopt;
   }
-  const auto& [centre, radius] = *circle;
+  const Vector2d centre = circle->first;
+  const double radius = circle->second;
   Fit fit{Cylinder{radius, length}};
   fit.X_WO.translation() = Vector3d(centre.x(), centre.y(), foot + 0.5 * length);
   fit.error = mean_distance(cluster.points, fit.X_WO, [&](const Vector3d& p) {
