@@ -144,7 +144,7 @@ class OctomapFileHeader {
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
       const std::vector<std::string_view> words = cells(trimmed(rest_.substr(0, end)), ' ');
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
-      if (words.front() == "data") {
+      if (!words.empty() && words.front() == "data") {
         map.bytes = rest_;
         check(map);
         return map;

@@ -131,8 +131,8 @@ class PcdHeaderReader {
       } else if (key == "COUNT") {
         field.count = whole_number(key, words[i], 1e5);
       } else {
-        field.number.kind =
-            static_cast<char>(std::tolower(static_cast<unsigned char>(words[i].front())));
+        field.number.kind = static_cast<char>(
+            std::tolower(words[i].empty() ? '?' : static_cast<unsigned char>(words[i].front())));
       }
     }
   }

@@ -154,6 +154,9 @@ TEST_F(CloudFiles, ThatAreDamagedAreRefused) {
   EXPECT_THAT(refusal("a.xyz", "1 2 3\n1 2\n"), HasSubstr("a.xyz:2"));
   EXPECT_THAT(refusal("a.xyz", "nan nan nan\n"), HasSubstr("no points that are finite"));
   EXPECT_THAT(refusal("a.xyz", "1 2 1e9\n"), HasSubstr("1e+09 m"));
+  EXPECT_THAT(refusal("a.pcd", pcd("x y z", "4 4 4", "\"\" F F", 1, "ascii\n1 2 3\n")),
+              HasSubstr("of 4 bytes"));
+  EXPECT_THAT(refusal("a.bt", "# Octomap OcTree binary file\n\nres 0.1\n\n"), HasSubstr("data"));
   EXPECT_THAT(refusal("a.npy", numpy("<f4", "1000000, 3", "")), HasSubstr("cut off"));
   EXPECT_THAT(refusal("a.npy", numpy("<f4", "4, 4", std::string(64, '\0'))),
               HasSubstr("float32 of shape 4×4"));
