@@ -88,16 +88,19 @@ bool add_leaf(const Leaf& leaf, std::size_t edge, double resolution, PointCloud&
   // The key of a coarse leaf is that of a cell at its middle.
   std::array<double, 3> lowest{};
   for (unsigned axis = 0; axis < 3; ++axis) {
-    lowest.at(axis) = static_cast<double>(leaf.getKey()[axis] / edge * edge) - kMiddle + 0.5;
+    const std::size_t key = leaf.getKey()[axis] / edge * edge;
+    lowest.at(axis) = static_cast<double>(key) - kMiddle + 0.5;
     const double farthest = std::abs(lowest.at(axis)) + static_cast<double>(edge);
     if (resolution * farthest > static_cast<double>(kLargestCloudCoordinate)) {
       return false;
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t row = i / edge;
+    const std::size_t layer = row / edge;
     const Eigen::Vector3d place(lowest[0] + static_cast<double>(i % edge),
-                                lowest[1] + static_cast<double>(i / edge % edge),
-                                lowest[2] + static_cast<double>(i / edge / edge));
+                                lowest[1] + static_cast<double>(row % edge),
+                                lowest[2] + static_cast<double>(layer));
     cloud.points.emplace_back((resolution * place).cast<float>());
   }
   add_color(*leaf, count, cloud);
