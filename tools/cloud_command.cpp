@@ -59,10 +59,7 @@ Pose pose_of(const CloudOptions& options) {
   const Eigen::Vector3d rpy = geometric::radians(1.0) * vector_at(options.rpy_deg);
   Pose X_WC = geometric::pose_from_rpy(vector_at(options.xyz), rpy.x(), rpy.y(), rpy.z());
   if (options.is_optical) {
-    // The optical frame has z forwards and y down; a camera's body has x forwards and z up.
-    Eigen::Matrix3d R_BodyOptical;
-    R_BodyOptical << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-    X_WC.linear() = X_WC.linear() * R_BodyOptical;
+    X_WC.linear() = X_WC.linear() * geometric::optical_frame();
   }
   return X_WC;
 }
@@ -102,9 +99,10 @@ planning::CloudImport import_of(const CloudOptions& options, const geometric::Po
   planning::CloudImport import;
   import.name = options.name;
   import.X_WC = pose_of(options);
-  import.cells.size = options.cell->count() == 0 && cloud.cell > 0.0
-                          ? cloud.cell
-                          : geometric::metres(options.cell_mm);
+  import.cells = geometric::usual_cells(cloud);
+  if (options.cell->count() > 0) {
+    import.cells.size = geometric::metres(options.cell_mm);
+  }
   import.cells.radius = geometric::metres(options.radius_mm);
   if (import.cells.radius > geometric::most_radius(import.cells.size)) {
     throw geometric::InputError({"--radius-mm", "", fmt::format("{:g}", options.radius_mm),

@@ -41,13 +41,6 @@ QuantityField* length_field(const char* name, double value, double least, double
   return field;
 }
 
-// The optical frame of a camera (z forwards, y down) in that of its body (x forwards, z up).
-Eigen::Matrix3d optical_frame() {
-  Eigen::Matrix3d R;
-  R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return R;
-}
-
 }  // namespace
 
 CloudImportDialog::CloudImportDialog(const std::filesystem::path& file,
@@ -164,7 +157,7 @@ planning::CloudImport CloudImportDialog::import() const {
   import.name = file_.stem().string();
   import.X_WC = X_WC_;
   if (optical_->isChecked()) {
-    import.X_WC.linear() = X_WC_.linear() * optical_frame();
+    import.X_WC.linear() = X_WC_.linear() * geometric::optical_frame();
   }
   import.cells.size = cell_->quantity();
   import.cells.radius = std::min(radius_->quantity(), geometric::most_radius(import.cells.size));

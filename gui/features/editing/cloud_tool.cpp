@@ -34,7 +34,7 @@ struct CloudRequest {
     geometric::PointCloud cloud =
         camera ? geometric::read_depth_image(file, *camera) : geometric::read_cloud(file).cloud;
     if (has_own_cells) {
-      import.cells = {cloud.cell, 0.0};
+      import.cells = geometric::usual_cells(cloud);
     }
     return planning::import_cloud(*scene, q, std::move(cloud), import, file.string());
   }
@@ -49,7 +49,12 @@ CloudTool::CloudTool(Workbench& workbench) : workbench_(workbench) {
     workbench_.window.statusBar()->clearMessage();
     workbench_.show_error(tr("The points can't be added"), message);
   });
-  workbench_.add_work([this] { return job_.is_busy(); });
+  connect(&workbench_, &Workbench::scene_shown, &cells_, &LatestJob::cancel);
+  connect(&cells_, &LatestJob::failed, this, [this](const QString& message) {
+    workbench_.show_error(tr("The cells can't be changed"), message);
+    emit cells_kept();
+  });
+  workbench_.add_work([this] { return job_.is_busy() || cells_.is_busy(); });
 }
 
 void CloudTool::add(const QString& file) {
@@ -77,6 +82,26 @@ void CloudTool::add(const QString& file) {
   job_.run([this, request = std::move(request)](const std::stop_token& /*stop*/) mutable {
     auto added = std::make_shared<planning::ImportedCloud>(request.run());
     return [this, added, file = request.file] { show_added(file, *added); };
+  });
+}
+
+void CloudTool::set_cells(const geometric::CloudCells& cells) {
+  const geometric::SceneObject* object = workbench_.editor.selected_object();
+  const auto* cloud = object ? std::get_if<geometric::Cloud>(&object->shape) : nullptr;
+  if (cloud == nullptr || cloud->cells == cells) {
+    return;
+  }
+  cells_.run([this, name = object->name, points = cloud->points, file = cloud->file,
+              cells](const std::stop_token& /*stop*/) -> LatestJob::Answer {
+    auto made = std::make_shared<geometric::Cloud>(geometric::make_cloud(points, cells, name));
+    made->file = file;
+    return [this, name, made] {
+      const geometric::SceneObject* now = workbench_.editor.selected_object();
+      const auto* same = now ? std::get_if<geometric::Cloud>(&now->shape) : nullptr;
+      if (same != nullptr && now->name == name && same->points == made->points) {
+        workbench_.editor.set_shape(*made);
+      }
+    };
   });
 }
 

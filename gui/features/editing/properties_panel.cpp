@@ -142,6 +142,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   });
   connect(shape_, &ShapeForm::shape_edited, &editor_,
           [this](const geometric::Shape& shape) { editor_.set_shape(shape); });
+  connect(shape_, &ShapeForm::cells_edited, this, &PropertiesPanel::cells_edited);
   connect(color_, &QToolButton::clicked, this, &PropertiesPanel::choose_color);
   connect(solid_, &QCheckBox::clicked, this,
           [this](bool on) { editor_.set_solid(editor_.selected_objects(), on); });

@@ -32,6 +32,8 @@ class PropertiesPanel : public PanelArea {
   void refresh_icons();
 
  signals:
+  /// Other cells were typed for the selected point cloud.
+  void cells_edited(const handway::geometric::CloudCells& cells);
   /// Emitted to attach the selected object to a link; both empty: to the world.
   void attach_requested(const std::string& robot, const std::string& link);
   /// Emitted to mount the selected robot on a link; nothing: to place it in the world.

@@ -195,6 +195,8 @@ SceneEditing::SceneEditing(Workbench& workbench)
   });
   connect(&editor_, &SceneEditor::refused, &workbench_, &Workbench::show_error);
   connect(&edit_actions_, &EditActions::add_mesh_requested, this, &SceneEditing::add_mesh);
+  connect(properties_, &PropertiesPanel::cells_edited, &clouds_, &CloudTool::set_cells);
+  connect(&clouds_, &CloudTool::cells_kept, properties_, &PropertiesPanel::refresh);
   connect(&edit_actions_, &EditActions::add_cloud_requested, &clouds_, [this] { clouds_.add({}); });
   connect_view();
   connect_tree();

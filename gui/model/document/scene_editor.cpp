@@ -342,6 +342,17 @@ void SceneEditor::duplicate() {
   apply(tr("Duplicate %1").arg(words_for(names)), std::move(copies.state), std::move(copies.names));
 }
 
+namespace {
+
+// A file of the clipboard is not kept: the next copy may take its place.
+void forget_file_in(const std::string& clipboard, std::filesystem::path& file) {
+  if (file.string().starts_with(clipboard)) {
+    file.clear();
+  }
+}
+
+}  // namespace
+
 std::string SceneEditor::copied() const {
   return geometric::objects_text(
       objects_alone(state(), document_.configuration(), selection_.objects), clipboard_file());
@@ -354,9 +365,10 @@ void SceneEditor::paste(const std::string& text) {
   std::vector<std::string> names;
   for (SceneObject& object : added.objects) {
     names.push_back(object.name);
-    if (auto* mesh = std::get_if<geometric::Mesh>(&object.shape);
-        mesh && mesh->file.string().starts_with(cache)) {
-      mesh->file.clear();  // the next copy may take its place
+    if (auto* mesh = std::get_if<geometric::Mesh>(&object.shape)) {
+      forget_file_in(cache, mesh->file);
+    } else if (auto* cloud = std::get_if<geometric::Cloud>(&object.shape)) {
+      forget_file_in(cache, cloud->file);
     }
   }
   if (names.empty()) {

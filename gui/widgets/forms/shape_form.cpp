@@ -1,6 +1,5 @@
 #include "widgets/forms/shape_form.h"
 
-#include "handway/geometric/formats/cloud_reader.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/mesh/point_cloud.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
@@ -52,13 +51,7 @@ struct Resize {
     cone.length = values[1];
   }
   void operator()(geometric::Mesh& /*mesh*/) const {}
-  void operator()(geometric::Cloud& cloud) const {
-    const std::filesystem::path file = cloud.file;
-    cloud = geometric::make_cloud(
-        cloud.points, {values[0], std::min(values[1], geometric::most_radius(values[0]))},
-        file.string());
-    cloud.file = file;
-  }
+  void operator()(geometric::Cloud& /*cloud*/) const {}
 };
 
 QString mesh_text(const geometric::Mesh& mesh) {
@@ -209,6 +202,10 @@ void ShapeForm::take_values() {
     if (sender() == fields_[i]) {
       values[i] = fields_[i]->quantity();
     }
+  }
+  if (std::holds_alternative<geometric::Cloud>(shape_)) {
+    emit cells_edited({values[0], std::min(values[1], geometric::most_radius(values[0]))});
+    return;
   }
   geometric::Shape resized = shape_;
   std::visit(Resize{values}, resized);

@@ -27,6 +27,8 @@ class ShapeForm : public QWidget {
 
  signals:
   void shape_edited(const handway::geometric::Shape& shape);
+  /// Other cells were typed for a point cloud: to make them takes a while.
+  void cells_edited(const handway::geometric::CloudCells& cells);
 
  private:
   void rebuild();

@@ -156,6 +156,12 @@ bool is_cloud_file(const fs::path& file) {
   return format->extension != ".npy" || has_numpy_points(head_of(file));
 }
 
+CloudCells usual_cells(const PointCloud& cloud) {
+  CloudCells cells;
+  cells.size = cloud.cell > 0.0 ? cloud.cell : cells.size;
+  return cells;
+}
+
 Cloud make_cloud(std::shared_ptr<const PointCloud> points, const CloudCells& cells,
                  const std::string& source) {
   if (points->points.empty()) {

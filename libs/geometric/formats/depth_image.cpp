@@ -130,10 +130,7 @@ DepthValues png_values(std::string_view content, const std::string& source) {
 }
 
 DepthValues numpy_values(std::string_view content, const std::string& source) {
-  const std::size_t in_front =
-      numpy_header_bytes(content.substr(0, std::min(content.size(), kNumpyPreamble)), source);
-  const NumpyHeader header =
-      parse_numpy_header(content.substr(0, std::min(content.size(), in_front)), source);
+  const auto [header, elements] = split_numpy(content, source);
   if (!header.problem.empty() || header.is_text() || header.shape.size() != 2 ||
       std::ranges::max(header.shape) > kLargestSide) {
     refuse_cloud(source, "array",
@@ -142,12 +139,7 @@ DepthValues numpy_values(std::string_view content, const std::string& source) {
                      : header.problem,
                  fmt::format("numbers of shape height×width, at most {} each", kLargestSide));
   }
-  if (content.size() - in_front < header.bytes()) {
-    refuse_cloud(source, "array", fmt::format("{} bytes of elements", content.size() - in_front),
-                 fmt::format("{} by the shape in the header", header.bytes()),
-                 "The file is cut off: copy it again");
-  }
-  const Eigen::MatrixXd numbers = numpy_numbers(header, content.substr(in_front));
+  const Eigen::MatrixXd numbers = numpy_numbers(header, elements);
   DepthValues image{header.shape[1], header.shape[0], {}};
   image.values.resize(image.width * image.height);
   Eigen::Map<Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
@@ -181,6 +173,12 @@ PointCloud read_depth_image(const std::filesystem::path& file, const DepthCamera
     refuse_cloud(source, "", "no measured pixel", "depths above 0", "Check the unit");
   }
   return cloud;
+}
+
+Eigen::Matrix3d optical_frame() {
+  Eigen::Matrix3d R_BodyOptical;
+  R_BodyOptical << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  return R_BodyOptical;
 }
 
 bool is_image_file(const std::filesystem::path& file) { return has_extension(file, ".png"); }

@@ -297,6 +297,21 @@ NumpyHeader parse_numpy_header(std::string_view header, const std::string& sourc
   return parsed;
 }
 
+NumpyContent split_numpy(std::string_view content, const std::string& source) {
+  const std::size_t size = numpy_header_bytes(content, source);
+  NumpyContent parts{parse_numpy_header(content.substr(0, std::min(content.size(), size)), source),
+                     {}};
+  if (parts.header.problem.empty()) {
+    parts.elements = content.substr(size);
+    if (parts.elements.size() < parts.header.bytes()) {
+      throw InputError({source, "array", fmt::format("{} bytes of elements", parts.elements.size()),
+                        fmt::format("{} by the shape in the header", parts.header.bytes()),
+                        "The file is cut off: copy it again"});
+    }
+  }
+  return parts;
+}
+
 Eigen::MatrixXd numpy_numbers(const NumpyHeader& header, std::string_view elements) {
   const Places places(header);
   // A Boolean is a byte.

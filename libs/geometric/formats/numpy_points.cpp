@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 
 namespace handway::geometric {
@@ -28,18 +27,12 @@ std::size_t width_of(const NumpyHeader& header) {
   return has_points ? width : 0;
 }
 
-NumpyHeader header_of(std::string_view content, const std::string& source) {
-  const std::size_t size =
-      numpy_header_bytes(content.substr(0, std::min(content.size(), kNumpyPreamble)), source);
-  return parse_numpy_header(content.substr(0, std::min(content.size(), size)), source);
-}
-
 }  // namespace
 
 bool has_numpy_points(std::string_view head) {
   constexpr std::size_t kLandmarks = 21;
   try {
-    const NumpyHeader header = header_of(head, "");
+    const NumpyHeader header = parse_numpy_header(head, "");
     return width_of(header) > 0 && (header.shape.size() == 2 || header.shape[1] != kLandmarks);
   } catch (const InputError&) {
     return false;
@@ -47,20 +40,14 @@ bool has_numpy_points(std::string_view head) {
 }
 
 ReadCloud read_numpy_points(std::string_view content, const std::string& source) {
-  const NumpyHeader header = header_of(content, source);
+  const auto [header, elements] = split_numpy(content, source);
   const auto width = static_cast<Eigen::Index>(width_of(header));
   if (width == 0) {
     refuse_cloud(source, "array", words_for(header),
                  "numbers of shape n×3, n×6 (with colours) or h×w×3",
                  "A depth image becomes points by its camera: see handway cloud --help");
   }
-  const std::size_t in_front = numpy_header_bytes(content, source);
-  if (content.size() - in_front < header.bytes()) {
-    refuse_cloud(source, "array", fmt::format("{} bytes of elements", content.size() - in_front),
-                 fmt::format("{} by the shape in the header", header.bytes()),
-                 "The file is cut off: copy it again");
-  }
-  const Eigen::MatrixXd numbers = numpy_numbers(header, content.substr(in_front));
+  const Eigen::MatrixXd numbers = numpy_numbers(header, elements);
   PointCollector points(source, static_cast<std::size_t>(numbers.size() / width));
   const bool has_shares = header.kind == 'f' && width == 6 && numbers.size() > 0 &&
                           numbers.rightCols(3).maxCoeff() <= 1.0;

@@ -73,8 +73,7 @@ Cloud cloud_of(const YamlElement& element, const std::filesystem::path& folder, 
   const std::filesystem::path found = find_noted(ResourceKind::kObject, file, folder, scene);
   ReadCloud read = read_cloud(found, file.where());
   std::ranges::move(read.warnings, std::back_inserter(scene.warnings));
-  CloudCells cells;
-  cells.size = read.cloud.cell > 0.0 ? read.cloud.cell : cells.size;
+  CloudCells cells = usual_cells(read.cloud);
   if (const std::optional<YamlElement> cell = element.find("cell")) {
     cells.size = length_within(*cell, kSmallestCell, kLargestCell);
   }

@@ -108,6 +108,9 @@ PointCloud without_bodies(const PointCloud& cloud, const Pose& X_WC, const Scene
                         "an object of the scene", ""});
     }
   }
+  if (!filter.robots && filter.objects.empty()) {
+    return cloud;
+  }
   const CollisionWorld world(scene);
   const std::vector<FilteredBody> bodies = filtered_bodies(world, scene, q, filter);
   std::vector<char> is_kept(cloud.size());

@@ -246,14 +246,18 @@ double box_distance(const Vector& p, const Vector& half) {
   return outside.cwiseMax(0.0).norm() + std::min(outside.maxCoeff(), 0.0);
 }
 
-Fit box_fit(const Cluster& cluster, const Rectangle& outline, double foot, double top) {
+Fit box_over(const Rectangle& outline, double foot, double top) {
   Box box{Vector3d(outline.size.x(), outline.size.y(), top - foot)};
   box.size = box.size.cwiseMax(1e-3);
-  Fit fit{box, pose_from_rpy({outline.centre.x(), outline.centre.y(), 0.5 * (foot + top)}, 0.0, 0.0,
+  return {box, pose_from_rpy({outline.centre.x(), outline.centre.y(), 0.5 * (foot + top)}, 0.0, 0.0,
                              outline.angle)};
-  fit.error = mean_distance(cluster.points, fit.X_WO, [&](const Vector3d& p) {
-    return box_distance<Vector3d>(p, 0.5 * box.size);
-  });
+}
+
+Fit box_fit(const Cluster& cluster, double foot) {
+  Fit fit = box_over(rectangle_around(cluster.flat), foot, cluster.highest);
+  const Vector3d half = 0.5 * std::get<Box>(fit.shape).size;
+  fit.error = mean_distance(cluster.points, fit.X_WO,
+                            [&](const Vector3d& p) { return box_distance<Vector3d>(p, half); });
   return fit;
 }
 
@@ -320,7 +324,7 @@ std::optional<Fit> sphere_fit(const Cluster& cluster) {
 Fit best_fit(const Cluster& cluster, double foot) {
   // A round fit has to be clearly better: a few sides of a box lie on some circle too.
   constexpr double kClearly = 0.8;
-  Fit best = box_fit(cluster, rectangle_around(cluster.flat), foot, cluster.highest);
+  Fit best = box_fit(cluster, foot);
   for (const std::optional<Fit>& round : {cylinder_fit(cluster, foot), sphere_fit(cluster)}) {
     const bool is_box = std::holds_alternative<Box>(best.shape);
     if (round && round->error < (is_box ? kClearly : 1.0) * best.error) {
@@ -339,10 +343,9 @@ class ObjectSearch {
     find_supports();
     std::vector<SceneObject> objects;
     for (const Support& support : supports_) {
-      const Cluster cluster(samples_, support.points);
-      objects.push_back(object_of(
-          "surface", support.points,
-          box_fit(cluster, support.outline, support.height - kThickness, support.height)));
+      objects.push_back(
+          object_of("surface", support.points,
+                    box_over(support.outline, support.height - kThickness, support.height)));
     }
     for (const Support& support : supports_) {
       add_objects_on(support, objects);

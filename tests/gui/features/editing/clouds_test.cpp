@@ -1,6 +1,7 @@
 /// Point clouds and depth images that are dropped onto the window.
 #include "features/editing/cloud_import_dialog.h"
 #include "features/editing/editing_test.h"
+#include "handway/geometric/formats/cloud_reader.h"
 #include "patience.h"
 
 #include <QApplication>
@@ -20,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
 #include <variant>
 
@@ -28,6 +30,7 @@ namespace {
 
 class Clouds : public EditingTest {
  protected:
+  using EditingTest::type;
   /// Drops a file onto the window, and answers its dialog.
   void drop(const std::filesystem::path& file,
             const std::function<void(gui::CloudImportDialog&)>& answer) const {
@@ -122,6 +125,46 @@ TEST_F(Clouds, OfDepthImagesBecomeATableAndABlock) {
   EXPECT_NEAR(block.z(), 0.1, 0.005);
   EXPECT_TRUE(
       object("object").X_PO.translation().isApprox(Eigen::Vector3d(-1.5, -1.5, 0.55), 0.01));
+}
+
+// A loose grid of points: each of 400,000 is a cell of its own if cells are small.
+TEST_F(Clouds, KeepTheirCellsWhereSmallerOnesAreTooMany) {
+  auto points = std::make_shared<geometric::PointCloud>();
+  for (int i = 0; i < 400'000; ++i) {
+    const Eigen::Vector3i cell(i % 80, i / 80 % 80, i / 6400);
+    points->points.emplace_back((0.02 * cell.cast<double>().array() + 0.005).cast<float>());
+  }
+  geometric::SceneObject scan;
+  scan.name = "scan";
+  scan.X_PO.translation() = Eigen::Vector3d(2.0, 2.0, 0.0);
+  scan.shape = geometric::make_cloud(points, {0.1, 0.0}, "points");
+  editor().add_objects({scan});
+  type("cloud_cell", "10");
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return part<QLabel>("banner_text").text().contains(QLatin1String("too many cells")); },
+      kPatienceMs));
+  EXPECT_EQ(std::get<geometric::Cloud>(object("scan").shape).cells.size, 0.1);
+  EXPECT_NEAR(part<gui::QuantityField>("cloud_cell").quantity(), 0.1, 1e-12);
+  type("cloud_cell", "200");
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return std::get<geometric::Cloud>(object("scan").shape).cells.size == 0.2; },
+      kPatienceMs));
+}
+
+// The next copy may overwrite the file of the clipboard.
+TEST_F(Clouds, ThatArePastedDoNotNeedTheClipboardsFile) {
+  auto points = std::make_shared<geometric::PointCloud>();
+  points->points = {{0.0F, 0.0F, 0.0F}, {0.1F, 0.0F, 0.0F}};
+  geometric::SceneObject scan;
+  scan.name = "scan";
+  scan.X_PO.translation() = Eigen::Vector3d(2.0, 2.0, 0.0);
+  scan.shape = geometric::make_cloud(points, {}, "points");
+  editor().add_objects({scan});
+  editor().paste(editor().copied());
+  ASSERT_TRUE(has("scan 2"));
+  const auto& pasted = std::get<geometric::Cloud>(object("scan 2").shape);
+  EXPECT_EQ(pasted.points->points, points->points);
+  EXPECT_TRUE(pasted.file.empty()) << pasted.file;
 }
 
 TEST_F(Clouds, ThatAreDamagedLeaveTheSceneAsItIs) {

@@ -37,6 +37,9 @@ struct ReadCloud {
 /// file if its shape is that of points, and not of the 21 landmarks of hands.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_cloud_file(const std::filesystem::path& file);
 
+/// Returns the cells for points unless others are asked for: those of an octomap, or of 10 mm.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT CloudCells usual_cells(const PointCloud& cloud);
+
 /// Makes the body of points. @param source of the points, for messages.
 /// @throws InputError if there are no points, or too many cells around them.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Cloud make_cloud(std::shared_ptr<const PointCloud> points,

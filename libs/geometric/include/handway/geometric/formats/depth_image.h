@@ -25,6 +25,10 @@ struct DepthCamera {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT PointCloud
 read_depth_image(const std::filesystem::path& file, const DepthCamera& camera);
 
+/// Rotation of a camera's optical frame (x to the right, y down, z forwards) in the frame of its
+/// body (x forwards, y to the left, z up), as REP 103 names both.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Eigen::Matrix3d optical_frame();
+
 /// Returns whether the file's name is that of an image: .png.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_image_file(const std::filesystem::path& file);
 

@@ -52,6 +52,17 @@ inline constexpr std::size_t kNumpyPreamble = 12;
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT NumpyHeader parse_numpy_header(std::string_view header,
                                                                       const std::string& source);
 
+/// Header and elements of a whole file.
+struct NumpyContent {
+  NumpyHeader header;
+  std::string_view elements;  ///< With its bytes(), or empty if the header has a problem.
+};
+
+/// Splits the content of a file.
+/// @throws InputError naming `source` if the header is damaged, or elements are missing.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT NumpyContent split_numpy(std::string_view content,
+                                                                const std::string& source);
+
 /// The elements, shape [first dimension, product of the others in C order].
 /// @pre the header has no problem and no text, and `elements` has its bytes().
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Eigen::MatrixXd numpy_numbers(const NumpyHeader& header,
