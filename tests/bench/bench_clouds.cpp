@@ -4,6 +4,7 @@
 #include "handway/geometric/formats/cloud_reader.h"
 #include "handway_test/robots.h"
 #include "handway_test/solid_robots.h"
+#include "random_configurations.h"
 
 #include <benchmark/benchmark.h>
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -71,17 +72,7 @@ std::shared_ptr<const CollisionWorld> world_of(const std::shared_ptr<const Point
 
 // Half of each joint's range around its middle: near the table more often than not.
 std::vector<Configuration> configurations_of(const RobotModel& model) {
-  std::mt19937_64 engine(1);
-  std::uniform_real_distribution<double> uniform(0.25, 0.75);
-  std::vector<Configuration> configurations;
-  for (int k = 0; k < kConfigurations; ++k) {
-    Configuration q(model.variable_count());
-    for (int v = 0; v < model.variable_count(); ++v) {
-      q[v] = model.lower()[v] + uniform(engine) * (model.upper()[v] - model.lower()[v]);
-    }
-    configurations.push_back(q);
-  }
-  return configurations;
+  return test::random_configurations(model, kConfigurations, 0.25, 0.75);
 }
 
 /// The robot's links and FCL's octree of the cloud's cells. The links are not compared with each

@@ -6,6 +6,7 @@
 #include "handway_test/resource_use.h"
 #include "handway_test/robots.h"
 #include "handway_test/solid_robots.h"
+#include "random_configurations.h"
 
 #include <benchmark/benchmark.h>
 
@@ -76,22 +77,9 @@ WorldPtr one_ball(int triangles) {
   return std::make_shared<const CollisionWorld>(scene);
 }
 
-std::vector<Configuration> anywhere(const RobotModel& model) {
-  std::mt19937_64 engine(1);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  std::vector<Configuration> configurations;
-  for (int k = 0; k < kConfigurations; ++k) {
-    Configuration q(model.variable_count());
-    for (int v = 0; v < model.variable_count(); ++v) {
-      q[v] = model.lower()[v] + uniform(engine) * (model.upper()[v] - model.lower()[v]);
-    }
-    configurations.push_back(q);
-  }
-  return configurations;
-}
-
 void ask(benchmark::State& state, CollisionChecker& checker) {
-  const std::vector<Configuration> configurations = anywhere(checker.world().model());
+  const std::vector<Configuration> configurations =
+      test::random_configurations(checker.world().model(), kConfigurations);
   int in_collision = 0;
   for (const Configuration& q : configurations) {  // fills what is remembered
     in_collision += checker.first_collision(q) ? 1 : 0;

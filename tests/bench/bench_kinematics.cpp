@@ -5,6 +5,7 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 #include "handway_test/robots.h"
+#include "random_configurations.h"
 
 #include <benchmark/benchmark.h>
 
@@ -17,19 +18,7 @@
 namespace handway::geometric {
 namespace {
 
-std::vector<Configuration> random_configurations(const RobotModel& model, int count) {
-  std::mt19937_64 engine(1);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  std::vector<Configuration> configurations;
-  for (int k = 0; k < count; ++k) {
-    Configuration q(model.variable_count());
-    for (int v = 0; v < model.variable_count(); ++v) {
-      q[v] = model.lower()[v] + uniform(engine) * (model.upper()[v] - model.lower()[v]);
-    }
-    configurations.push_back(q);
-  }
-  return configurations;
-}
+using test::random_configurations;
 
 void dense_products(const RobotModel& model, const Configuration& q,
                     std::vector<Eigen::Matrix4d>& X_BL) {

@@ -28,8 +28,7 @@ class CloudImportDialog : public QDialog {
   CloudImportDialog(const std::filesystem::path& file, const std::vector<std::string>& selected,
                     QWidget* parent = nullptr);
 
-  /// Returns the way in which the points become an object. The cells of an octomap are its own: see
-  /// has_own_cells().
+  /// Returns the settings of the import. The cells of an octomap are its own: see has_own_cells().
   [[nodiscard]] planning::CloudImport import() const;
   /// The camera of a depth image; nothing for a file of points.
   [[nodiscard]] std::optional<geometric::DepthCamera> camera() const;

@@ -1,16 +1,14 @@
 /// The image of a depth camera becomes a table and a can, which the hand grasps: by mouse and keys.
+#include "dropped_file.h"
 #include "features/editing/cloud_import_dialog.h"
 #include "hands_on.h"
 #include "handway_test/paths.h"
 
 #include <QCheckBox>
-#include <QDropEvent>
 #include <QImage>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTimer>
 #include <QTreeWidget>
-#include <QUrl>
 
 #include <algorithm>
 #include <cmath>
@@ -84,15 +82,6 @@ class CameraStory : public HandsOn {
     return folder_.path() / "cell.yaml";
   }
 
-  void drop(const std::filesystem::path& file) const {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
-    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window(), &enter);
-    QDropEvent event(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window(), &event);
-  }
-
   void fill(gui::CloudImportDialog& dialog) const {
     const auto field = [&](const char* name, const char* text) {
       auto* box = dialog.findChild<QAbstractSpinBox*>(QLatin1String(name));
@@ -122,7 +111,7 @@ TEST_F(CameraStory, PlansAroundATableAndGraspsTheCanOnIt) {
       fill(*dialog);
     }
   });
-  drop(image);
+  drop_file(window(), image);
   ASSERT_TRUE(wait_for([&] { return find_object(scene(), "object 2") != nullptr; }));
   const auto can = std::ranges::find_if(scene().objects, [](const auto& each) {
     return std::holds_alternative<geometric::Cylinder>(each.shape);

@@ -1,4 +1,5 @@
 /// Point clouds and depth images that are dropped onto the window.
+#include "dropped_file.h"
 #include "features/editing/cloud_import_dialog.h"
 #include "features/editing/editing_test.h"
 #include "handway/geometric/formats/cloud_reader.h"
@@ -6,14 +7,11 @@
 
 #include <QApplication>
 #include <QCheckBox>
-#include <QDropEvent>
 #include <QImage>
 #include <QLabel>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
-#include <QUrl>
 
 #include <gtest/gtest.h>
 
@@ -42,12 +40,7 @@ class Clouds : public EditingTest {
         answer(*dialog);
       }
     });
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
-    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window(), &enter);
-    QDropEvent event(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window(), &event);
+    drop_file(window(), file);
     EXPECT_TRUE(was_asked);
   }
   static void click(gui::CloudImportDialog& dialog, const char* name) {

@@ -15,7 +15,7 @@
 
 namespace handway::planning {
 
-/// The way in which points of a camera become objects of a scene.
+/// Settings by which points of a camera become objects of a scene.
 struct CloudImport {
   std::string name = "cloud";
   geometric::Pose X_WC = geometric::Pose::Identity();  ///< Pose of the points in the world.
