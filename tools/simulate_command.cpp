@@ -167,7 +167,7 @@ int run(SimulateCommand& command) {
     if (!command.what.empty()) {
       command.request.task = command.what;
     }
-    const auto [task, plan] = plan_requested(command.request, plugins, stop.get_token());
+    const auto [task, plan, files] = plan_requested(command.request, plugins, stop.get_token());
     if (!plan.solved) {
       return print_failure(task, plan);
     }

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "handway/execution/motion/motion_target.h"
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
@@ -9,6 +10,7 @@
 #include "handway/planning/tasks/timed_task.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway/planning/timing/timing_settings.h"
+#include "motion_sending.h"
 #include "numbers.h"
 #include "parameter_options.h"
 #include "printing.h"
@@ -49,6 +51,7 @@ struct TaskCommand {
   fs::path out;
   std::vector<std::string> formats;  ///< Names of exporters.
   planning::ExportOptions export_options;
+  SendOptions send;
 };
 
 /// Results of the command.
@@ -56,6 +59,7 @@ struct PlannedTask {
   planning::Task task;
   TaskPlan plan;
   planning::TimedTask timed;
+  std::vector<SeenFile> files;  ///< Files of the scene, as they were read.
 
   /// Name of the files of a stage without an ending: "01-approach".
   [[nodiscard]] std::string file_of(std::size_t stage) const {
@@ -197,13 +201,16 @@ std::string program_name(const fs::path& scene) {
 
 planning::TimedTask time_planned(const TaskCommand& command, const PlannedTask& planned,
                                  const planning::TimingSettings& settings,
-                                 const std::stop_token& stop) {
+                                 const std::stop_token& stop,
+                                 const planning::Configuration& measured = {}) {
   if (planned.plan.stages.empty()) {
     return {};
   }
   const geometric::Scene& scene = *planned.plan.stages.front().state.scene;
   planning::TimingOptions options = timing_options(settings, *scene.robots.front().model);
   options.stop = stop;
+  options.measured_start = measured;
+  options.start_tolerance = command.send.tolerances.start;
   return time_task(planned.task, planned.plan, program_name(command.request.scene), options);
 }
 
@@ -256,6 +263,33 @@ class TaskExport {
   std::vector<planning::ExportedFile> files_;
 };
 
+// Runs the task on the devices. It begins only where they are measured.
+int send(const TaskCommand& command, PlannedTask planned, std::stop_source& stop) {
+  const planning::SceneState& begin = planned.plan.stages.front().state;
+  const auto problem = planning::make_problem(begin.scene, begin.basis);
+  std::vector<execution::MotionTarget> targets = execution::parse_targets(command.send.to, problem);
+  execution::check_that_the_rest_stands(problem.model(), planned.timed.motion.path, targets);
+  if (!connect(targets, stop.get_token())) {
+    return end_before_the_start();
+  }
+  planned.timed =
+      time_planned(command, planned, command.timing, {},
+                   execution::with_measured(planned.timed.motion.path.waypoints.front(), targets));
+  if (!planned.timed.cleared()) {
+    print_faults(planned, "");
+    return kNoPath;
+  }
+  std::vector<planning::SceneState> scenes;
+  std::ranges::transform(planned.plan.stages, std::back_inserter(scenes), &TaskStage::state);
+  Sending sending{.parts = execution::parts_of(planned.timed.motion, scenes),
+                  .speed = command.timing.speed,
+                  .files = std::move(planned.files),
+                  .on_edit = [](execution::SceneWatch& watch) {
+                    watch.revoke("A file of the scene was edited: plan the task again.");
+                  }};
+  return send_parts(command.send, targets, std::move(sending), stop);
+}
+
 int plan(TaskCommand& command) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
@@ -265,8 +299,8 @@ int plan(TaskCommand& command) {
   }
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
-  auto [task, plan] = plan_requested(command.request, plugins, stop.get_token());
-  PlannedTask planned{std::move(task), std::move(plan), {}};
+  auto [task, plan, files] = plan_requested(command.request, plugins, stop.get_token());
+  PlannedTask planned{std::move(task), std::move(plan), {}, std::move(files)};
   planned.timed = time_planned(command, planned, command.timing, {});
   if (!command.out.empty()) {
     geometric::replace_file(command.out / "report.json", report_of(command, planned));
@@ -287,7 +321,7 @@ int plan(TaskCommand& command) {
     write_stages(command.out, planned);
     exported.write();
   }
-  return kDone;
+  return command.send.to.empty() ? kDone : send(command, std::move(planned), stop);
 }
 
 void add_export_options(CLI::App& task, TaskCommand& command) {
@@ -313,6 +347,16 @@ void add_export_options(CLI::App& task, TaskCommand& command) {
       ->needs(formats);
 }
 
+// A task that is sent runs at a cautious speed if the user chooses none.
+void choose_cautious_timing(const CLI::App& task, planning::TimingSettings& timing) {
+  if (task.get_option("--speed")->empty()) {
+    timing.speed = kCautiousSpeed;
+  }
+  if (task.get_option("--period-ms")->empty()) {
+    timing.period = kPointPeriod;
+  }
+}
+
 }  // namespace
 
 void add_task_command(CLI::App& app, int& exit_code) {
@@ -322,7 +366,13 @@ void add_task_command(CLI::App& app, int& exit_code) {
   add_parameter_options(*task, parameters_of(command->timing));
   task->get_option("--no-blend")->excludes(task->get_option("--deviation"));
   add_export_options(*task, *command);
-  task->callback([command, &exit_code] { exit_code = plan(*command); });
+  add_send_options(*task, command->send)->excludes(task->get_option("--export"));
+  task->callback([task, command, &exit_code] {
+    if (!command->send.to.empty()) {
+      choose_cautious_timing(*task, command->timing);
+    }
+    exit_code = plan(*command);
+  });
 }
 
 }  // namespace handway::tools

@@ -1,6 +1,7 @@
 #include "task_request.h"
 
 #include "commands.h"
+#include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/extensions/load_scene.h"
@@ -103,16 +104,18 @@ void add_task_request(CLI::App& command, TaskRequest& request) {
 
 RequestedTask plan_requested(TaskRequest& request, const planning::PluginManager& plugins,
                              const std::stop_token& stop) {
+  const geometric::FilesRead notes;
   planning::SceneState loaded = planning::load_scene(request.scene, plugins);
   choose_basis(request.settings, loaded);
   set_group(request.group, loaded);
   print_warnings(*loaded.scene);
   planning::Task task = task_of(request, *loaded.scene);
+  std::vector<SeenFile> files = see_files(notes.files());
   const std::unique_ptr<planning::Planner> planner =
       scene_planner(request.planner, loaded.scene->planner, plugins.planners());
   apply_settings(*planner, request.settings);
   planning::TaskPlan plan = plan_task(loaded, task, *planner, request.options, stop);
-  return {std::move(task), std::move(plan)};
+  return {std::move(task), std::move(plan), std::move(files)};
 }
 
 int print_failure(const planning::Task& task, const planning::TaskPlan& plan) {

@@ -2,6 +2,7 @@
 
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/tasks/task.h"
+#include "scene_file_watch.h"
 
 #include <filesystem>
 #include <stop_token>
@@ -32,6 +33,7 @@ struct TaskRequest {
 struct RequestedTask {
   planning::Task task;
   planning::TaskPlan plan;
+  std::vector<SeenFile> files;  ///< Files of the scene, as they were read.
 };
 
 /// Adds the scene and the options of a task.

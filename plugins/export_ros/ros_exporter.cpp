@@ -2,6 +2,7 @@
 
 #include "handway/planning/extensions/exporter.h"
 #include "handway/planning/extensions/plugin.h"
+#include "handway/planning/tasks/timed_task.h"
 
 #include <nlohmann/json.hpp>
 #include <yaml-cpp/yaml.h>
@@ -67,21 +68,6 @@ Message joint_trajectory(const planning::Motion& motion,
   return {{"header", header(version)}, {"joint_names", names}, {"points", messages}};
 }
 
-/// Returns the points of a stage, both ends included.
-std::span<const planning::TrajectoryPoint> stage_points(const planning::Motion& motion,
-                                                        std::size_t stage) {
-  constexpr double kRounding = 1e-9;  // s
-  const std::vector<planning::TrajectoryPoint>& points = motion.trajectory.points;
-  const auto at = [&](double time) {
-    return std::ranges::lower_bound(points, time - kRounding, {}, &planning::TrajectoryPoint::time);
-  };
-  const auto begin = at(motion.waypoint_times[motion.stages[stage].first]);
-  const bool is_last = stage + 1 == motion.stages.size();
-  const auto last =
-      is_last ? points.end() - 1 : at(motion.waypoint_times[motion.stages[stage + 1].first]);
-  return {begin, last + 1};
-}
-
 /// Returns the stages in their order: the name of each, and its trajectory_msgs/JointTrajectory.
 Message stage_sequence(const planning::Motion& motion, RosVersion version) {
   Message sequence = Message::array();
@@ -89,7 +75,7 @@ Message stage_sequence(const planning::Motion& motion, RosVersion version) {
     sequence.push_back(
         {{"stage", motion.stages[i].name},
          {"step", motion.stages[i].step},
-         {"trajectory", joint_trajectory(motion, stage_points(motion, i), version)}});
+         {"trajectory", joint_trajectory(motion, points_of_stage(motion, i), version)}});
   }
   return sequence;
 }

@@ -169,8 +169,11 @@ void Val3Arm::do_connect(const std::stop_token& stop) {
 }
 
 void Val3Arm::do_upload(const JointTrajectory& trajectory, const std::stop_token& /*stop*/) {
+  wire_->running = false;  // until do_start()
+  wire_->asked = false;
   wire_->points = val3_points(trajectory, joints());
   wire_->accepted = 0;
+  wire_->released = 0;
 }
 
 void Val3Arm::do_start() {

@@ -30,6 +30,12 @@ double seconds(TrajectoryClient::Clock::duration duration) {
 
 }  // namespace
 
+Eigen::VectorXd MotionTolerances::distances(const Eigen::VectorXd& measured,
+                                            const Eigen::VectorXd& target) const {
+  const Eigen::VectorXd away = (measured - target).cwiseAbs();
+  return give.size() == 0 ? away : (away - give).cwiseMax(0.0);
+}
+
 TrajectoryClient::TrajectoryClient(std::string name, JointRanges joints)
     : name_(std::move(name)), joints_(std::move(joints)) {
   const Eigen::Index count = joints_.count();
@@ -99,9 +105,10 @@ void TrajectoryClient::start(const MotionTolerances& tolerances) {
   if (phase_ != MotionPhase::kReady) {
     refuse(fault_.empty() ? "no motion" : fault_, "a motion that is uploaded", "Upload one.");
   }
+  const Eigen::VectorXd away =
+      tolerances.distances(measured_.position, trajectory_.positions.row(0));
   for (Eigen::Index j = 0; j < joints_.count(); ++j) {
-    const double away = std::abs(measured_.position[j] - trajectory_.positions(0, j));
-    if (away > tolerances.start) {
+    if (away[j] > tolerances.start) {
       refuse(fmt::format("joint {} at {:.4f} rad", joints_.names[static_cast<std::size_t>(j)],
                          measured_.position[j]),
              fmt::format("{:.4f} rad within {:.4f}", trajectory_.positions(0, j), tolerances.start),
@@ -223,8 +230,9 @@ void TrajectoryClient::look_at_sample() {
   }
   samples_seen_ = measured_.samples;
   const Eigen::VectorXd planned = trajectory_.at(motion_time(measured_.received));
+  const Eigen::VectorXd errors = tolerances_.distances(measured_.position, planned);
   for (Eigen::Index j = 0; j < joints_.count(); ++j) {
-    if (std::abs(measured_.position[j] - planned[j]) > tolerances_.following) {
+    if (errors[j] > tolerances_.following) {
       refuse(fmt::format("joint {} at {:.4f} rad", joints_.names[static_cast<std::size_t>(j)],
                          measured_.position[j]),
              fmt::format("{:.4f} rad within {:.4f}", planned[j], tolerances_.following),
@@ -240,7 +248,7 @@ void TrajectoryClient::look_at_end(Clock::time_point now) {
     return;
   }
   const Eigen::VectorXd end = trajectory_.at(trajectory_.duration());
-  const double away = (measured_.position - end).lpNorm<Eigen::Infinity>();
+  const double away = tolerances_.distances(measured_.position, end).maxCoeff();
   if (away <= tolerances_.end &&
       measured_.received - begin_ > std::chrono::duration<double>(trajectory_.duration())) {
     phase_ = MotionPhase::kDone;

@@ -15,6 +15,12 @@ void FollowingError::add(const Eigen::VectorXd& error) {
   ++samples_;
 }
 
+void FollowingError::add(const FollowingError& other) {
+  max_ = max_.cwiseMax(other.max_);
+  squares_ += other.squares_;
+  samples_ += other.samples_;
+}
+
 Eigen::VectorXd FollowingError::rms() const {
   return (squares_ / std::max(samples_, 1)).cwiseSqrt();
 }
@@ -33,11 +39,22 @@ constexpr double kHoldNotice = 0.1;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
+// Tolerances of the joints of one device.
+device::MotionTolerances tolerances_of(const MotionTarget& target,
+                                       device::MotionTolerances of_robot) {
+  if (of_robot.give.size() > 0) {
+    of_robot.give = Eigen::VectorXd(of_robot.give(target.variables));
+  }
+  return of_robot;
+}
+
 class Run {
  public:
-  Run(std::vector<MotionTarget>& targets, MotionRequests& requests, MotionObserver& observer)
+  Run(std::vector<MotionTarget>& targets, const device::MotionTolerances& tolerances,
+      MotionRequests& requests, MotionObserver& observer)
       : targets_(targets), requests_(requests), observer_(observer) {
     for (const MotionTarget& target : targets_) {
+      tolerances_.push_back(tolerances_of(target, tolerances));
       const Eigen::Index joints = target.link->joints().count();
       outcome_.errors.emplace_back(joints);
       seen_.push_back(target.link->measured().samples);
@@ -46,13 +63,13 @@ class Run {
     }
   }
 
-  MotionOutcome run(const device::MotionTolerances& tolerances) {
+  MotionOutcome run() {
     if (!may_start()) {
       outcome_.at_rest_ms = 0.0;
       return std::move(outcome_);
     }
     outcome_.started = true;
-    start(tolerances);
+    start();
     auto polled = Clock::now();
     while (!requests_.stop.stop_requested() && !ended()) {
       polled = Clock::now();
@@ -100,10 +117,10 @@ class Run {
     }
   }
 
-  void start(const device::MotionTolerances& tolerances) {
+  void start() {
     try {
-      for (const MotionTarget& target : targets_) {
-        target.link->start(tolerances);
+      for (std::size_t i = 0; i < targets_.size(); ++i) {
+        targets_[i].link->start(tolerances_[i]);
       }
     } catch (...) {
       stop_all();
@@ -263,7 +280,7 @@ class Run {
       const Eigen::VectorXd planned = link.trajectory().at(time);
       if (running) {
         outcome_.time = std::min(time, link.trajectory().duration());
-        outcome_.errors[i].add(measured.position - planned);
+        outcome_.errors[i].add(tolerances_[i].distances(measured.position, planned));
       }
       const bool still = (measured.position - last_[i]).lpNorm<Eigen::Infinity>() < kAtRest;
       still_[i] = still ? still_[i] + 1 : 0;
@@ -318,6 +335,7 @@ class Run {
   }
 
   std::vector<MotionTarget>& targets_;
+  std::vector<device::MotionTolerances> tolerances_;  ///< By device.
   MotionRequests& requests_;
   MotionObserver& observer_;
   MotionOutcome outcome_;
@@ -337,7 +355,7 @@ class Run {
 MotionOutcome run_motion(std::vector<MotionTarget>& targets,
                          const device::MotionTolerances& tolerances, MotionRequests& requests,
                          MotionObserver& observer) {
-  return Run(targets, requests, observer).run(tolerances);
+  return Run(targets, tolerances, requests, observer).run();
 }
 
 }  // namespace handway::execution

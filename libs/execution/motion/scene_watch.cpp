@@ -26,12 +26,12 @@ SceneVerdict unknown(std::string reason, SceneWatch::Clock::time_point since) {
 }
 
 // Shifts the times of a motion to begin at 0, as devices run it.
-Trajectory from_time_zero(Trajectory motion) {
+std::shared_ptr<const Trajectory> from_time_zero(Trajectory motion) {
   const double begin = motion.points.front().time;
   for (TrajectoryPoint& point : motion.points) {
     point.time -= begin;
   }
-  return motion;
+  return std::make_shared<const Trajectory>(std::move(motion));
 }
 
 Configuration position_at(const Trajectory& motion, double time) {
@@ -52,8 +52,8 @@ Configuration position_at(const Trajectory& motion, double time) {
 // Checks of the motion in one scene.
 class SceneWatch::Checks {
  public:
-  Checks(const planning::PlanningProblem& problem, const Trajectory& motion)
-      : search_(problem), motion_(motion) {}
+  Checks(const planning::PlanningProblem& problem, std::shared_ptr<const Trajectory> motion)
+      : search_(problem), motion_(std::move(motion)) {}
 
   /// Checks the measured configuration.
   [[nodiscard]] SceneVerdict posture(const Place& place) {
@@ -72,8 +72,8 @@ class SceneWatch::Checks {
       return here;
     }
     std::vector<double> times{place.time, place.time};
-    std::vector<Configuration> rest{place.measured, position_at(motion_, place.time)};
-    for (const TrajectoryPoint& point : motion_.points) {
+    std::vector<Configuration> rest{place.measured, position_at(*motion_, place.time)};
+    for (const TrajectoryPoint& point : motion_->points) {
       if (point.time > place.time) {
         times.push_back(point.time);
         rest.push_back(point.position);
@@ -91,13 +91,11 @@ class SceneWatch::Checks {
 
  private:
   planning::PathConflictSearch search_;
-  const Trajectory& motion_;
+  std::shared_ptr<const Trajectory> motion_;
 };
 
 SceneWatch::SceneWatch(Trajectory motion, ProblemSource scene)
-    : motion_(from_time_zero(std::move(motion))),
-      scene_(std::move(scene)),
-      place_{0.0, motion_.points.front().position} {
+    : motion_(from_time_zero(std::move(motion))), scene_(std::move(scene)), place_{0.0, start()} {
   verdict_.since = Clock::now();
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
@@ -132,6 +130,21 @@ void SceneWatch::follow(ProblemSource scene) {
   wake_.notify_all();
 }
 
+void SceneWatch::begin(Trajectory motion, ProblemSource scene) {
+  const std::lock_guard lock(mutex_);
+  renew();
+  motion_ = from_time_zero(std::move(motion));
+  scene_ = std::move(scene);
+  place_ = {0.0, start()};
+  obsolete_.request_stop();
+  wake_.notify_all();
+}
+
+void SceneWatch::revoke(std::string reason) {
+  const std::lock_guard lock(mutex_);
+  revoked_ = std::move(reason);
+}
+
 void SceneWatch::ask(double time, const Configuration& measured) {
   const std::lock_guard lock(mutex_);
   renew();
@@ -141,6 +154,9 @@ void SceneWatch::ask(double time, const Configuration& measured) {
 
 SceneVerdict SceneWatch::look(double time, const Configuration& measured) {
   const std::lock_guard lock(mutex_);
+  if (!revoked_.empty()) {
+    return blocked(revoked_, std::numeric_limits<double>::infinity());
+  }
   set_place(time, measured);
   if (new_since_) {
     wake_.notify_all();
@@ -162,7 +178,7 @@ SceneVerdict SceneWatch::answer(std::unique_ptr<Checks>& checks, const Order& or
       if (!problem) {
         return {};  // a newer scene replaces this one
       }
-      checks = std::make_unique<Checks>(*problem, motion_);
+      checks = std::make_unique<Checks>(*problem, order.motion);
     }
     if (!checks) {
       return blocked("The scene can't be checked.", std::numeric_limits<double>::infinity());
@@ -187,7 +203,7 @@ std::optional<SceneWatch::Order> SceneWatch::next_order(const std::stop_token& s
   if (!wake_.wait(lock, stop, something) || stop.stop_requested()) {
     return std::nullopt;
   }
-  Order order{std::exchange(scene_, std::nullopt), {}, asked_, asked_ != answered_};
+  Order order{std::exchange(scene_, std::nullopt), motion_, {}, asked_, asked_ != answered_};
   if (order.scene) {
     obsolete_ = {};
   }

@@ -128,16 +128,31 @@ bool TimedTask::cleared() const {
 TimedTask time_task(const Task& task, const TaskPlan& plan, const std::string& name,
                     const TimingOptions& options) {
   TimedTask timed;
+  TimingOptions of_stage = options;
   for (std::size_t i = 0; i < plan.stages.size(); ++i) {
     geometric::end_if_stopped(options.stop);
     const TaskStage& stage = plan.stages[i];
     timed.stages.push_back(time_stage(
-        stage, motion_name(fmt::format("{:02}-{}", i + 1, to_string(stage.kind))), options));
+        stage, motion_name(fmt::format("{:02}-{}", i + 1, to_string(stage.kind))), of_stage));
+    of_stage.measured_start.resize(0);
   }
   if (timed.cleared()) {
     timed.motion = joined(task, plan, timed.stages, name);
   }
   return timed;
+}
+
+std::span<const TrajectoryPoint> points_of_stage(const Motion& motion, std::size_t stage) {
+  constexpr double kRounding = 1e-9;  // s
+  const std::vector<TrajectoryPoint>& points = motion.trajectory.points;
+  const auto at = [&](double time) {
+    return std::ranges::lower_bound(points, time - kRounding, {}, &TrajectoryPoint::time);
+  };
+  const auto begin = at(motion.waypoint_times[motion.stages[stage].first]);
+  const bool is_last = stage + 1 == motion.stages.size();
+  const auto last =
+      is_last ? points.end() - 1 : at(motion.waypoint_times[motion.stages[stage + 1].first]);
+  return {begin, last + 1};
 }
 
 TimedPath whole_task(const TimedTask& task) {

@@ -36,6 +36,13 @@ struct MotionTolerances {
   double start = 0.01;     ///< Largest distance of a joint from the first point at the start, rad.
   double following = 0.2;  ///< Largest following error of a joint during the motion, rad.
   double end = 0.01;       ///< Distance from the last point that counts as arrived, rad.
+  /// Additional distance by which an object in the hand may keep each joint from its target, rad,
+  /// [joints]; of size 0: none.
+  Eigen::VectorXd give = {};
+
+  /// Returns the distances of the joints from their targets, less `give`, rad, [joints].
+  [[nodiscard]] HANDWAY_DEVICE_EXPORT Eigen::VectorXd distances(
+      const Eigen::VectorXd& measured, const Eigen::VectorXd& target) const;
 };
 
 /// A connection to a device that moves joints: an arm's or a hand's controller.

@@ -21,6 +21,8 @@ class HANDWAY_EXECUTION_EXPORT FollowingError {
       : max_(Eigen::VectorXd::Zero(joints)), squares_(Eigen::VectorXd::Zero(joints)) {}
 
   void add(const Eigen::VectorXd& error);
+  /// Adds the errors of another motion of the device.
+  void add(const FollowingError& other);
   [[nodiscard]] int samples() const { return samples_; }
   [[nodiscard]] const Eigen::VectorXd& max() const { return max_; }  ///< Largest errors, rad.
   [[nodiscard]] Eigen::VectorXd rms() const;                         ///< Root mean squares, rad.
@@ -47,6 +49,8 @@ class HANDWAY_EXECUTION_EXPORT MotionObserver {
   virtual void on_sample(const MotionSample& sample) = 0;
   /// Called every few milliseconds. @param time motion time, s. @param errors so far, by target.
   virtual void on_progress(double time, const std::vector<FollowingError>& errors) = 0;
+  /// Called when a part of the motion begins, see run_parts(). @param part its index.
+  virtual void on_part(std::size_t /*part*/) {}
   /// Called when the scene has held the motion: MotionRequests::hold is set. Called again when the
   /// reason changes, also if the rest becomes free: then hold can be set to false.
   virtual void on_held(const std::string& /*reason*/) {}
@@ -84,6 +88,8 @@ struct MotionOutcome {
 /// current scene, from the robot's measured configuration. The motion is held if its rest is
 /// blocked, or unchecked for SceneWatch::kLongestWait. It is stopped if the conflict comes before
 /// the hold.
+/// @param tolerances their `give` is that of all variables of the robot, [variable_count], or of
+/// size 0.
 /// @throws DeviceError if a device can't start, after stopping all and waiting for their rest.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT MotionOutcome
 run_motion(std::vector<MotionTarget>& targets, const device::MotionTolerances& tolerances,

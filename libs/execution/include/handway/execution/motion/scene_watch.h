@@ -57,10 +57,16 @@ class HANDWAY_EXECUTION_EXPORT SceneWatch {
 
   /// Sets the edited scene; the verdict is kUnknown until it is checked. Any thread may call this.
   void follow(ProblemSource scene);
+  /// Watches another motion from now on, in a scene of its own. Only the thread that runs the
+  /// motion may call this.
+  void begin(planning::Trajectory motion, ProblemSource scene);
+  /// The verdict is kBlocked from now on, also for later motions. Any thread may call this.
+  /// @param reason a sentence.
+  void revoke(std::string reason);
 
   /// First configuration of the motion, shape [variable_count].
   [[nodiscard]] const planning::Configuration& start() const {
-    return motion_.points.front().position;
+    return motion_->points.front().position;
   }
   /// Requests a check of the rest of the motion. Parameters as for look().
   void ask(double time, const planning::Configuration& measured);
@@ -74,6 +80,7 @@ class HANDWAY_EXECUTION_EXPORT SceneWatch {
   };
   struct Order {
     std::optional<ProblemSource> scene;  ///< New scene; empty: the previous one.
+    std::shared_ptr<const planning::Trajectory> motion;
     std::stop_token obsolete;
     std::uint64_t asked = 0;
     bool is_question = false;  ///< True: check the rest; false: the measured configuration only.
@@ -89,7 +96,7 @@ class HANDWAY_EXECUTION_EXPORT SceneWatch {
   [[nodiscard]] SceneVerdict answer(std::unique_ptr<Checks>& checks, const Order& order);
   void work(const std::stop_token& stop);
 
-  planning::Trajectory motion_;
+  std::shared_ptr<const planning::Trajectory> motion_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::optional<ProblemSource> scene_;  ///< Latest scene, if no check has taken it up yet.
@@ -101,6 +108,7 @@ class HANDWAY_EXECUTION_EXPORT SceneWatch {
   std::optional<Clock::time_point> new_since_;
   std::optional<Clock::time_point> checked_since_;  ///< Value of new_since_ at the running check.
   SceneVerdict verdict_;
+  std::string revoked_;  ///< Reason of revoke(); empty: it was not called.
   std::jthread thread_;
 };
 
