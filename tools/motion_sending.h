@@ -43,7 +43,7 @@ CLI::Option* add_send_options(CLI::App& command, SendOptions& options);
 struct Sending {
   std::vector<execution::MotionPart> parts;
   double speed = 1.0;           ///< Share of full speed, for display.
-  std::vector<SeenFile> files;  ///< As they were when they were read.
+  std::vector<SeenFile> files;  ///< Their state when they were read.
   /// Called on a thread of its own when one of the files is edited.
   std::function<void(execution::SceneWatch&)> on_edit;
 };

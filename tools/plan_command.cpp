@@ -7,12 +7,12 @@
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/carried_objects.h"
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/core/request_parameters.h"
 #include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
 #include "handway/planning/queries/collision_remedy.h"
 #include "handway/planning/queries/nearest_free.h"
-#include "numbers.h"
 #include "parameter_options.h"
 #include "plan_report.h"
 #include "printing.h"
@@ -25,13 +25,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace handway::tools {
@@ -44,11 +42,7 @@ using planning::PlanStatus;
 struct PlanOptions {
   fs::path scene;
   std::string planner;
-  std::uint64_t seed = 1;
-  int threads = 1;
-  double time_limit_s = 300.0;
-  double margin_mm = 0.0;
-  double optimize_s = 0.0;
+  planning::PlanRequest request = {.time_limit_s = 300.0};
   std::vector<std::string> settings;
   std::vector<std::string> uprights;
   GoalPoseOptions goal_poses;
@@ -164,12 +158,7 @@ int plan(PlanOptions options) {
   print_warnings(problem);
   const std::chrono::duration<double> load = std::chrono::steady_clock::now() - begin;
 
-  planning::PlanRequest request;
-  request.seed = options.seed;
-  request.threads = options.threads;
-  request.margin = geometric::metres(options.margin_mm);
-  request.optimize_s = options.optimize_s;
-  request.time_limit_s = options.time_limit_s;
+  const planning::PlanRequest& request = options.request;
   const PlanResult result = plan_until_interrupted(*planner, problem, request);
 
   if (result.solved() && !options.out.empty()) {
@@ -195,20 +184,8 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("plan", "Find a collision-free path");
   command->add_option("scene", options->scene, "Scene or problem file")->required();
   command->add_option("--planner", options->planner, "Planner (default: the scene's, else auto)");
-  add_seed_option(*command, options->seed);
-  add_threads_option(*command, options->threads, "the path");
-  command->add_option("--time-limit", options->time_limit_s, "Seconds before giving up")
-      ->check(positive_number())
-      ->capture_default_str();
-  command
-      ->add_option("--margin", options->margin_mm,
-                   "Clearance in mm that the robot keeps from all other bodies along the path; "
-                   "less near a start or goal with less clearance")
-      ->check(CLI::Range(0.0, 1000.0));
-  command
-      ->add_option("--optimize", options->optimize_s,
-                   "Time to optimise the path after it was found, s")
-      ->check(CLI::Range(0.0, 1e6));
+  add_seed_option(*command, options->request.seed);
+  add_parameter_options(*command, parameters_of(options->request));
   command
       ->add_option("--set", options->settings,
                    "Parameter of the planner, KEY=VALUE; or a hand basis, basis=FILE")

@@ -27,7 +27,7 @@ using device::RecordingContents;
 using device::RecordingVariable;
 using Json = nlohmann::ordered_json;
 
-/// What is known of a file.
+/// Facts known of a file.
 struct FileInfo {
   fs::path file;
   RecordingContents contents;

@@ -279,6 +279,7 @@ int send(const TaskCommand& command, PlannedTask planned, std::stop_source& stop
     print_faults(planned, "");
     return kNoPath;
   }
+  print_out("{}", to_text(whole_task(planned.timed).preflight));
   std::vector<planning::SceneState> scenes;
   std::ranges::transform(planned.plan.stages, std::back_inserter(scenes), &TaskStage::state);
   Sending sending{.parts = execution::parts_of(planned.timed.motion, scenes),

@@ -9,9 +9,13 @@
 #include "app/start/shortcut_list.h"
 #include "app/start/start_page.h"
 #include "app/view_actions.h"
+#include "handway/device/recordings/recording_contents.h"
 #include "handway/geometric/formats/cloud_reader.h"
 #include "handway/geometric/formats/depth_image.h"
 #include "handway/geometric/formats/mesh_reader.h"
+#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/text_file.h"
 #include "handway/planning/paths/path_file.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
@@ -32,6 +36,8 @@
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QStringList>
+#include <QUrl>
 
 namespace handway::gui {
 
@@ -196,8 +202,39 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   }
 }
 
+namespace {
+
+// Returns whether a file is a recording of a hand. A table with a joint of the robot is a path of
+// the robot.
+bool is_hand_recording(const std::filesystem::path& file, const geometric::RobotInstance* robot) {
+  try {
+    if (!geometric::has_extension(file, ".csv")) {
+      return device::is_recording(file);
+    }
+    const std::string head = geometric::head_of(file);
+    bool names_joint = false;
+    for (int v = 0; robot && v < robot->model->variable_count() && !names_joint; ++v) {
+      names_joint = head.find(robot->model->variable(v).name) != std::string::npos;
+    }
+    return !names_joint;
+  } catch (const geometric::InputError&) {
+    return false;  // what opens it says why it can't be read
+  }
+}
+
+QStringList files_of(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls()) {
+    files << url.toLocalFile();
+  }
+  return files;
+}
+
+}  // namespace
+
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QString file = event->mimeData()->urls().front().toLocalFile();
+  const QStringList files = files_of(*event->mimeData());
+  const QString& file = files.front();
   const std::filesystem::path path = file.toStdString();
   const bool has_scene = workbench_.document.scene() != nullptr;
   // A PLY file of points is no mesh.
@@ -205,6 +242,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     emit workbench_.cloud_dropped(file);
   } else if (has_scene && geometric::is_mesh_file(path)) {
     emit workbench_.mesh_dropped(file);
+  } else if (has_scene && is_hand_recording(path, workbench_.document.robot())) {
+    emit workbench_.recordings_dropped(files);
   } else if (has_scene && planning::is_path_file(path)) {
     emit workbench_.path_dropped(file);
   } else {

@@ -168,8 +168,13 @@ class Workbench : public QObject {
   void cloud_dropped(const QString& file);
   /// A file of a path was.
   void path_dropped(const QString& file);
+  /// Recordings of a hand were.
+  void recordings_dropped(const QStringList& files);
   /// A motion other than the played path is to be exported.
   void export_wanted(const handway::gui::DerivedSource& source);
+  /// A planned task is to run on the robot, and not any more.
+  void run_wanted(const handway::gui::DerivedSource& task);
+  void task_forgotten();
   /// Emitted when there is room in the view for the handles of the selection, or no more.
   void handles_welcome(bool welcome);
   void theme_changed();

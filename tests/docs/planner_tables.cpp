@@ -2,6 +2,7 @@
 
 #include "handway/device/emulators/device_emulator.h"
 #include "handway/device/haptic/force_guide.h"
+#include "handway/planning/core/request_parameters.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/tasks/task.h"
 #include "handway/planning/timing/timing_settings.h"
@@ -87,6 +88,7 @@ std::string planner_tables(const planning::PlannerRegistry& registry) {
 }
 
 std::string settings_tables() {
+  planning::PlanRequest request;
   planning::TimingSettings timing;
   planning::PregraspOptions grasps;
   planning::HoldConditions hold;
@@ -97,7 +99,9 @@ std::string settings_tables() {
     return fmt::format("\n## {}\n\nFor {}.\n\n{}", title, users,
                        table(geometric::values_of(parameters_of(settings))));
   };
-  return section("Timing", "`handway time`, `export` and `send`, and the export dialog", timing) +
+  return section("Planning", "`handway plan`, where the time limit is 300 s, and the panel *Plan*",
+                 request) +
+         section("Timing", "`handway time`, `export` and `send`, and the export dialog", timing) +
          section("Search for grasps",
                  "`handway grasp`; in Python `Scene.grasps()`, where `count` is `most`", grasps) +
          section("Simulation of grasps", "`handway grasp --test`; in Python `Scene.grasps(test=…)`",

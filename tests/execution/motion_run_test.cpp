@@ -1,6 +1,7 @@
 /// Motions of an arm and a hand together, on emulated ones, through real sockets.
 #include "handway/execution/motion/motion_run.h"
 
+#include "fake_device.h"
 #include "handway/device/arm/val3_arm.h"
 #include "handway/device/emulators/arm_emulator.h"
 #include "handway/device/emulators/hand_emulator.h"
@@ -25,30 +26,6 @@ using testing::IsEmpty;
 std::uint16_t port_of(const std::string& address) {
   return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
 }
-
-/// Returns a motion from `start` to `end` at a constant speed within a second and a half.
-device::JointTrajectory line(const Eigen::VectorXd& start, const Eigen::VectorXd& end) {
-  constexpr Eigen::Index kSteps = 75;
-  device::JointTrajectory line;
-  line.positions.resize(kSteps + 1, start.size());
-  for (Eigen::Index i = 0; i <= kSteps; ++i) {
-    line.times.push_back(0.02 * static_cast<double>(i));
-    line.positions.row(i) = start + static_cast<double>(i) / kSteps * (end - start);
-  }
-  return line;
-}
-
-/// Calls a test's function whenever a motion has progressed.
-class Watcher final : public MotionObserver {
- public:
-  std::function<void(double time)> progress = [](double) {};
-  std::vector<MotionSample> samples;
-
-  void on_sample(const MotionSample& sample) override { samples.push_back(sample); }
-  void on_progress(double time, const std::vector<FollowingError>& /*errors*/) override {
-    progress(time);
-  }
-};
 
 class MotionRun : public testing::Test {
  protected:
@@ -196,66 +173,6 @@ TEST_F(MotionRun, StopsBothWhenTheObserverThrows) {
   EXPECT_FALSE(arm_->moving());
   EXPECT_FALSE(hand_->moving());
 }
-
-/// A device without wires: it is where its motion has it, until it is stopped.
-class FakeDevice final : public device::TrajectoryClient {
- public:
-  explicit FakeDevice(const std::string& name)
-      : TrajectoryClient(name, {{name},
-                                Eigen::VectorXd::Constant(1, -9.0),
-                                Eigen::VectorXd::Constant(1, 9.0),
-                                Eigen::VectorXd::Constant(1, 1.0)}) {}
-
-  std::string throws_in;  ///< One of start, update, pause, resume, stop.
-  std::chrono::milliseconds stop_takes{0};
-  int stops = 0;
-  Clock::time_point stopped_at;
-  [[nodiscard]] bool moves() const { return moves_; }
-
- private:
-  void throw_in(const std::string& call) const {
-    if (throws_in == call) {
-      throw std::runtime_error(call + " went wrong");
-    }
-  }
-  void do_connect(const std::stop_token& /*stop*/) override {}
-  void do_upload(const device::JointTrajectory& /*trajectory*/,
-                 const std::stop_token& /*stop*/) override {}
-  void do_start() override {
-    moves_ = true;
-    throw_in("start");
-  }
-  [[nodiscard]] double do_pause(double time) override {
-    throw_in("pause");
-    moves_ = false;
-    return time;
-  }
-  void do_resume() override {
-    throw_in("resume");
-    moves_ = true;
-  }
-  void do_stop() override {
-    throw_in("stop");
-    ++stops;
-    stopped_at = Clock::now();
-    std::this_thread::sleep_for(stop_takes);
-    moves_ = false;
-  }
-  [[nodiscard]] bool do_update(double time) override {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    if (moves_) {
-      position_ = trajectory().at(time);
-    }
-    add_sample(position_);
-    if (moves_ && time > 0.2) {
-      throw_in("update");
-    }
-    return true;
-  }
-
-  bool moves_ = false;
-  Eigen::VectorXd position_ = Eigen::VectorXd::Zero(1);
-};
 
 struct ThrowCase {
   const char* call;

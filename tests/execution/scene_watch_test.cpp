@@ -158,6 +158,30 @@ TEST(SceneWatch, KnowsNothingFromAnEditToItsAnswer) {
   EXPECT_EQ(answer_of(watch, 0.0, start()).reason, "");
 }
 
+TEST(SceneWatch, FollowsOneMotionAfterAnother) {
+  SceneWatch watch(sweep().trajectory, source_of(nothing_added()));
+  watch.ask(0.0, start());
+  EXPECT_EQ(answer_of(watch, 0.0, start()).state, State::kFree);
+  planning::Trajectory stay;
+  stay.points = {sweep().trajectory.points.back(), sweep().trajectory.points.back()};
+  stay.points.back().time += 1.0;
+  watch.begin(stay, source_of(with(wall_at(0.05))));
+  EXPECT_EQ(watch.start(), end());
+  EXPECT_EQ(watch.look(0.0, end()).state, State::kUnknown);
+  EXPECT_EQ(answer_of(watch, 0.0, end()).state, State::kFree) << "the wall is in the way before";
+}
+
+TEST(SceneWatch, StaysBlockedOnceItIsRevoked) {
+  SceneWatch watch(sweep().trajectory, source_of(nothing_added()));
+  watch.ask(0.0, start());
+  EXPECT_EQ(answer_of(watch, 0.0, start()).state, State::kFree);
+  watch.revoke("The task is out of date.");
+  EXPECT_EQ(watch.look(0.0, start()).reason, "The task is out of date.");
+  watch.follow(source_of(nothing_added()));
+  watch.begin(sweep().trajectory, source_of(nothing_added()));
+  EXPECT_EQ(answer_of(watch, 0.0, start()).state, State::kBlocked);
+}
+
 TEST(SceneWatch, AnswersForTheLatestOfManyEdits) {
   SceneWatch watch(sweep().trajectory, source_of(nothing_added()));
   watch.ask(0.0, start());

@@ -3,6 +3,7 @@
 #include "features/devices/devices_panel.h"
 #include "features/workbench.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/setup/placing.h"
 #include "model/document/document.h"
 #include "model/planning/path_history.h"
 #include "model/playback/path_player.h"
@@ -144,6 +145,12 @@ struct Offset {
   double angle = 0.0;  ///< rad
 };
 
+QString text_of(const Offset& offset, const geometric::RobotModel& model) {
+  return QObject::tr("%1 is %2° away")
+      .arg(QString::fromStdString(model.variable(offset.variable).name),
+           QString::number(geometric::degrees(offset.angle), 'f', 1));
+}
+
 // Returns the offset of the joint that is farthest off.
 Offset offset(const geometric::Configuration& a, const geometric::Configuration& b) {
   Offset farthest;
@@ -175,7 +182,14 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, MotionDrive
   connect(panel_, &DevicesPanel::start_here_requested, this,
           [this] { emit start_here_requested(measured_); });
   connect(panel_, &DevicesPanel::margin_requested, this, &DeviceSession::margin_requested);
+  connect(&driver_, &MotionDriver::part_begun, this, [this](int stage, const QString& name) {
+    stage_ = static_cast<std::size_t>(stage);
+    panel_->show_part(name);
+  });
   connect(&player_, &PathPlayer::timeline_changed, this, [this] {
+    if (task_) {
+      return;
+    }
     // The player's own times change nothing here: the user may have armed the motion meanwhile.
     const bool is_timed = motion_.value != nullptr || timing_.is_busy();
     if (!is_timed || !same_path(timed_path_, player_.timeline().path())) {
@@ -185,6 +199,8 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, MotionDrive
   connect(&document_, &Document::edited, this, &DeviceSession::take_edit);
   connect(&document_, &Document::opened, this, [this] {
     driver_.disconnect_all();
+    task_.reset();
+    running_task_.reset();
     safety_.following_error.resize(0);
     panel_->show_problem({});
     panel_->clear_outcome();
@@ -194,7 +210,11 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, MotionDrive
   });
   connect(&timing_, &TimingRunner::timed, this, [this](const DerivedMotion& motion) {
     motion_ = motion;
-    panel_->show_motion(*motion.value, backwards_);
+    if (task_) {
+      panel_->show_task(task_->value.name, *motion.value);
+    } else {
+      panel_->show_motion(*motion.value, backwards_);
+    }
   });
   connect(&timing_, &TimingRunner::failed, panel_, &DevicesPanel::show_no_motion);
   connect(&driver_, &MotionDriver::state_changed, this, &DeviceSession::on_state_changed);
@@ -235,7 +255,8 @@ void DeviceSession::time_again() {
   motion_ = {};
   timing_.forget();
   timed_from_ = measured_;
-  if (player_.timeline().empty() || !document_.problem()) {
+  const bool has_path = !player_.timeline().empty() && document_.problem();
+  if (!task_ && !has_path) {
     panel_->show_no_motion(tr("Plan or open a path first."));
     return;
   }
@@ -243,27 +264,45 @@ void DeviceSession::time_again() {
     panel_->show_no_motion(tr("Timing is recomputed when the robot stops."));
     return;
   }
-  planning::Path path = player_.timeline().path();
-  timed_path_ = path;
   planning::TimingOptions options;
   options.speed = panel_->speed();
   options.period = kPeriod;
   options.safety = safety_;
+  options.measured_start = measured_;
+  options.start_tolerance = device::MotionTolerances{}.start;
   backwards_ = false;
+  if (task_) {
+    time_task(options);
+  } else {
+    time_path(options);
+  }
+}
+
+void DeviceSession::time_task(planning::TimingOptions options) {
   if (measured_.size() > 0) {
-    options.measured_start = measured_;
-    options.start_tolerance = device::MotionTolerances{}.start;
+    const Offset from_start = offset(measured_, *task_->value.scenes.front().scene->start);
+    if (from_start.angle > options.start_tolerance) {
+      panel_->show_no_motion(tr("The robot is not at the start of the task: %1.")
+                                 .arg(text_of(from_start, *document_.robot()->model)));
+      return;
+    }
+  }
+  panel_->show_no_motion(tr("Timing the task…"));
+  timing_.start(*task_, "task", options);
+}
+
+void DeviceSession::time_path(planning::TimingOptions options) {
+  planning::Path path = player_.timeline().path();
+  timed_path_ = path;
+  if (measured_.size() > 0) {
     const Offset from_start = offset(measured_, path.waypoints.front());
     const Offset from_end = offset(measured_, path.waypoints.back());
     if (from_start.angle > options.start_tolerance && from_end.angle <= options.start_tolerance) {
       backwards_ = true;
       std::ranges::reverse(path.waypoints);
     } else if (from_start.angle > options.start_tolerance) {
-      panel_->show_elsewhere(
-          tr("The robot is not at the start of the path: %1 is %2° away.")
-              .arg(QString::fromStdString(
-                       document_.robot()->model->variable(from_start.variable).name),
-                   QString::number(geometric::degrees(from_start.angle), 'f', 1)));
+      panel_->show_elsewhere(tr("The robot is not at the start of the path: %1.")
+                                 .arg(text_of(from_start, *document_.robot()->model)));
       return;
     }
   }
@@ -277,9 +316,24 @@ void DeviceSession::take_edit(const planning::SceneState& before) {
     return;
   }
   driver_.follow(document_.problem());
+  task_.reset();  // it was planned in the scene before
   time_again();
   if (timing_.is_busy()) {
     panel_->show_no_motion(tr("Out of date, the scene was edited: checking the path again…"));
+  }
+}
+
+void DeviceSession::take_task(const DerivedSource& task) {
+  if (task.made_from == document_.revision()) {
+    task_ = task;
+    time_again();
+  }
+}
+
+void DeviceSession::forget_task() {
+  if (task_) {
+    task_.reset();
+    time_again();
   }
 }
 
@@ -304,7 +358,14 @@ void DeviceSession::run() {
   panel_->show_problem({});
   panel_->clear_outcome();
   emit executed_changed({});
-  driver_.run(motion_.value, document_.problem(), log_folder() / (name.toStdString() + ".csv"));
+  panel_->show_part({});
+  running_task_ = task_;
+  const std::filesystem::path log = log_folder() / (name.toStdString() + ".csv");
+  if (task_) {
+    driver_.run_task(motion_.value, task_->value.scenes, log);
+  } else {
+    driver_.run(motion_.value, document_.problem(), log);
+  }
 }
 
 void DeviceSession::on_state_changed(State state) {
@@ -359,10 +420,25 @@ void DeviceSession::take_measured(const Eigen::VectorXd& q) {
   if (changed || document_.shows_measured() != panel_->mirrors()) {
     mirror();
   }
+  show_carried();
   const bool moved =
       timed_from_.size() != q.size() || (timed_from_ - q).lpNorm<Eigen::Infinity>() > kSamePlace;
   if (moved && driver_.state() == State::kConnected) {
     time_again();
+  }
+}
+
+void DeviceSession::show_carried() {
+  if (!running_task_ || driver_.state() != State::kRunning || !panel_->mirrors()) {
+    return;
+  }
+  const geometric::Scene& scene = *running_task_->value.scenes[stage_].scene;
+  for (const geometric::SceneObject& object : scene.objects) {
+    const geometric::SceneObject* edited = document_.state().find(object.name);
+    const geometric::Pose X_WO = object_pose(scene, measured_, object);
+    if (edited && !X_WO.isApprox(object_pose(*document_.scene(), measured_, *edited))) {
+      emit carried(QString::fromStdString(object.name), X_WO);
+    }
   }
 }
 
@@ -380,21 +456,50 @@ void DeviceSession::take_outcome(const execution::MotionOutcome& outcome,
     return;
   }
   if (!outcome.started) {
+    running_task_.reset();
     const QString reason = outcome.collision.empty() ? tr("It was stopped before the start.")
                                                      : QString::fromStdString(outcome.collision);
     panel_->show_problem(tr("Not started: %1").arg(reason));
     emit reported(false, tr("The robot was not started: %1").arg(reason));
     return;
   }
-  safety_.following_error = executed->following_error(*document_.robot()->model);
+  if (!running_task_) {  // an object in the hand is no error of the devices
+    safety_.following_error = executed->following_error(*document_.robot()->model);
+  }
   panel_->show_outcome(outcome, executed, *document_.robot()->model);
   emit executed_changed(executed->link_path(*document_.robot(), document_.palm()));
-  emit reported(outcome.done,
-                outcome.done ? tr("The robot ran the path in %1 s").arg(outcome.time, 0, 'f', 2)
-                             : tr("The robot stopped after %1 s: %2")
-                                   .arg(outcome.time, 0, 'f', 2)
-                                   .arg(cause_of(outcome)));
+  const auto task = std::exchange(running_task_, std::nullopt);
+  if (task) {
+    emit carried_ended();
+  }
+  emit reported(outcome.done, outcome.done ? tr("The robot ran the %1 in %2 s")
+                                                 .arg(task ? tr("task") : tr("path"))
+                                                 .arg(outcome.time, 0, 'f', 2)
+                                           : tr("The robot stopped after %1 s: %2")
+                                                 .arg(outcome.time, 0, 'f', 2)
+                                                 .arg(cause_of(outcome)));
+  if (task && outcome.done) {
+    emit task_done(task->value.scenes.back());
+  }
 }
+
+namespace {
+
+// The scene with its objects where a task has left them.
+planning::SceneState with_objects_of(const planning::SceneState& after,
+                                     const planning::SceneState& state) {
+  geometric::Scene scene = *state.scene;
+  for (geometric::SceneObject& object : scene.objects) {
+    if (const geometric::SceneObject* moved = after.find(object.name)) {
+      object = *moved;
+    }
+  }
+  planning::SceneState next = state;
+  next.scene = std::make_shared<const geometric::Scene>(std::move(scene));
+  return next;
+}
+
+}  // namespace
 
 void add_devices(Workbench& workbench) {
   auto& devices =
@@ -415,6 +520,27 @@ void add_devices(Workbench& workbench) {
                      workbench.editor.set_start(q);
                      workbench.session.start();
                    });
+  QObject::connect(&devices, &DeviceSession::task_done, &workbench,
+                   [&](const planning::SceneState& after) {
+                     workbench.editor.apply(QObject::tr("Objects placed by the robot"),
+                                            with_objects_of(after, workbench.editor.state()), {});
+                   });
+  QObject::connect(&devices, &DeviceSession::carried, &workbench,
+                   [&](const QString& object, const geometric::Pose& X_WO) {
+                     workbench.view.preview(object_item(object.toStdString()), X_WO);
+                   });
+  QObject::connect(&devices, &DeviceSession::carried_ended, &workbench, [&] {
+    for (const geometric::SceneObject& object : workbench.document.scene()->objects) {
+      if (!object.attachment) {
+        workbench.view.preview(object_item(object.name), object.X_PO);
+      }
+    }
+  });
+  QObject::connect(&workbench, &Workbench::run_wanted, &devices, [&](const DerivedSource& task) {
+    devices.take_task(task);
+    workbench.show_panel("devices");
+  });
+  QObject::connect(&workbench, &Workbench::task_forgotten, &devices, &DeviceSession::forget_task);
   PlanSettings& settings = workbench.plan_settings;
   const auto take_margin = [&] { devices.set_margin(settings.request().margin); };
   QObject::connect(&settings, &PlanSettings::request_changed, &devices, take_margin);

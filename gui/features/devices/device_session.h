@@ -82,6 +82,11 @@ class DeviceSession : public QObject {
   /// it, stops it, and waits until it is at rest. @returns false to stay.
   [[nodiscard]] bool may_leave(QWidget& window);
 
+  /// Runs a planned task next, instead of the path on screen.
+  void take_task(const DerivedSource& task);
+  /// Runs the path on screen next. What runs already is not changed.
+  void forget_task();
+
   /// Sets the clearance that has to remain beyond the robot's following error, m.
   void set_margin(double margin);
 
@@ -95,17 +100,27 @@ class DeviceSession : public QObject {
   void start_here_requested(const Eigen::VectorXd& q);
   /// Plan again with that margin, m.
   void margin_requested(double margin);
+  /// Emitted while a task runs, with an object that it moves, and the object's pose in the world.
+  void carried(const QString& object, const handway::geometric::Pose& X_WO);
+  /// Emitted when objects are again where the scene has them.
+  void carried_ended();
+  /// A task has run to its end. @param after the scene as the task leaves it.
+  void task_done(const handway::planning::SceneState& after);
   /// Emitted with a message for the log.
   void reported(bool good, const QString& message);
 
  private:
   void connect_devices();
   void time_again();
+  void time_path(planning::TimingOptions options);
+  void time_task(planning::TimingOptions options);
   void run();
   void on_state_changed(MotionDriver::State state);
   void show_stop(bool active);
   void take_measured(const Eigen::VectorXd& q);
   void take_edit(const planning::SceneState& before);
+  /// Shows the objects of the task that runs where they are at the measured configuration.
+  void show_carried();
   /// The document's robot as it is measured, if that is wanted.
   void mirror();
   void take_outcome(const execution::MotionOutcome& outcome,
@@ -118,13 +133,16 @@ class DeviceSession : public QObject {
   QPushButton* stop_;
   TimingRunner timing_;
   MotionDriver& driver_;
-  std::optional<StopKeyListener> stop_keys_;  ///< While there is something to stop.
-  DerivedMotion motion_;                      ///< Motion of the path on screen, or null.
-  bool backwards_ = false;                    ///< motion_ goes from goal to start.
-  geometric::Configuration measured_;         ///< Has size 0 while nothing is connected.
-  geometric::Configuration timed_from_;       ///< `measured_` when motion_ was timed.
-  planning::Path timed_path_;                 ///< Path that is timed, from start to goal.
-  planning::SafetyMargin safety_;             ///< With what these devices were seen to miss.
+  std::optional<StopKeyListener> stop_keys_;   ///< While there is something to stop.
+  DerivedMotion motion_;                       ///< Motion of the path on screen, or null.
+  bool backwards_ = false;                     ///< motion_ goes from goal to start.
+  geometric::Configuration measured_;          ///< Has size 0 while nothing is connected.
+  geometric::Configuration timed_from_;        ///< `measured_` when motion_ was timed.
+  planning::Path timed_path_;                  ///< Path that is timed, from start to goal.
+  std::optional<DerivedSource> task_;          ///< The task to run; empty: the path on screen.
+  std::optional<DerivedSource> running_task_;  ///< The task that runs; empty: a path, or nothing.
+  std::size_t stage_ = 0;                      ///< Stage of the task that runs.
+  planning::SafetyMargin safety_;              ///< With what these devices were seen to miss.
 };
 
 /// Adds the panel, and a STOP button to the window.

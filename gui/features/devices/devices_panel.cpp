@@ -238,6 +238,15 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
   update_buttons();
 }
 
+void DevicesPanel::show_task(const QString& name, const planning::TimedPath& motion) {
+  show_motion(motion, false);
+  motion_->setText(tr("<b>%1</b>").arg(name.toHtmlEscaped()) + QStringLiteral("<br>") +
+                   motion_text(motion));
+  with_margin_->hide();
+}
+
+void DevicesPanel::show_part(const QString& name) { part_ = name; }
+
 // Planning with a margin can't help if the start or goal is too close, because they stay.
 void DevicesPanel::offer_margin(const planning::PreflightReport& report) {
   with_margin_->setVisible(report.is_tight() && report.is_under_way());
@@ -249,10 +258,11 @@ void DevicesPanel::offer_margin(const planning::PreflightReport& report) {
 
 void DevicesPanel::show_progress(double time, double duration, double error) {
   progress_->setValue(static_cast<int>(std::lround(1000.0 * time / std::max(duration, 1e-9))));
-  progress_text_->setText(tr("%1 of %2 s, largest error %3°")
-                              .arg(time, 0, 'f', 1)
-                              .arg(duration, 0, 'f', 1)
-                              .arg(geometric::degrees(error), 0, 'f', 2));
+  const QString progress = tr("%1 of %2 s, largest error %3°")
+                               .arg(time, 0, 'f', 1)
+                               .arg(duration, 0, 'f', 1)
+                               .arg(geometric::degrees(error), 0, 'f', 2);
+  progress_text_->setText(part_.isEmpty() ? progress : tr("%1: %2").arg(part_, progress));
 }
 
 void DevicesPanel::show_held(bool held) {

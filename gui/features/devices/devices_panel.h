@@ -42,6 +42,8 @@ class DevicesPanel : public QWidget {
   void show_elsewhere(const QString& where);
   /// @param backwards it goes from the path's end to its start.
   void show_motion(const planning::TimedPath& motion, bool backwards);
+  void show_task(const QString& name, const planning::TimedPath& motion);
+  void show_part(const QString& name);  ///< The part of the task that runs; empty: none.
   void show_progress(double time, double duration, double error);
   void show_held(bool held);
   void show_outcome(const execution::MotionOutcome& outcome,
@@ -92,6 +94,7 @@ class DevicesPanel : public QWidget {
   bool robot_ = false;
   bool cleared_ = false;  ///< The motion may run.
   bool held_ = false;
+  QString part_;  ///< Name of the part that runs; empty: none.
 };
 
 }  // namespace handway::gui

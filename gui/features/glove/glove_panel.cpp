@@ -372,6 +372,11 @@ void add_glove(Workbench& workbench) {
   });
   QObject::connect(&panel->capture().explorer(), &PmdExplorer::basis_chosen, &workbench.editor,
                    &SceneEditor::use_basis);
+  QObject::connect(&workbench, &Workbench::recordings_dropped, panel,
+                   [panel](const QStringList& files) {
+                     panel->come_to_front(QStringLiteral("Explore"));
+                     panel->capture().show_recordings(files);
+                   });
   QObject::connect(&workbench, &Workbench::ready, panel, [panel, &workbench] {
     const Options& options = workbench.options;
     if (!options.glove.empty() || !options.glove_page.empty() || !options.tracker.empty()) {

@@ -1,7 +1,9 @@
 #include "features/planning/plan_panel.h"
 
 #include "features/planning/preset_bar.h"
+#include "handway/geometric/io/parameter.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/core/request_parameters.h"
 #include "model/planning/planning_session.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/disclosure.h"
@@ -26,9 +28,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace handway::gui {
 namespace {
+
+using geometric::Parameter;
 
 constexpr int kPlannersSeen = 14;  // of a list that may have dozens
 constexpr int kClockMs = 100;
@@ -38,6 +44,19 @@ QFormLayout* make_form() {
   form->setHorizontalSpacing(10);
   form->setVerticalSpacing(6);
   return form;
+}
+
+const std::vector<Parameter>& request_parameters() {
+  static const std::vector<Parameter> kAll = [] {
+    planning::PlanRequest request;
+    return geometric::values_of(parameters_of(request));
+  }();
+  return kAll;
+}
+
+// The label of a setting of the request.
+QString label_of(const char* key) {
+  return QString::fromStdString(find_parameter(request_parameters(), key).label);
 }
 
 }  // namespace
@@ -168,20 +187,17 @@ QWidget* PlanPanel::make_settings() {
   description_->setWordWrap(true);
   seed_->setRange(0, std::numeric_limits<int>::max());
   seed_->setToolTip(tr("The same seed gives the same path, on any number of threads"));
-  time_limit_->setRange(0.0, 86400.0);
-  time_limit_->setDecimals(1);
-  time_limit_->setSuffix(tr(" s"));
-  time_limit_->setSpecialValueText(tr("none"));
-  time_limit_->setToolTip(tr("Stop planning after this time"));
-  margin_->setRange(0.0, 1000.0);
-  margin_->setDecimals(1);
-  margin_->setSuffix(tr(" mm"));
-  margin_->setSpecialValueText(tr("none"));
-  margin_->setToolTip(
-      tr("Clearance from all other bodies along the path; less near a start or goal with less "
-         "clearance"));
-  threads_->setRange(1, 1024);
-  threads_->setToolTip(tr("More threads plan faster; the path stays the same"));
+  for (auto& [field, key] : {std::pair{time_limit_, "time_limit"}, std::pair{margin_, "margin"}}) {
+    const Parameter& described = find_parameter(request_parameters(), key);
+    field->setRange(0.0, described.upper);
+    field->setDecimals(1);
+    field->setSuffix(QStringLiteral(" %1").arg(QString::fromStdString(described.unit)));
+    field->setSpecialValueText(tr("none"));
+    field->setToolTip(QString::fromStdString(described.help));
+  }
+  const Parameter& threads = find_parameter(request_parameters(), "threads");
+  threads_->setRange(static_cast<int>(threads.lower), static_cast<int>(threads.upper));
+  threads_->setToolTip(QString::fromStdString(threads.help));
 
   reset_->setToolTip(tr("Reset every parameter to its value in the preset"));
 
@@ -190,7 +206,7 @@ QWidget* PlanPanel::make_settings() {
   usual_->addRow(tr("Preset"), presets_);
   usual_->addRow(QString(), changes_);
   usual_->addRow(tr("Seeds"), make_seeds());
-  usual_->addRow(tr("Margin"), margin_);
+  usual_->addRow(label_of("margin"), margin_);
   return new PanelArea(boxed(
       in_column({usual_, new Disclosure("advanced", tr("Advanced"), make_advanced()), room()}, 8),
       {12, 10, 12, 8}));
@@ -199,8 +215,8 @@ QWidget* PlanPanel::make_settings() {
 QWidget* PlanPanel::make_advanced() {
   auto* form = make_form();
   form->addRow(tr("Seed"), seed_);
-  form->addRow(tr("Time limit"), time_limit_);
-  form->addRow(tr("Threads"), threads_);
+  form->addRow(label_of("time_limit"), time_limit_);
+  form->addRow(label_of("threads"), threads_);
   return boxed(in_column({form, heading(tr("Parameters")), form_place_, sections_}, 8));
 }
 

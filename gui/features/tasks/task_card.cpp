@@ -69,6 +69,7 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
       play_(named("task_play", new QPushButton(tr("Play")))),
       simulate_(named("task_simulate", new QPushButton(tr("Simulate")))),
       export_(named("task_export", new QPushButton(tr("Export…")))),
+      run_(named("task_run", new QPushButton(tr("Run…")))),
       film_(named("task_film", new FilmBar)),
       plan_(named("task_plan", new QPushButton(tr("Plan")))) {
   note_->setWordWrap(true);
@@ -106,6 +107,8 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
   connect(simulate_, &QPushButton::clicked, this, &TaskCard::simulation_wanted);
   export_->setToolTip(tr("Write the whole task as one program for a controller"));
   connect(export_, &QPushButton::clicked, this, &TaskCard::export_wanted);
+  run_->setToolTip(tr("Run the whole task on the robot, in the panel Devices"));
+  connect(run_, &QPushButton::clicked, this, &TaskCard::run_wanted);
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Find a grasp, a place and the motions between them"));
   connect(plan_, &QPushButton::clicked, this, &TaskCard::plan_wanted);
@@ -129,7 +132,7 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
            search_,
            {list_, 1},
            film_,
-           in_row({{play_, 1}, {simulate_, 1}, {export_, 1}}, 8),
+           in_row({{play_, 1}, {simulate_, 1}, {export_, 1}, {run_, 1}}, 8),
            plan_},
           6),
       {12, 6, 8, 10});
@@ -214,6 +217,7 @@ void TaskCard::set_up(const QString& note, State state) {
   play_->setVisible(state == State::kPlanned);
   simulate_->setVisible(state == State::kPlanned && simulates_);
   export_->setVisible(state == State::kPlanned);
+  run_->setVisible(state == State::kPlanned);
   film_->setVisible(state == State::kPlanned);
   for (QWidget* asked : std::initializer_list<QWidget*>{support_, mass_, speed_, return_, plan_}) {
     asked->setEnabled(state != State::kWorking);

@@ -71,6 +71,7 @@ class TaskCard : public FloatingCard {
   /// Play the plan, or no longer.
   void play_wanted(bool wanted);
   void export_wanted();
+  void run_wanted();
   void closed();
 
  private:
@@ -90,6 +91,7 @@ class TaskCard : public FloatingCard {
   QPushButton* play_;
   QPushButton* simulate_;
   QPushButton* export_;
+  QPushButton* run_;
   FilmBar* film_;
   QPushButton* plan_;
   bool simulates_ = false;

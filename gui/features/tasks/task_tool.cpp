@@ -106,6 +106,10 @@ TaskTool::TaskTool(Document& document, SceneEditor& editor, SceneView& view,
   connect(card_, &TaskCard::play_wanted, this,
           [this](bool wanted) { wanted ? play(task_.value.frames) : card_->film().end(); });
   connect(card_, &TaskCard::export_wanted, this, &TaskTool::ask_for_export);
+  connect(card_, &TaskCard::run_wanted, this, [this] {
+    card_->film().end();
+    emit run_wanted(source());
+  });
   connect(card_, &TaskCard::closed, this, &TaskTool::end);
   connect(card_, &TaskCard::stop_wanted, this, &TaskTool::stop);
   connect(&simulation_job_, &LatestJob::failed, card_, &TaskCard::show_simulated);
@@ -228,8 +232,7 @@ void TaskTool::play(const std::vector<TaskFrame>& frames) {
   card_->film().begin(static_cast<int>(frames_.size()));
 }
 
-void TaskTool::ask_for_export() {
-  card_->film().end();
+DerivedSource TaskTool::source() const {
   MotionSource source;
   source.title = tr("Export the task");
   source.name = QStringLiteral("place_") + QString::fromStdString(object_);
@@ -237,7 +240,14 @@ void TaskTool::ask_for_export() {
                     const std::string& name, const planning::TimingOptions& options) {
     return whole_task(time_task(task, plan, name, options));
   };
-  emit export_wanted({std::move(source), task_.made_from});
+  std::ranges::transform(task_.value.plan.stages, std::back_inserter(source.scenes),
+                         &planning::TaskStage::state);
+  return {std::move(source), task_.made_from};
+}
+
+void TaskTool::ask_for_export() {
+  card_->film().end();
+  emit export_wanted(source());
 }
 
 void TaskTool::show_frame(int index) {
@@ -268,6 +278,7 @@ void TaskTool::forget_plan() {
   card_->film().end();
   task_ = {};
   simulation_.reset();
+  emit plan_forgotten();
   card_->ask_again();
 }
 
@@ -277,6 +288,7 @@ void TaskTool::end() {
   simulation_job_.cancel();
   task_ = {};
   simulation_.reset();
+  emit plan_forgotten();
   card_->hide();
 }
 
@@ -318,6 +330,8 @@ void add_tasks(Workbench& workbench) {
   };
   QObject::connect(pick, &QAction::triggered, &tool, &TaskTool::begin);
   QObject::connect(&tool, &TaskTool::export_wanted, &workbench, &Workbench::export_wanted);
+  QObject::connect(&tool, &TaskTool::run_wanted, &workbench, &Workbench::run_wanted);
+  QObject::connect(&tool, &TaskTool::plan_forgotten, &workbench, &Workbench::task_forgotten);
   QObject::connect(&tool, &TaskTool::handles_welcome, &workbench, &Workbench::handles_welcome);
   QObject::connect(&workbench.document, &Document::opened, pick, update_enabled);
   QObject::connect(&workbench.document, &Document::edited, pick, update_enabled);

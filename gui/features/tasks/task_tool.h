@@ -48,6 +48,10 @@ class TaskTool : public QObject {
   void handles_welcome(bool welcome);
   /// The plan is to be exported.
   void export_wanted(const handway::gui::DerivedSource& source);
+  /// The plan is to run on the robot.
+  void run_wanted(const handway::gui::DerivedSource& source);
+  /// Emitted when there is no plan any more.
+  void plan_forgotten();
 
  private:
   void start();
@@ -57,6 +61,8 @@ class TaskTool : public QObject {
   /// Ends the search or the simulation.
   void stop();
   void play(const std::vector<TaskFrame>& frames);
+  /// Returns the plan as something to export or to run.
+  [[nodiscard]] DerivedSource source() const;
   void ask_for_export();
   void show_frame(int index);
   /// Shows the scene as it is, instead of a moment of the task.

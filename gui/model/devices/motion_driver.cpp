@@ -27,6 +27,14 @@ execution::SceneWatch::ProblemSource source_of(std::shared_ptr<const PreparedPro
   return [scene = std::move(scene)](const std::stop_token& stop) { return scene->wait(stop); };
 }
 
+double duration_of(const std::vector<execution::MotionPart>& parts) {
+  double sum = 0.0;
+  for (const execution::MotionPart& part : parts) {
+    sum += part.trajectory.duration();
+  }
+  return sum;
+}
+
 double farthest(const std::vector<execution::FollowingError>& errors) {
   double error = 0.0;
   for (const execution::FollowingError& device : errors) {
@@ -79,7 +87,8 @@ class MotionDriver::Recorder final : public execution::MotionObserver {
       : driver_(driver),
         devices_(devices),
         log_(order.log, devices.targets),
-        duration_(order.motion->motion.trajectory.duration()),
+        parts_(order.parts),
+        duration_(duration_of(order.parts)),
         executed_(std::make_shared<ExecutedMotion>()) {
     executed_->start = execution::with_measured(devices.q, devices.targets);
     executed_->log = order.log;
@@ -105,6 +114,12 @@ class MotionDriver::Recorder final : public execution::MotionObserver {
     });
   }
 
+  void on_part(std::size_t part) override {
+    driver_.notify([&driver = driver_, stage = static_cast<int>(parts_[part].stage),
+                    name = QString::fromStdString(parts_[part].name)] {
+      emit driver.part_begun(stage, name);
+    });
+  }
   void on_held(const std::string& reason) override {
     driver_.notify(
         [&driver = driver_, reason = QString::fromStdString(reason)] { emit driver.held(reason); });
@@ -117,6 +132,7 @@ class MotionDriver::Recorder final : public execution::MotionObserver {
   MotionDriver& driver_;
   const Devices& devices_;
   execution::MotionLog log_;
+  const std::vector<execution::MotionPart>& parts_;
   double duration_;
   std::shared_ptr<ExecutedMotion> executed_;
   Clock::time_point next_;
@@ -174,8 +190,24 @@ void MotionDriver::disconnect_all() {
 
 void MotionDriver::run(std::shared_ptr<const planning::TimedPath> motion,
                        std::shared_ptr<const PreparedProblem> scene, std::filesystem::path log) {
-  watch_ = std::make_shared<execution::SceneWatch>(motion->motion.trajectory,
-                                                   source_of(std::move(scene)));
+  runs_task_ = false;
+  std::vector<execution::MotionPart> parts{
+      {.trajectory = motion->motion.trajectory, .scene = source_of(std::move(scene))}};
+  begin(std::move(motion), std::move(parts), std::move(log));
+}
+
+void MotionDriver::run_task(std::shared_ptr<const planning::TimedPath> motion,
+                            const std::vector<planning::SceneState>& stages,
+                            std::filesystem::path log) {
+  runs_task_ = true;
+  std::vector<execution::MotionPart> parts = execution::parts_of(motion->motion, stages);
+  begin(std::move(motion), std::move(parts), std::move(log));
+}
+
+void MotionDriver::begin(std::shared_ptr<const planning::TimedPath> motion,
+                         std::vector<execution::MotionPart> parts, std::filesystem::path log) {
+  const execution::MotionPart& first = parts.front();
+  watch_ = std::make_shared<execution::SceneWatch>(first.trajectory, first.scene);
   requests_ = std::make_shared<execution::MotionRequests>();
   requests_->watch = watch_.get();
   set_state(State::kRunning);
@@ -184,12 +216,18 @@ void MotionDriver::run(std::shared_ptr<const planning::TimedPath> motion,
   requests_->stop = motion_stop_.get_token();
   moves_ = true;
   rested_ = true;
-  order_ = Order{std::move(motion), std::move(log), requests_, watch_};
+  order_ = Order{std::move(motion), std::move(parts), std::move(log), requests_, watch_};
   wake_.notify_one();
 }
 
 void MotionDriver::follow(std::shared_ptr<const PreparedProblem> scene) {
-  if (state_ == State::kRunning) {
+  if (state_ != State::kRunning) {
+    return;
+  }
+  if (runs_task_) {
+    watch_->revoke(
+        tr("The scene was edited: stop the robot, and plan the task again.").toStdString());
+  } else {
     watch_->follow(source_of(std::move(scene)));
   }
 }
@@ -281,13 +319,9 @@ bool MotionDriver::carry_out(Devices& devices, const Order& order) {
   try {
     const planning::Motion& motion = order.motion->motion;
     execution::check_that_the_rest_stands(*motion.model, motion.path, devices.targets);
-    for (const execution::MotionTarget& target : devices.targets) {
-      target.link->update();
-      target.link->upload(execution::part_of(motion.trajectory, target.variables));
-    }
     Recorder recorder(*this, devices, order);
     const execution::MotionOutcome outcome =
-        run_motion(devices.targets, {}, *order.requests, recorder);
+        run_parts(devices.targets, order.parts, {}, *order.requests, recorder);
     note_end(outcome.done || outcome.at_rest_ms >= 0.0);
     notify([this, outcome, executed = recorder.executed(), whole = recorder.log_is_whole()] {
       set_state(State::kConnected);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/execution/motion/motion_parts.h"
 #include "handway/execution/motion/motion_run.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/timing/time_path.h"
@@ -16,6 +17,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace handway::gui {
 
@@ -56,6 +58,10 @@ class MotionDriver : public QObject {
   /// @param scene as it is now. @param log file for MotionLog. @pre kConnected
   void run(std::shared_ptr<const planning::TimedPath> motion,
            std::shared_ptr<const PreparedProblem> scene, std::filesystem::path log);
+  /// Runs the motion of a task. An edit of the scene holds it for good.
+  /// @param stages scenes of its stages. The others as above.
+  void run_task(std::shared_ptr<const planning::TimedPath> motion,
+                const std::vector<planning::SceneState>& stages, std::filesystem::path log);
   /// The scene was edited: what is left of a motion that runs is checked in it.
   void follow(std::shared_ptr<const PreparedProblem> scene);
   /// A motion goes on only if the rest of it is free; otherwise held() follows.
@@ -74,6 +80,9 @@ class MotionDriver : public QObject {
   /// Emitted with the measured configuration, about 30 times per second. Joints without a device
   /// keep their values.
   void measured(const Eigen::VectorXd& q);
+  /// A part of a motion begins. @param stage that it belongs to. @param name for display: "lift
+  /// (pick can)"; empty: a path.
+  void part_begun(int stage, const QString& name);
   /// @param time s of the motion. @param error farthest that a joint was off so far, rad.
   void progressed(double time, double duration, double error);
   /// The motion is held because of the scene, or could go on now. @param reason a sentence.
@@ -86,6 +95,7 @@ class MotionDriver : public QObject {
  private:
   struct Order {
     std::shared_ptr<const planning::TimedPath> motion;
+    std::vector<execution::MotionPart> parts;
     std::filesystem::path log;
     std::shared_ptr<execution::MotionRequests> requests;
     std::shared_ptr<execution::SceneWatch> watch;
@@ -95,6 +105,8 @@ class MotionDriver : public QObject {
 
   void work(const MotionDevices& devices, const Problem& problem, const geometric::Configuration& q,
             const std::stop_token& stop);
+  void begin(std::shared_ptr<const planning::TimedPath> motion,
+             std::vector<execution::MotionPart> parts, std::filesystem::path log);
   void serve(Devices& devices, const std::stop_token& stop);
   /// @returns false if a fault ended the motion.
   bool carry_out(Devices& devices, const Order& order);
@@ -109,6 +121,7 @@ class MotionDriver : public QObject {
   State state_ = State::kOff;
   std::shared_ptr<execution::MotionRequests> requests_;  ///< For the running motion.
   std::shared_ptr<execution::SceneWatch> watch_;         ///< Watch of the running motion.
+  bool runs_task_ = false;
   std::mutex mutex_;  ///< Guards all members below but the thread.
   std::condition_variable_any wake_;
   std::condition_variable_any ended_;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/edits/scene_state.h"
 #include "handway/planning/timing/time_path.h"
 
 #include <QString>
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace handway::gui {
 
@@ -20,6 +22,8 @@ struct MotionSource {
   std::function<planning::TimedPath(const std::string& name,
                                     const planning::TimingOptions& options)>
       time;
+  /// Scenes of the motion's stages; empty for a path, which has none.
+  std::vector<planning::SceneState> scenes = {};
 };
 
 /// A source, and the revision of the scene that it was made from.

@@ -79,4 +79,8 @@ RecordingContents recording_contents(const std::filesystem::path& given) {
   return {format.kind(), arrays ? arrays->variables() : std::vector<RecordingVariable>{}};
 }
 
+bool is_recording(const std::filesystem::path& file) {
+  return &format_of(RecordingFile(file)) != recording_formats().back();
+}
+
 }  // namespace handway::device

@@ -88,24 +88,29 @@ Trajectory stage_trajectory(const Motion& motion, std::size_t stage,
 // Forwards what happens in one part to the observer of the whole motion.
 class PartObserver final : public MotionObserver {
  public:
-  PartObserver(MotionObserver& observer, double begin, const std::vector<FollowingError>& before)
-      : observer_(observer), begin_(begin), before_(before) {}
+  PartObserver(MotionObserver& observer, double begin, double duration,
+               const std::vector<FollowingError>& before)
+      : observer_(observer), begin_(begin), duration_(duration), before_(before) {}
 
   void on_sample(const MotionSample& sample) override {
-    observer_.on_sample({begin_ + sample.time, sample.target, sample.planned, sample.measured});
+    observer_.on_sample({time_of(sample.time), sample.target, sample.planned, sample.measured});
   }
   void on_progress(double time, const std::vector<FollowingError>& errors) override {
     std::vector<FollowingError> all = errors;
     for (std::size_t i = 0; i < before_.size(); ++i) {
       all[i].add(before_[i]);
     }
-    observer_.on_progress(begin_ + time, all);
+    observer_.on_progress(time_of(time), all);
   }
   void on_held(const std::string& reason) override { observer_.on_held(reason); }
 
  private:
+  // Time of the whole motion, which stands still until the next part begins.
+  [[nodiscard]] double time_of(double time) const { return begin_ + std::min(time, duration_); }
+
   MotionObserver& observer_;
   double begin_;
+  double duration_;
   const std::vector<FollowingError>& before_;
 };
 
@@ -148,7 +153,7 @@ MotionOutcome run_part(std::vector<MotionTarget>& targets, const MotionPart& par
   return run_motion(targets, tolerances, requests, observer);
 }
 
-// As run_part() for a part that is not the first: what keeps it from its begin is a fault.
+// Runs a part that is not the first: what keeps it from its begin is a fault.
 MotionOutcome run_later_part(std::vector<MotionTarget>& targets, const MotionPart& part,
                              const device::MotionTolerances& tolerances, MotionRequests& requests,
                              MotionObserver& observer) {
@@ -178,12 +183,12 @@ std::vector<MotionPart> parts_of(const Motion& motion,
       const Configuration& begin = planning::points_of_stage(motion, i).front().position;
       const Grip here(motion, begin, grip->squeezed);
       parts.push_back({fmt::format("release ({})", stage.step),
-                       squeeze(motion, here.squeezed, here.closed), scene_of(scenes[i]),
+                       squeeze(motion, here.squeezed, here.closed), scene_of(scenes[i]), i,
                        here.give()});
       grip.reset();
     }
     MotionPart part{fmt::format("{} ({})", stage.name, stage.step),
-                    stage_trajectory(motion, i, grip), scene_of(scenes[i])};
+                    stage_trajectory(motion, i, grip), scene_of(scenes[i]), i};
     if (grip) {
       part.give = grip->give();
     }
@@ -192,7 +197,7 @@ std::vector<MotionPart> parts_of(const Motion& motion,
       grip.emplace(motion, planning::points_of_stage(motion, i).back().position, stage.squeezed);
       parts.push_back({fmt::format("hold ({})", stage.step),
                        squeeze(motion, grip->closed, grip->squeezed), scene_of(scenes[i + 1]),
-                       grip->give()});
+                       i + 1, grip->give()});
     }
   }
   return parts;
@@ -208,7 +213,8 @@ MotionOutcome run_parts(std::vector<MotionTarget>& targets, const std::vector<Mo
       requests.watch->begin(parts[i].trajectory, parts[i].scene);
     }
     observer.on_part(i);
-    PartObserver of_part(observer, begin, all.errors);
+    const double duration = parts[i].trajectory.duration();
+    PartObserver of_part(observer, begin, duration, all.errors);
     const MotionOutcome outcome =
         i == 0 ? run_part(targets, parts[i], tolerances, requests, of_part)
                : run_later_part(targets, parts[i], tolerances, requests, of_part);
@@ -216,7 +222,7 @@ MotionOutcome run_parts(std::vector<MotionTarget>& targets, const std::vector<Mo
     if (!outcome.done) {
       break;
     }
-    begin += parts[i].trajectory.duration();
+    begin += duration;
   }
   return all;
 }

@@ -95,6 +95,31 @@ TEST(Val3Arm, WaitsWhereTheMotionWaits) {
   EXPECT_EQ(cell.arm->phase(), MotionPhase::kDone) << cell.arm->fault();
 }
 
+TEST(Val3Arm, RunsOneMotionAfterAnother) {
+  Cell cell;
+  cell.arm->start();
+  test::run_to_end(*cell.arm);
+  ASSERT_EQ(cell.arm->phase(), MotionPhase::kDone) << cell.arm->fault();
+  cell.arm->upload(test::swing(way(), -way(), 0.3));  // with fewer points
+  test::update_until(
+      *cell.arm, [] { return false; }, 0.2);
+  EXPECT_TRUE(cell.emulator.position().isApprox(way(), 0.02)) << "it waits for its start";
+  cell.arm->start();
+  test::run_to_end(*cell.arm);
+  EXPECT_EQ(cell.arm->phase(), MotionPhase::kDone) << cell.arm->fault();
+  EXPECT_LT(cell.emulator.position().norm(), 0.02);
+}
+
+TEST(Val3Arm, RunsAShorterMotionWithoutMoves) {
+  Cell cell;
+  cell.arm->start();
+  test::run_to_end(*cell.arm);
+  cell.arm->upload(test::swing(way(), Eigen::VectorXd::Zero(6), 0.3));
+  cell.arm->start();
+  test::run_to_end(*cell.arm);
+  EXPECT_EQ(cell.arm->phase(), MotionPhase::kDone) << cell.arm->fault();
+}
+
 TEST(Val3Arm, HoldsAndGoesOn) {
   Cell cell;
   cell.arm->start();

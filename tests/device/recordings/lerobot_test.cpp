@@ -145,6 +145,7 @@ void expect_episode(const RecordedTable& table, int episode, int frames) {
 TEST_F(LeRobot, EpisodesOfVersion2AreVariablesWithNamesAndTimes) {
   write_version_2();
   EXPECT_EQ(recording_contents(data_set()).kind.name, "LeRobot");
+  EXPECT_TRUE(is_recording(data_set()));
   EXPECT_THAT(variable_names(data_set()),
               ElementsAre("observation.state (7 x 2)", "action (7 x 2)", "timestamp (7)",
                           "next.done (7)", "observation.images.top (7 x 480 x 640 x 3)",

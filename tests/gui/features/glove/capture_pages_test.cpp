@@ -1,5 +1,6 @@
 #include "features/glove/capture_pages.h"
 
+#include "dropped_file.h"
 #include "features/glove/capture_coach.h"
 #include "features/glove/pmd_explorer.h"
 #include "features/glove/posture_recordings.h"
@@ -61,6 +62,13 @@ class CapturePages : public GloveDock {
     emit basis.activated(1);
   }
 };
+
+TEST_F(CapturePages, ShowARecordingThatIsDroppedOnTheWindow) {
+  drop_file(window(), recording());
+  const auto& source = part<QComboBox>("explorer_source");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return source.currentText() == "motion.csv"; }));
+  EXPECT_TRUE(source.isVisible());
+}
 
 TEST_F(CapturePages, CountWhereTheHandHasBeen) {
   panel().come_to_front("coach");

@@ -2,9 +2,13 @@
 
 #include "features/editing/editing_test.h"
 #include "features/export/export_dialog.h"
+#include "features/workbench.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
+#include "model/devices/motion_driver.h"
+#include "patience.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/slider_row.h"
 #include "widgets/panels/film_bar.h"
 
 #include <QAction>
@@ -22,6 +26,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace handway::test {
@@ -137,6 +142,85 @@ TEST_F(PickAndPlaceWithPlugins, SimulatesWhetherTheHandHoldsTheObject) {
   click("task_play");
   EXPECT_FALSE(moment.isEnabled());
   EXPECT_EQ(editor().state(), before) << "only shown";
+}
+
+/// A plan that runs on an emulated arm and hand, from the card to the panel Devices.
+class PickAndPlaceOnDevices : public PickAndPlace {
+ protected:
+  void SetUp() override {
+    PickAndPlace::SetUp();
+    if (IsSkipped()) {
+      return;
+    }
+    plan();
+    QObject::connect(&driver(), &gui::MotionDriver::part_begun, &window(),
+                     [this](int, const QString& name) { parts_ << name; });
+    QObject::connect(&driver(), &gui::MotionDriver::ended, &window(),
+                     [this](const execution::MotionOutcome& outcome) { outcome_ = outcome; });
+    click("task_run");
+    ASSERT_TRUE(part<QPushButton>("devices_connect").isVisible()) << "its panel comes forward";
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window().document().problem()->if_ready() != nullptr; }, kPatienceMs));
+    click("devices_connect");
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return driver().state() == gui::MotionDriver::State::kConnected; }, kPatienceMs));
+  }
+  [[nodiscard]] gui::MotionDriver& driver() const { return window().workbench().driver; }
+  /// Sets the speed, ticks that the robot may move, and presses Run.
+  void run(double speed) {
+    auto& row = part<gui::SliderRow>("devices_speed");
+    row.set_value(speed);
+    emit row.value_edited(speed);
+    auto& armed = part<QCheckBox>("devices_armed");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return armed.isEnabled(); }, kPatienceMs))
+        << text("devices_motion");
+    EXPECT_THAT(text("devices_motion"), ::testing::HasSubstr("place_can"));
+    armed.click();
+    click("devices_run");
+  }
+  [[nodiscard]] std::string text(const char* label) const {
+    return part<QLabel>(label).text().toStdString();
+  }
+  [[nodiscard]] bool reaches_part(const char* name) {
+    return QTest::qWaitFor([&] { return parts_.contains(QLatin1String(name)); }, kPatienceMs);
+  }
+
+  QStringList parts_;
+  std::optional<execution::MotionOutcome> outcome_;
+};
+
+TEST_F(PickAndPlaceOnDevices, MovesTheObjectInTheSceneToo) {
+  const geometric::Pose before = geometric::find_object(scene(), "can")->X_PO;
+  const geometric::Pose placed = tool<gui::TaskTool>().plan().stages.back().state.find("can")->X_PO;
+  run(1.0);
+  ASSERT_TRUE(reaches_part("carry (place on table)"));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("devices_progress").find("carry (place on table)") != std::string::npos; },
+      kPatienceMs));
+  keep_picture("task_on_devices");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return outcome_.has_value(); }, kPatienceMs));
+  EXPECT_TRUE(outcome_->done) << outcome_->fault << outcome_->collision;
+  EXPECT_TRUE(parts_.contains("hold (pick can)"));
+  EXPECT_TRUE(geometric::find_object(scene(), "can")->X_PO.isApprox(placed));
+  EXPECT_TRUE(tool<gui::TaskTool>().plan().stages.empty()) << "it is planned again from there";
+  editor().undo_stack().undo();
+  EXPECT_TRUE(geometric::find_object(scene(), "can")->X_PO.isApprox(before));
+}
+
+TEST_F(PickAndPlaceOnDevices, HoldsForGoodWhenTheSceneIsEdited) {
+  run(0.3);
+  ASSERT_TRUE(reaches_part("approach (pick can)"));
+  editor().set_goal(*scene().start, *scene().start);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return driver().is_held(); }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("devices_problem").find("plan the task again") != std::string::npos; },
+      kPatienceMs));
+  click("devices_hold");  // Continue
+  ASSERT_TRUE(QTest::qWaitFor([&] { return driver().is_held(); }, kPatienceMs));
+  driver().stop();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return outcome_.has_value(); }, kPatienceMs));
+  EXPECT_FALSE(outcome_->done);
+  EXPECT_EQ(outcome_->fault, "");
 }
 
 TEST_F(PickAndPlace, ForgetsThePlanWhenSomethingElseIsAskedFor) {

@@ -47,4 +47,9 @@ struct RecordingContents {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RecordingContents
 recording_contents(const std::filesystem::path& file);
 
+/// Returns whether a file or folder is a recording by its contents. A table of text may be one or
+/// not: it is none here.
+/// @throws geometric::InputError if the file can't be read.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT bool is_recording(const std::filesystem::path& file);
+
 }  // namespace handway::device

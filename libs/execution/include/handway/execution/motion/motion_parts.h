@@ -6,6 +6,7 @@
 #include "handway/planning/edits/scene_state.h"
 #include "handway/planning/timing/time_path.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace handway::execution {
 /// A part of a motion, from rest to rest, in a scene of its own.
 struct MotionPart {
   std::string name = {};            ///< For display: "lift (pick can)"; empty: a whole motion.
-  planning::Trajectory trajectory;  ///< Not empty.
+  planning::Trajectory trajectory;  ///< It has points.
   SceneWatch::ProblemSource scene;  ///< The scene in which this part runs.
+  std::size_t stage = 0;            ///< Stage of the motion that it belongs to.
   /// Distance by which an object in the hand may keep each variable from its target, rad or m,
   /// [variable_count]; of size 0: none.
   geometric::Configuration give = {};

@@ -49,7 +49,7 @@ class HANDWAY_EXECUTION_EXPORT MotionObserver {
   virtual void on_sample(const MotionSample& sample) = 0;
   /// Called every few milliseconds. @param time motion time, s. @param errors so far, by target.
   virtual void on_progress(double time, const std::vector<FollowingError>& errors) = 0;
-  /// Called when a part of the motion begins, see run_parts(). @param part its index.
+  /// Called with the index of a part of the motion when it begins, see run_parts().
   virtual void on_part(std::size_t /*part*/) {}
   /// Called when the scene has held the motion: MotionRequests::hold is set. Called again when the
   /// reason changes, also if the rest becomes free: then hold can be set to false.
