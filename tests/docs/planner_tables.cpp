@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ranges>
 #include <stdexcept>
 #include <string_view>
@@ -27,6 +28,15 @@ using planning::Planner;
 
 constexpr std::string_view kBegin = "<!-- tables -->\n";
 constexpr std::string_view kEnd = "<!-- end of tables -->\n";
+
+// The default with its unit.
+std::string usual(const Parameter& parameter) {
+  const double* number = std::get_if<double>(&parameter.value);
+  if (number != nullptr && std::isinf(*number)) {
+    return "none";
+  }
+  return parameter.unit.empty() ? to_text(parameter) : to_text(parameter) + " " + parameter.unit;
+}
 
 std::string allowed(const Parameter& parameter) {
   return std::visit(
@@ -60,8 +70,7 @@ template <typename Parameters>
 std::string table(const Parameters& parameters) {
   std::string text = "| Parameter | Default | Allowed | Meaning |\n|---|---|---|---|\n";
   for (const Parameter& parameter : parameters) {
-    const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
-    text += fmt::format("| `{}` | {}{} | {} | {} |\n", parameter.key, to_text(parameter), unit,
+    text += fmt::format("| `{}` | {} | {} | {} |\n", parameter.key, usual(parameter),
                         allowed(parameter), parameter.help);
   }
   return text;

@@ -8,12 +8,15 @@
 #include "model/planning/path_history.h"
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/arrangement.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/motion_text.h"
 
 #include <QApplication>
 #include <QDateTime>
+#include <QGridLayout>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLayout>
 #include <QMainWindow>
 #include <QMenuBar>
@@ -501,12 +504,31 @@ planning::SceneState with_objects_of(const planning::SceneState& after,
 
 }  // namespace
 
+namespace {
+
+// The name of the program, in whose place the button is shown: the menus stay where they are.
+QWidget* corner_of(QPushButton* stop) {
+  auto* corner = new QWidget;
+  QLabel* name = heading(QObject::tr("Handway"));
+  name->setAlignment(Qt::AlignCenter);
+  QSizePolicy keeps_room = stop->sizePolicy();
+  keeps_room.setRetainSizeWhenHidden(true);
+  stop->setSizePolicy(keeps_room);
+  auto* layout = new QGridLayout(corner);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(name, 0, 0);
+  layout->addWidget(stop, 0, 0);
+  return corner;
+}
+
+}  // namespace
+
 void add_devices(Workbench& workbench) {
   auto& devices =
       workbench.own<DeviceSession>(workbench.document, workbench.player, workbench.driver);
   workbench.add_dock(DockArea::kControl, 4, {"devices", QObject::tr("Devices"), devices.panel()});
   // The corner that is on the screen even if the window is larger.
-  workbench.window.menuBar()->setCornerWidget(devices.stop_button(), Qt::TopLeftCorner);
+  workbench.window.menuBar()->setCornerWidget(corner_of(devices.stop_button()), Qt::TopLeftCorner);
   workbench.ask_before_leaving([&] { return devices.may_leave(workbench.window); });
   QObject::connect(
       &devices, &DeviceSession::executed_changed, &workbench.view,

@@ -240,7 +240,7 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
 
 void DevicesPanel::show_task(const QString& name, const planning::TimedPath& motion) {
   show_motion(motion, false);
-  motion_->setText(tr("<b>%1</b>").arg(name.toHtmlEscaped()) + QStringLiteral("<br>") +
+  motion_->setText(tr("<b>Task %1</b>").arg(name.toHtmlEscaped()) + QStringLiteral("<br>") +
                    motion_text(motion));
   with_margin_->hide();
 }

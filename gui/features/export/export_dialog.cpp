@@ -13,8 +13,10 @@
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -22,6 +24,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QStringList>
+#include <QUrl>
 #include <QVariant>
 
 #include <algorithm>
@@ -134,7 +137,9 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
       preview_(new MotionPreview),
       folder_(named("export_folder", new QLineEdit(QDir::homePath()))),
       export_button_(named("export_now", new QPushButton(tr("Export")))),
-      problem_text_(named("export_problem", new QLabel)) {
+      problem_text_(named("export_problem", new QLabel)),
+      written_(named("export_written", new QListWidget)),
+      open_folder_(named("export_open_folder", new QPushButton(tr("Open folder")))) {
   setWindowTitle(title);
   setAttribute(Qt::WA_DeleteOnClose);
   resize(within_window(*this, {scaled(940), scaled(600)}));
@@ -161,8 +166,8 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
     update_button();
   });
   connect(&export_, &ExportRunner::written, this, [this](const QStringList& files) {
+    show_written(files);
     emit exported(files);
-    accept();
   });
   connect(&export_, &ExportRunner::failed, this, &ExportDialog::show_problem);
   connect(&document_, &Document::edited, this, &ExportDialog::take_edit);
@@ -236,7 +241,7 @@ QWidget* ExportDialog::make_destination() {
   problem_text_->hide();
   folder_->setAccessibleName(tr("Folder"));
   auto* browse = new QPushButton(tr("Browse…"));
-  auto* cancel = new QPushButton(tr("Cancel"));
+  auto* close = named("export_close", new QPushButton(tr("Close")));
   export_button_->setProperty("role", "primary");
   export_button_->setDefault(true);
   export_button_->setEnabled(false);
@@ -246,7 +251,7 @@ QWidget* ExportDialog::make_destination() {
   row->addWidget(folder_, 1);
   row->addWidget(browse);
   row->addSpacing(18);
-  row->addWidget(cancel);
+  row->addWidget(close);
   row->addWidget(export_button_);
   connect(browse, &QPushButton::clicked, this, [this] {
     const QString folder =
@@ -255,9 +260,38 @@ QWidget* ExportDialog::make_destination() {
       folder_->setText(folder);
     }
   });
-  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  connect(open_folder_, &QPushButton::clicked, this, [this] {
+    const QListWidgetItem* item = written_->currentItem();
+    QDesktopServices::openUrl(QUrl::fromLocalFile(item->data(Qt::UserRole).toString()));
+  });
   connect(export_button_, &QPushButton::clicked, this, &ExportDialog::export_now);
-  return boxed(in_column({problem_text_, row}, 8));
+  written_->setAccessibleName(tr("Written files"));
+  written_->hide();
+  open_folder_->setToolTip(tr("Show the folder of the chosen files"));
+  open_folder_->hide();
+  return boxed(in_column(
+      {problem_text_, in_row({{written_, 1}, {open_folder_, 0, Qt::AlignTop}}, 8), row}, 8));
+}
+
+// Each export is a row: the format, the number of files, and their folder.
+void ExportDialog::show_written(const QStringList& files) {
+  constexpr int kRows = 3;
+  const QString folder = QFileInfo(files.front()).absolutePath();
+  const QString count = files.size() == 1 ? tr("1 file") : tr("%1 files").arg(files.size());
+  auto* item = new QListWidgetItem(
+      tr("%1: %2 in %3")
+          .arg(QString::fromStdString(format()), count, QDir::toNativeSeparators(folder)));
+  item->setToolTip(files.join(QLatin1Char('\n')));
+  item->setData(Qt::UserRole, folder);
+  written_->insertItem(0, item);
+  written_->setCurrentRow(0);
+  written_->setFixedHeight(kRows * written_->sizeHintForRow(0) + 2 * written_->frameWidth());
+  written_->show();
+  open_folder_->show();
+  problem_text_->hide();
+  setEnabled(true);
+  update_button();
 }
 
 void ExportDialog::choose_format(const std::string& name) {

@@ -68,7 +68,8 @@ class ExportRunner : public QObject {
 
 /// Dialog to export a path or another motion for a controller: format, timing, a preview of the
 /// files, and the folder. Motions that fail the pre-flight check, or that were timed before an
-/// edit, can't be exported; those that keep too little clearance only if that is confirmed.
+/// edit, can't be exported; those that keep too little clearance only if that is confirmed. The
+/// dialog stays open for other formats, and lists what was written.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -105,6 +106,7 @@ class ExportDialog : public QDialog {
   void update_button();
   [[nodiscard]] planning::ExportOptions options() const;
   void show_problem(const QString& message);
+  void show_written(const QStringList& files);
 
   std::shared_ptr<const planning::PluginManager> plugins_;
   Document& document_;
@@ -126,6 +128,8 @@ class ExportDialog : public QDialog {
   QLineEdit* folder_;
   QPushButton* export_button_;
   QLabel* problem_text_;
+  QListWidget* written_;  ///< What was exported, the latest first.
+  QPushButton* open_folder_;
 };
 
 /// Adds the commands that export the path and pictures of it.

@@ -176,6 +176,7 @@ void Tutorial::step_7_export() const {
   click(*now);
   ASSERT_TRUE(wait_for([&] { return !exported.isEmpty(); }));
   EXPECT_FALSE(std::filesystem::is_empty(folder_.path() / "out"));
+  click(*dialog->findChild<QPushButton*>(QStringLiteral("export_close")));
   ASSERT_TRUE(wait_for([&] { return !window().findChild<gui::ExportDialog*>(); }));
   activate();
 }

@@ -83,6 +83,21 @@ TEST_F(ExportDialogTest, ShowsTheFilesBeforeItWritesThem) {
   EXPECT_EQ(content.substr(0, 1000), shown.substr(0, 1000));
 }
 
+TEST_F(ExportDialogTest, StaysOpenForOtherFormatsAndListsWhatItWrote) {
+  ASSERT_TRUE(is_ready());
+  const auto& written = field<QListWidget>("export_written");
+  EXPECT_FALSE(written.isVisible());
+  for (int exports = 1; exports <= 2; ++exports) {
+    field<QPushButton>("export_now").click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == exports; }, kPatienceMs));
+    EXPECT_TRUE(dialog_->isEnabled());
+  }
+  EXPECT_TRUE(written.isVisible());
+  EXPECT_TRUE(field<QPushButton>("export_open_folder").isVisible());
+  EXPECT_THAT(written.item(0)->text().toStdString(),
+              AllOf(HasSubstr("csv: 1 file in "), HasSubstr("out")));
+}
+
 TEST_F(ExportDialogTest, AsksForAConfirmationWhereThePathIsTooClose) {
   auto& too_close = field<QCheckBox>("export_too_close");
   auto& now = field<QPushButton>("export_now");
