@@ -549,6 +549,7 @@ void add_devices(Workbench& workbench) {
                    });
   QObject::connect(&devices, &DeviceSession::carried, &workbench,
                    [&](const QString& object, const geometric::Pose& X_WO) {
+                     emit workbench.handles_welcome(false);
                      workbench.view.preview(object_item(object.toStdString()), X_WO);
                    });
   QObject::connect(&devices, &DeviceSession::carried_ended, &workbench, [&] {
@@ -557,6 +558,7 @@ void add_devices(Workbench& workbench) {
         workbench.view.preview(object_item(object.name), object.X_PO);
       }
     }
+    emit workbench.handles_welcome(true);
   });
   QObject::connect(&workbench, &Workbench::run_wanted, &devices, [&](const DerivedSource& task) {
     devices.take_task(task);
