@@ -71,7 +71,9 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
       export_(named("task_export", new QPushButton(tr("Export…")))),
       run_(named("task_run", new QPushButton(tr("Run…")))),
       film_(named("task_film", new FilmBar)),
-      plan_(named("task_plan", new QPushButton(tr("Plan")))) {
+      keep_(named("task_keep", new QPushButton)),
+      plan_(named("task_plan", new QPushButton(tr("Plan")))),
+      choices_(new QWidget) {
   note_->setWordWrap(true);
   support_->setAccessibleName(tr("Place on"));
   support_->setToolTip(tr("Object on whose upward faces the grasped object is placed, anywhere"));
@@ -109,6 +111,7 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
   connect(export_, &QPushButton::clicked, this, &TaskCard::export_wanted);
   run_->setToolTip(tr("Run the whole task on the robot, in the panel Devices"));
   connect(run_, &QPushButton::clicked, this, &TaskCard::run_wanted);
+  connect(keep_, &QPushButton::clicked, this, &TaskCard::keep_wanted);
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Find a grasp, a place and the motions between them"));
   connect(plan_, &QPushButton::clicked, this, &TaskCard::plan_wanted);
@@ -121,36 +124,47 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
     hide();
     emit closed();
   });
+  lay_out(*choices_,
+          in_column({in_row({new QLabel(tr("Place on")), {support_, 1}}, 8), return_}, 6));
   lay_out(
       *this,
       in_column(
           {in_row({{title_, 1}, {close, 0, Qt::AlignTop}}),
-           in_row({new QLabel(tr("Place on")), {support_, 1}}, 8),
+           choices_,
            in_row({new QLabel(tr("Mass")), {mass_, 1}, new QLabel(tr("Speed")), {speed_, 1}}, 8),
-           return_,
            note_,
            search_,
            {list_, 1},
            film_,
            in_row({{play_, 1}, {simulate_, 1}, {export_, 1}, {run_, 1}}, 8),
-           plan_},
+           in_row({{plan_, 2}, {keep_, 1}}, 8)},
           6),
       {12, 6, 8, 10});
 }
 
-void TaskCard::ask(const QString& object, const QStringList& supports, int proposed,
+void TaskCard::ask(const QString& title, const QString& program, const QStringList& supports,
                    bool simulates) {
-  title_->setText(tr("Pick and place %1").arg(object));
+  show_steps(title, program);
   const QSignalBlocker quiet(support_);
   support_->clear();
   support_->addItems(supports);
-  support_->setCurrentIndex(proposed);
   simulates_ = simulates;
   ask_again();
 }
 
+void TaskCard::show_steps(const QString& title, const QString& program) {
+  title_->setText(title);
+  program_ = program;
+  choices_->setVisible(program.isEmpty());
+  keep_->setText(program.isEmpty() ? tr("Keep") : tr("Remove"));
+  keep_->setToolTip(program.isEmpty() ? tr("Keep the steps as a program of the scene")
+                                      : tr("Remove the program from the scene"));
+}
+
 void TaskCard::ask_again() {
-  set_up(tr("The hand grasps the object, carries it, and puts it down."), State::kAsking);
+  set_up(program_.isEmpty() ? tr("The hand grasps the object, carries it, and puts it down.")
+                            : tr("Steps: %1").arg(program_),
+         State::kAsking);
 }
 
 void TaskCard::show_planning() { set_up(tr("Planning all stages…"), State::kWorking); }
@@ -219,7 +233,7 @@ void TaskCard::set_up(const QString& note, State state) {
   export_->setVisible(state == State::kPlanned);
   run_->setVisible(state == State::kPlanned);
   film_->setVisible(state == State::kPlanned);
-  for (QWidget* asked : std::initializer_list<QWidget*>{support_, mass_, speed_, return_, plan_}) {
+  for (QWidget* asked : std::initializer_list<QWidget*>{choices_, mass_, speed_, keep_, plan_}) {
     asked->setEnabled(state != State::kWorking);
   }
   appear();

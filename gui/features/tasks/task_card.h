@@ -39,9 +39,13 @@ class TaskCard : public FloatingCard {
   /// @param to_be_seen places in the host that it leaves free, if it can.
   TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen);
 
-  /// Asks where to place an object. @param supports objects that it can be placed on.
-  /// @param proposed index of one of them. @param simulates whether plans can be simulated.
-  void ask(const QString& object, const QStringList& supports, int proposed, bool simulates);
+  /// Asks for what a task needs. @param program words for the steps of a program of the scene;
+  /// empty: an object is picked and placed. @param supports objects that it can be placed on, the
+  /// proposed one first. @param simulates whether plans can be simulated.
+  void ask(const QString& title, const QString& program, const QStringList& supports,
+           bool simulates);
+  /// Shows other steps, and keeps the plan.
+  void show_steps(const QString& title, const QString& program);
   /// Asks again, without a plan.
   void ask_again();
   void show_planning();
@@ -72,6 +76,8 @@ class TaskCard : public FloatingCard {
   void play_wanted(bool wanted);
   void export_wanted();
   void run_wanted();
+  /// The steps are to be kept in the scene, or the program is to be removed from it.
+  void keep_wanted();
   void closed();
 
  private:
@@ -93,7 +99,10 @@ class TaskCard : public FloatingCard {
   QPushButton* export_;
   QPushButton* run_;
   FilmBar* film_;
+  QPushButton* keep_;
   QPushButton* plan_;
+  QWidget* choices_;  ///< Choices of picking and placing.
+  QString program_;   ///< Words for the steps of a program; empty: pick and place.
   bool simulates_ = false;
 };
 

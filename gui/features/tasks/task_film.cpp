@@ -5,29 +5,38 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
+#include <variant>
 
 namespace handway::gui {
 namespace {
 
-bool is_carried(const FilmedTask& task, const TaskFrame& frame) {
-  return !task.plan.stages[frame.moment.stage].carried.empty();
+// Adds the planned frames from one on, with some objects where a simulation has left them, to the
+// first in which the hand carries `object`. @returns the index of that frame.
+std::size_t add_until_carried(const FilmedTask& task, std::size_t begin, const std::string& object,
+                              const std::map<std::size_t, geometric::Pose>& left,
+                              std::vector<TaskFrame>& frames) {
+  for (; begin < task.frames.size(); ++begin) {
+    TaskFrame frame = task.frames[begin];
+    if (!object.empty() && task.plan.stages[frame.moment.stage].carried == object) {
+      break;
+    }
+    for (const auto& [index, X_WO] : left) {
+      frame.X_WO[index] = X_WO;
+    }
+    frames.push_back(std::move(frame));
+  }
+  return begin;
 }
 
-// The planned frames before the object is carried.
-std::vector<TaskFrame> frames_before(const FilmedTask& task) {
-  const auto end = std::ranges::find_if(
-      task.frames, [&](const TaskFrame& frame) { return is_carried(task, frame); });
-  return {task.frames.begin(), end};
-}
-
-// The planned frames after the object was carried.
-std::vector<TaskFrame> frames_after(const FilmedTask& task) {
-  const auto begin =
-      std::find_if(task.frames.rbegin(), task.frames.rend(), [&](const TaskFrame& frame) {
-        return is_carried(task, frame);
-      }).base();
-  return {begin, task.frames.end()};
+// The first frame from `begin` on in which the hand does not carry `object`.
+std::size_t end_of_carrying(const FilmedTask& task, std::size_t begin, const std::string& object) {
+  while (begin < task.frames.size() &&
+         task.plan.stages[task.frames[begin].moment.stage].carried == object) {
+    ++begin;
+  }
+  return begin;
 }
 
 }  // namespace
@@ -51,35 +60,59 @@ void add_film(FilmedTask& task, const std::stop_token& stop) {
     }
     task.stages.push_back({planned.kind, stage.preflight.duration, stage.preflight.min_clearance,
                            QString::fromStdString(stage.preflight.closest_pair)});
-    const geometric::SceneObject& moved = *planned.state.find(task.object);
     for (const planning::TrajectoryPoint& point : stage.motion.trajectory.points) {
-      task.frames.push_back(
-          {{i, point.position}, object_pose(*planned.state.scene, point.position, moved)});
+      TaskFrame frame{{i, point.position}, {}};
+      for (const std::string& object : task.objects) {
+        frame.X_WO.push_back(
+            object_pose(*planned.state.scene, point.position, *planned.state.find(object)));
+      }
+      task.frames.push_back(std::move(frame));
     }
   }
+}
+
+std::vector<std::string> picked_objects(const planning::Task& task) {
+  std::vector<std::string> objects;
+  for (const planning::TaskStep& step : task) {
+    const auto* pick = std::get_if<planning::PickStep>(&step);
+    if (pick && std::ranges::count(objects, pick->object) == 0) {
+      objects.push_back(pick->object);
+    }
+  }
+  return objects;
 }
 
 SimulatedTask simulate(const FilmedTask& task, planning::MakeHoldTest make_test,
                        const planning::HoldConditions& conditions, const std::stop_token& stop) {
   SimulatedTask simulated;
-  simulated.frames = frames_before(task);
+  std::map<std::size_t, geometric::Pose> left;  // where objects have slipped to
+  std::size_t next = 0;                         // planned frame
+  bool is_first = true;
   for (const planning::CarriedObjectMotion& carried :
        carried_motions(task.plan, task.timing, stop)) {
+    next = add_until_carried(task, next, carried.object, left, simulated.frames);
+    const auto index = static_cast<std::size_t>(std::ranges::find(task.objects, carried.object) -
+                                                task.objects.begin());
+    std::vector<geometric::Pose> X_WO = simulated.frames.back().X_WO;
     const auto test = make_hold_test(carried, make_test, stop);
-    simulated.result = test->carry(
+    const planning::CarryResult result = test->carry(
         carried.grasp, carried.motion, conditions, stop, [&](const planning::HoldFrame& frame) {
           planning::HoldFrame seen = seen_in_world(carried, frame);
+          X_WO[index] = seen.X_WO;
           simulated.frames.push_back(
-              {{stage_at(carried, frame), std::move(seen.q)}, seen.X_WO, std::move(seen.forces)});
+              {{stage_at(carried, frame), std::move(seen.q)}, X_WO, std::move(seen.forces)});
         });
-  }
-  if (simulated.result.held()) {
-    const geometric::Pose X_WO = simulated.frames.back().X_WO;  // where the object has slipped to
-    for (TaskFrame& frame : frames_after(task)) {
-      frame.X_WO = X_WO;
-      simulated.frames.push_back(std::move(frame));
+    if (is_first || !result.held() || result.slip.shift > simulated.result.slip.shift) {
+      simulated.result = result;
     }
+    if (!result.held()) {
+      return simulated;
+    }
+    is_first = false;
+    left[index] = X_WO[index];
+    next = end_of_carrying(task, next, carried.object);
   }
+  add_until_carried(task, next, {}, left, simulated.frames);
   return simulated;
 }
 

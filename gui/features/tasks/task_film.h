@@ -16,13 +16,13 @@ namespace handway::gui {
 /// A moment of a task, as it is shown.
 struct TaskFrame {
   planning::TaskMoment moment;
-  geometric::Pose X_WO = geometric::Pose::Identity();  ///< Pose of the object.
+  std::vector<geometric::Pose> X_WO;                ///< Poses of FilmedTask::objects.
   std::vector<planning::ContactForce> forces = {};  ///< The hand's forces on it, in a simulation.
 };
 
 /// A planned task, with all that is shown of it.
 struct FilmedTask {
-  std::string object;  ///< The one that is picked and placed.
+  std::vector<std::string> objects;  ///< Those that are picked, each once.
   planning::Task task;
   planning::TaskPlan plan;
   planning::TimingSettings timing;
@@ -30,10 +30,10 @@ struct FilmedTask {
   std::vector<TaskFrame> frames;  ///< One every FilmBar::kFrameTimeMs.
 };
 
-/// A task in which the hand carries its object in a simulation.
+/// A task in which the hand carries its objects in a simulation.
 struct SimulatedTask {
-  planning::CarryResult result;
-  std::vector<TaskFrame> frames;  ///< They end where the object is lost.
+  planning::CarryResult result;   ///< Of the object that is lost, or that slips most.
+  std::vector<TaskFrame> frames;  ///< They end where an object is lost.
 };
 
 /// Times a planned task, and adds what is shown of it: stages and frames, or the fault of the first
@@ -41,7 +41,10 @@ struct SimulatedTask {
 /// @throws geometric::PreparationStopped if a stop is requested.
 void add_film(FilmedTask& task, const std::stop_token& stop);
 
-/// Simulates how the hand carries the object of a solved task.
+/// Returns the objects that a task picks, each once.
+[[nodiscard]] std::vector<std::string> picked_objects(const planning::Task& task);
+
+/// Simulates how the hand carries the objects of a solved task.
 /// @throws InputError if hand or object can't be simulated.
 [[nodiscard]] SimulatedTask simulate(const FilmedTask& task, planning::MakeHoldTest make_test,
                                      const planning::HoldConditions& conditions,

@@ -2,6 +2,7 @@
 
 #include "features/workbench.h"
 #include "handway/geometric/collision/volumes/preparation.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/setup/placing.h"
 #include "handway/planning/tasks/task_file.h"
@@ -16,13 +17,17 @@
 #include "widgets/style/actions.h"
 
 #include <QAction>
+#include <QMenu>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace handway::gui {
 namespace {
@@ -44,6 +49,56 @@ std::vector<std::string> supports_of(const geometric::Scene& scene,
   std::vector<std::string> names;
   std::ranges::transform(found, std::back_inserter(names), &std::pair<double, std::string>::second);
   return names;
+}
+
+QString title_of(const geometric::Program& program) {
+  return program.name.empty() ? QObject::tr("Program") : QString::fromStdString(program.name);
+}
+
+template <typename Step>
+const Step& as_task_step(const Step& step) {
+  return step;
+}
+planning::MoveStep as_task_step(const geometric::PostureStep& step) { return {{}, step.posture}; }
+
+// The steps of a program: "pick can, place on table, move to start".
+QString words_of(const geometric::Program& program) {
+  QStringList steps;
+  for (const geometric::ProgramStep& step : program.steps) {
+    const planning::TaskStep words =
+        std::visit([](const auto& one) { return planning::TaskStep(as_task_step(one)); }, step);
+    steps << QString::fromStdString(to_string(words));
+  }
+  return steps.join(QStringLiteral(", "));
+}
+
+// Adds a program under a name of its own. A program without a name was the only one: it gets one.
+void add_program(geometric::Program program, std::vector<geometric::Program>& programs) {
+  const auto is_taken = [&](const std::string& name) {
+    return std::ranges::count(programs, name, &geometric::Program::name) > 0;
+  };
+  for (geometric::Program& other : programs) {
+    if (other.name.empty()) {
+      other.name = "program";
+    }
+  }
+  const std::string name = program.name;
+  for (int number = 2; is_taken(program.name); ++number) {
+    program.name = name + " " + std::to_string(number);
+  }
+  programs.push_back(std::move(program));
+}
+
+// Fills a menu with the programs of the scene.
+void list_programs(QMenu& menu, const geometric::Scene* scene, TaskTool& tool) {
+  menu.clear();
+  for (const geometric::Program& program :
+       scene ? scene->programs : std::vector<geometric::Program>()) {
+    QAction* action = menu.addAction(title_of(program), &tool,
+                                     [&tool, name = program.name] { tool.begin_program(name); });
+    action->setToolTip(words_of(program));
+  }
+  menu.setEnabled(!menu.isEmpty());
 }
 
 // Words for the stage in which a simulation lost the object.
@@ -110,6 +165,7 @@ TaskTool::TaskTool(Document& document, SceneEditor& editor, SceneView& view,
     card_->film().end();
     emit run_wanted(source());
   });
+  connect(card_, &TaskCard::keep_wanted, this, &TaskTool::keep_or_remove);
   connect(card_, &TaskCard::closed, this, &TaskTool::end);
   connect(card_, &TaskCard::stop_wanted, this, &TaskTool::stop);
   connect(&simulation_job_, &LatestJob::failed, card_, &TaskCard::show_simulated);
@@ -117,7 +173,7 @@ TaskTool::TaskTool(Document& document, SceneEditor& editor, SceneView& view,
           [this](const QString& reason) { card_->show_failure(reason, {}); });
   connect(&document_, &Document::opened, this, &TaskTool::end);
   connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
-    if (before.scene != document_.scene()) {
+    if (before.scene != document_.scene() && !is_keeping_) {
       end();  // the plan is of another scene
     }
   });
@@ -129,12 +185,72 @@ void TaskTool::begin() {
     return;
   }
   end();
-  object_ = object->name;
   QStringList supports;
   for (const std::string& name : supports_of(*document_.scene(), *object)) {
     supports.push_back(QString::fromStdString(name));
   }
-  card_->ask(QString::fromStdString(object_), supports, 0, plugins_.hold_test_maker() != nullptr);
+  ask(tr("Pick and place %1").arg(QString::fromStdString(object->name)), {object->name}, supports);
+}
+
+void TaskTool::begin_program(const std::string& name) {
+  const std::vector<geometric::Program>& programs = document_.scene()->programs;
+  const auto found = std::ranges::find(programs, name, &geometric::Program::name);
+  if (found == programs.end() || !document_.robot()) {
+    return;
+  }
+  end();
+  try {
+    program_ = *found;
+    const planning::Task task = planning::task_of(*found, *document_.scene());
+    ask(title_of(*found), picked_objects(task), {});
+  } catch (const geometric::InputError& error) {
+    program_.reset();
+    emit failed(title_of(*found), QString::fromUtf8(error.what()));
+  }
+}
+
+void TaskTool::ask(const QString& title, std::vector<std::string> objects,
+                   const QStringList& supports) {
+  objects_ = std::move(objects);
+  card_->ask(title, program_ ? words_of(*program_) : QString(), supports,
+             plugins_.hold_test_maker() != nullptr);
+}
+
+geometric::Program TaskTool::shown_program() const {
+  if (program_) {
+    return *program_;
+  }
+  geometric::Program program{"place " + objects_.front(),
+                             {geometric::PickStep{objects_.front()},
+                              geometric::PlaceStep{card_->support().toStdString()}}};
+  if (card_->returns()) {
+    program.steps.emplace_back(geometric::PostureStep{"start"});
+  }
+  return program;
+}
+
+void TaskTool::keep_or_remove() {
+  geometric::Scene scene = *document_.scene();
+  if (program_) {
+    std::erase_if(scene.programs, [this](const geometric::Program& program) {
+      return program.name == program_->name;
+    });
+    apply(tr("Remove program"), std::move(scene));
+    return;
+  }
+  add_program(shown_program(), scene.programs);
+  is_keeping_ = true;
+  apply(tr("Keep program"), std::move(scene));
+  is_keeping_ = false;
+  task_.made_from = document_.revision();  // nothing else was edited
+  program_ = document_.scene()->programs.back();
+  card_->show_steps(title_of(*program_), words_of(*program_));
+}
+
+void TaskTool::apply(const QString& text, geometric::Scene scene) {
+  planning::SceneState next = editor_.state();
+  next.scene = std::make_shared<const geometric::Scene>(std::move(scene));
+  editor_.apply(text, std::move(next), editor_.selected_objects());
 }
 
 void TaskTool::start() {
@@ -146,14 +262,9 @@ void TaskTool::start() {
     scene.start = document_.configuration();
     state.scene = std::make_shared<const geometric::Scene>(std::move(scene));
   }
-  planning::Task task{planning::PickStep{object_},
-                      planning::PlaceStep{card_->support().toStdString()}};
-  if (card_->returns()) {
-    task.emplace_back(planning::move_to_posture(*state.scene, "start", "task"));
-  }
   FilmedTask begun;
-  begun.object = object_;
-  begun.task = std::move(task);
+  begun.objects = objects_;
+  begun.task = planning::task_of(shown_program(), *state.scene);
   begun.timing.speed = card_->speed();
   job_.run([this, state, begun = std::move(begun), mass = card_->mass(),
             revision = document_.revision()](const std::stop_token& stop) -> LatestJob::Answer {
@@ -235,7 +346,7 @@ void TaskTool::play(const std::vector<TaskFrame>& frames) {
 DerivedSource TaskTool::source() const {
   MotionSource source;
   source.title = tr("Export the task");
-  source.name = QStringLiteral("place_") + QString::fromStdString(object_);
+  source.name = QString::fromStdString(planning::motion_name(shown_program().name));
   source.time = [task = task_.value.task, plan = task_.value.plan](
                     const std::string& name, const planning::TimingOptions& options) {
     return whole_task(time_task(task, plan, name, options));
@@ -253,7 +364,9 @@ void TaskTool::ask_for_export() {
 void TaskTool::show_frame(int index) {
   const TaskFrame& frame = frames_[static_cast<std::size_t>(index)];
   view_.set_configuration(frame.moment.q);
-  view_.preview(object_item(object_), frame.X_WO);
+  for (std::size_t i = 0; i < frame.X_WO.size(); ++i) {
+    view_.preview(object_item(objects_[i]), frame.X_WO[i]);
+  }
   view_.set_overlay(Overlay::kGrasp,
                     frame.forces.empty() ? nullptr : make_forces_node(frame.forces));
   card_->show_played(static_cast<int>(frame.moment.stage));
@@ -263,8 +376,10 @@ void TaskTool::show_scene() {
   card_->show_played(-1);
   view_.set_overlay(Overlay::kGrasp, nullptr);
   const std::shared_ptr<const geometric::Scene> scene = document_.scene();
-  if (const auto* object = scene ? geometric::find_object(*scene, object_) : nullptr) {
-    view_.preview(object_item(object_), object->X_PO);
+  for (const std::string& name : objects_) {
+    if (const auto* object = scene ? geometric::find_object(*scene, name) : nullptr) {
+      view_.preview(object_item(name), object->X_PO);
+    }
   }
   if (document_.robot()) {
     view_.set_configuration(document_.configuration());
@@ -288,6 +403,7 @@ void TaskTool::end() {
   simulation_job_.cancel();
   task_ = {};
   simulation_.reset();
+  program_.reset();
   emit plan_forgotten();
   card_->hide();
 }
@@ -295,11 +411,15 @@ void TaskTool::end() {
 std::vector<QPoint> TaskTool::to_be_seen() const {
   std::vector<Eigen::Vector3d> places;
   const std::shared_ptr<const geometric::Scene> scene = document_.scene();
-  if (const auto* object = scene ? geometric::find_object(*scene, object_) : nullptr) {
-    places.emplace_back(object->X_PO.translation());
+  for (const std::string& name : objects_) {
+    if (const auto* object = scene ? geometric::find_object(*scene, name) : nullptr) {
+      places.emplace_back(object->X_PO.translation());
+    }
   }
   for (const TaskFrame& frame : task_.value.frames) {
-    places.emplace_back(frame.X_WO.translation());
+    for (const geometric::Pose& X_WO : frame.X_WO) {
+      places.emplace_back(X_WO.translation());
+    }
   }
   std::vector<QPoint> seen;
   for (const Eigen::Vector3d& place : places) {
@@ -319,6 +439,17 @@ void add_tasks(Workbench& workbench) {
       QObject::tr("Plan to grasp the object, carry it and place it, and show the motion"));
   workbench.add_to_menu(MainMenu::kPlan, {0, 20}, pick);
   workbench.add_to_menu(MainMenu::kContext, {3, 1}, pick);
+  auto* programs = new QMenu(QObject::tr("Pro&grams"), &workbench.window);
+  programs->setObjectName(QStringLiteral("programs"));
+  programs->setToolTipsVisible(true);
+  workbench.add_to_menu(MainMenu::kPlan, {0, 21}, programs->menuAction());
+  const auto update_programs = [programs, &tool, &workbench] {
+    list_programs(*programs, workbench.document.scene().get(), tool);
+  };
+  QObject::connect(&workbench.document, &Document::opened, programs, update_programs);
+  QObject::connect(&workbench.document, &Document::edited, programs, update_programs);
+  QObject::connect(&tool, &TaskTool::failed, &workbench, &Workbench::show_error);
+  update_programs();
   const auto update_enabled = [pick, &workbench] {
     const geometric::SceneObject* object = workbench.editor.selected_object();
     allow(*pick, !workbench.document.robot() ? QObject::tr("The scene has no robot.")

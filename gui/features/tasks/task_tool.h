@@ -2,6 +2,7 @@
 
 #include "features/tasks/task_card.h"
 #include "features/tasks/task_film.h"
+#include "handway/geometric/scene/program.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/tasks/task.h"
@@ -24,8 +25,9 @@ class SceneEditor;
 class SceneView;
 class Workbench;
 
-/// Plans to pick the selected object and to place it somewhere else, plays the plan, and simulates
-/// whether the hand holds the object. The scene stays as it is.
+/// Plans to pick the selected object and to place it somewhere else, or a program of the scene. It
+/// plays the plan, simulates whether the hand holds the objects, and keeps the steps in the scene.
+/// Objects stay where they are.
 class TaskTool : public QObject {
   Q_OBJECT
 
@@ -36,6 +38,8 @@ class TaskTool : public QObject {
 
   /// Asks where to place the selected object.
   void begin();
+  /// Shows a program of the scene. @param name of one.
+  void begin_program(const std::string& name);
   [[nodiscard]] bool is_busy() const { return job_.is_busy() || simulation_job_.is_busy(); }
   /// Returns the last plan; without stages if there is none.
   [[nodiscard]] const planning::TaskPlan& plan() const { return task_.value.plan; }
@@ -50,10 +54,18 @@ class TaskTool : public QObject {
   void export_wanted(const handway::gui::DerivedSource& source);
   /// The plan is to run on the robot.
   void run_wanted(const handway::gui::DerivedSource& source);
+  /// A program can't be shown. @param message the reason.
+  void failed(const QString& title, const QString& message);
   /// Emitted when there is no plan any more.
   void plan_forgotten();
 
  private:
+  void ask(const QString& title, std::vector<std::string> objects, const QStringList& supports);
+  /// Returns the steps that the card shows.
+  [[nodiscard]] geometric::Program shown_program() const;
+  /// Keeps the steps as a program of the scene, or removes the program that is shown.
+  void keep_or_remove();
+  void apply(const QString& text, geometric::Scene scene);
   void start();
   void take(const planning::Derived<FilmedTask>& task);
   /// Simulates the plan, or shows its simulation again.
@@ -78,15 +90,17 @@ class TaskTool : public QObject {
   SceneView& view_;
   const planning::PluginManager& plugins_;
   TaskCard* card_;
-  std::string object_;
+  std::optional<geometric::Program> program_;  ///< Of the scene; empty: pick and place.
+  std::vector<std::string> objects_;           ///< Those that are picked, each once.
   planning::Derived<FilmedTask> task_;
   std::optional<SimulatedTask> simulation_;
+  bool is_keeping_ = false;        ///< The scene is edited to keep the steps.
   std::vector<TaskFrame> frames_;  ///< The frames that the film bar plays.
   LatestJob job_;
   LatestJob simulation_job_;
 };
 
-/// Adds the command that picks and places the selected object.
+/// Adds the commands that pick and place the selected object, and that show the scene's programs.
 void add_tasks(Workbench& workbench);
 
 }  // namespace handway::gui

@@ -55,6 +55,10 @@ Task read_task(const std::filesystem::path& file, const geometric::Scene& scene)
   return task_of(geometric::program_steps_of(steps, scene), scene, steps.where());
 }
 
+Task task_of(const geometric::Program& program, const geometric::Scene& scene) {
+  return task_of(program.steps, scene, scene.file.string());
+}
+
 Task program_task(const geometric::Scene& scene, const std::string& name) {
   const std::string source = scene.file.string();
   if (scene.programs.empty()) {
@@ -69,7 +73,7 @@ Task program_task(const geometric::Scene& scene, const std::string& name) {
                                  name.empty() ? "no name of a program" : "\"" + name + "\"",
                                  "one of " + program_names(scene), ""});
   }
-  return task_of(found->steps, scene, source);
+  return task_of(*found, scene);
 }
 
 MoveStep move_to_posture(const geometric::Scene& scene, const std::string& name,

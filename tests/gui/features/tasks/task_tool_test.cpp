@@ -16,9 +16,11 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSlider>
 #include <QTreeWidget>
+#include <QUndoStack>
 
 #include <gmock/gmock.h>
 
@@ -132,7 +134,7 @@ TEST_F(PickAndPlaceWithPlugins, SimulatesWhetherTheHandHoldsTheObject) {
   auto& moment = *part<gui::FilmBar>("task_film").findChild<QSlider*>();
   EXPECT_EQ(moment.maximum() + 1, static_cast<int>(simulated.frames.size()));
   const auto lifted = std::ranges::find_if(simulated.frames, [](const gui::TaskFrame& frame) {
-    return frame.X_WO.translation().z() > 0.78;  // m; the table's top is at 0.74
+    return frame.X_WO.at(0).translation().z() > 0.78;  // m; the table's top is at 0.74
   });
   ASSERT_NE(lifted, simulated.frames.end());
   EXPECT_GE(lifted->forces.size(), 2U);
@@ -142,6 +144,34 @@ TEST_F(PickAndPlaceWithPlugins, SimulatesWhetherTheHandHoldsTheObject) {
   click("task_play");
   EXPECT_FALSE(moment.isEnabled());
   EXPECT_EQ(editor().state(), before) << "only shown";
+}
+
+TEST_F(PickAndPlace, KeepsTheStepsAsAProgramOfTheScene) {
+  plan();
+  click("task_keep");
+  ASSERT_EQ(scene().programs.size(), 2U);
+  EXPECT_EQ(scene().programs[0].name, "program") << "it had none";
+  EXPECT_EQ(scene().programs[1].name, "place can");
+  EXPECT_EQ(scene().programs[1].steps.size(), 3U);
+  EXPECT_TRUE(tool<gui::TaskTool>().plan().solved) << "the plan is kept, too";
+  EXPECT_FALSE(part<QComboBox>("task_support").isVisible());
+  EXPECT_EQ(part<QPushButton>("task_keep").text(), "Remove");
+  click("task_keep");
+  ASSERT_EQ(scene().programs.size(), 1U);
+  EXPECT_FALSE(part<QPushButton>("task_plan").isVisible());
+  editor().undo_stack().undo();
+  editor().undo_stack().undo();
+  EXPECT_EQ(scene().programs.at(0).name, "");
+}
+
+TEST_F(PickAndPlace, PlansAProgramOfTheScene) {
+  part<QMenu>("programs").actions().at(0)->trigger();
+  EXPECT_FALSE(part<QComboBox>("task_support").isVisible());
+  EXPECT_EQ(part<QLabel>("task_note").text().toStdString(),
+            "Steps: pick can, place on table, move to start");
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
+  keep_picture("program_of_the_scene");
 }
 
 /// A plan that runs on an emulated arm and hand, from the card to the panel Devices.

@@ -20,6 +20,11 @@ inline constexpr int kTaskVersion = 1;
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Task read_task(const std::filesystem::path& file,
                                                      const geometric::Scene& scene);
 
+/// Returns the steps of a program of the scene as a task.
+/// @throws InputError for a posture that scene and robot lack, naming those that there are.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Task task_of(const geometric::Program& program,
+                                                   const geometric::Scene& scene);
+
 /// Returns the program of the scene called `name`, or its only one if `name` is empty.
 /// @throws InputError naming the programs that there are.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Task program_task(const geometric::Scene& scene,
