@@ -31,6 +31,9 @@ void add_cloud_command(CLI::App& app, int& exit_code);
 /// Adds `handway compare`.
 void add_compare_command(CLI::App& app, int& exit_code);
 
+/// Adds `handway dataset`.
+void add_dataset_command(CLI::App& app, int& exit_code);
+
 /// Adds `handway edit` and its commands, one for each kind of edit.
 void add_edit_command(CLI::App& app, int& exit_code);
 

@@ -77,6 +77,7 @@ int run(int argc, char** argv) {
   add_grasp_command(app, exit_code);
   add_task_command(app, exit_code);
   add_simulate_command(app, exit_code);
+  add_dataset_command(app, exit_code);
   add_info_command(app, exit_code);
   add_setup_command(app, exit_code);
   add_pca_command(app, exit_code);

@@ -102,20 +102,32 @@ void add_task_request(CLI::App& command, TaskRequest& request) {
   add_group_option(command, request.group);
 }
 
+LoadedTask load_requested(TaskRequest& request, const planning::PluginManager& plugins) {
+  const geometric::FilesRead notes;
+  LoadedTask loaded{planning::load_scene(request.scene, plugins), {}, {}};
+  choose_basis(request.settings, loaded.state);
+  set_group(request.group, loaded.state);
+  print_warnings(*loaded.state.scene);
+  loaded.task = task_of(request, *loaded.state.scene);
+  loaded.files = see_files(notes.files());
+  return loaded;
+}
+
+std::unique_ptr<planning::Planner> planner_of(const TaskRequest& request,
+                                              const planning::SceneState& state,
+                                              const planning::PluginManager& plugins) {
+  std::unique_ptr<planning::Planner> planner =
+      scene_planner(request.planner, state.scene->planner, plugins.planners());
+  apply_settings(*planner, request.settings);
+  return planner;
+}
+
 RequestedTask plan_requested(TaskRequest& request, const planning::PluginManager& plugins,
                              const std::stop_token& stop) {
-  const geometric::FilesRead notes;
-  planning::SceneState loaded = planning::load_scene(request.scene, plugins);
-  choose_basis(request.settings, loaded);
-  set_group(request.group, loaded);
-  print_warnings(*loaded.scene);
-  planning::Task task = task_of(request, *loaded.scene);
-  std::vector<SeenFile> files = see_files(notes.files());
-  const std::unique_ptr<planning::Planner> planner =
-      scene_planner(request.planner, loaded.scene->planner, plugins.planners());
-  apply_settings(*planner, request.settings);
-  planning::TaskPlan plan = plan_task(loaded, task, *planner, request.options, stop);
-  return {std::move(task), std::move(plan), std::move(files)};
+  LoadedTask loaded = load_requested(request, plugins);
+  const auto planner = planner_of(request, loaded.state, plugins);
+  planning::TaskPlan plan = plan_task(loaded.state, loaded.task, *planner, request.options, stop);
+  return {std::move(loaded.task), std::move(plan), std::move(loaded.files)};
 }
 
 int print_failure(const planning::Task& task, const planning::TaskPlan& plan) {

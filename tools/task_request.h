@@ -5,6 +5,7 @@
 #include "scene_file_watch.h"
 
 #include <filesystem>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -29,6 +30,13 @@ struct TaskRequest {
   planning::TaskOptions options;
 };
 
+/// A task of a scene.
+struct LoadedTask {
+  planning::SceneState state;
+  planning::Task task;
+  std::vector<SeenFile> files;  ///< Files of the scene, as they were read.
+};
+
 /// A planned task.
 struct RequestedTask {
   planning::Task task;
@@ -38,6 +46,16 @@ struct RequestedTask {
 
 /// Adds the scene and the options of a task.
 void add_task_request(CLI::App& command, TaskRequest& request);
+
+/// Reads the scene and prints its warnings.
+/// @throws InputError for invalid files and steps, CLI::Error if nothing says what the task is.
+[[nodiscard]] LoadedTask load_requested(TaskRequest& request,
+                                        const planning::PluginManager& plugins);
+
+/// Returns the planner of the motions that are not straight.
+[[nodiscard]] std::unique_ptr<planning::Planner> planner_of(const TaskRequest& request,
+                                                            const planning::SceneState& state,
+                                                            const planning::PluginManager& plugins);
 
 /// Reads the scene, prints its warnings and plans the task.
 /// @param stop ends the search.

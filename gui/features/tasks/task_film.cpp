@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <map>
 #include <utility>
-#include <variant>
 
 namespace handway::gui {
 namespace {
@@ -69,17 +68,6 @@ void add_film(FilmedTask& task, const std::stop_token& stop) {
       task.frames.push_back(std::move(frame));
     }
   }
-}
-
-std::vector<std::string> picked_objects(const planning::Task& task) {
-  std::vector<std::string> objects;
-  for (const planning::TaskStep& step : task) {
-    const auto* pick = std::get_if<planning::PickStep>(&step);
-    if (pick && std::ranges::count(objects, pick->object) == 0) {
-      objects.push_back(pick->object);
-    }
-  }
-  return objects;
 }
 
 SimulatedTask simulate(const FilmedTask& task, planning::MakeHoldTest make_test,

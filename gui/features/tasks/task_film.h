@@ -41,9 +41,6 @@ struct SimulatedTask {
 /// @throws geometric::PreparationStopped if a stop is requested.
 void add_film(FilmedTask& task, const std::stop_token& stop);
 
-/// Returns the objects that a task picks, each once.
-[[nodiscard]] std::vector<std::string> picked_objects(const planning::Task& task);
-
 /// Simulates how the hand carries the objects of a solved task.
 /// @throws InputError if hand or object can't be simulated.
 [[nodiscard]] SimulatedTask simulate(const FilmedTask& task, planning::MakeHoldTest make_test,

@@ -4,7 +4,7 @@
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
-#include "handway/geometric/setup/placing.h"
+#include "handway/planning/tasks/resting_places.h"
 #include "handway/planning/tasks/task_file.h"
 #include "handway/planning/tasks/timed_task.h"
 #include "model/document/document.h"
@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,25 +30,6 @@
 
 namespace handway::gui {
 namespace {
-
-// The objects that another one can be placed on, the one below it first.
-std::vector<std::string> supports_of(const geometric::Scene& scene,
-                                     const geometric::SceneObject& object) {
-  std::vector<std::pair<double, std::string>> found;
-  for (const geometric::SceneObject& other : scene.objects) {
-    if (other.name == object.name || other.attachment) {
-      continue;
-    }
-    geometric::Scene alone;
-    alone.objects = {other};
-    const auto gap = geometric::gap_to_support(alone, object);
-    found.emplace_back(gap ? std::abs(*gap) : std::numeric_limits<double>::infinity(), other.name);
-  }
-  std::ranges::stable_sort(found, {}, &std::pair<double, std::string>::first);
-  std::vector<std::string> names;
-  std::ranges::transform(found, std::back_inserter(names), &std::pair<double, std::string>::second);
-  return names;
-}
 
 QString title_of(const geometric::Program& program) {
   return program.name.empty() ? QObject::tr("Program") : QString::fromStdString(program.name);
@@ -186,7 +166,7 @@ void TaskTool::begin() {
   }
   end();
   QStringList supports;
-  for (const std::string& name : supports_of(*document_.scene(), *object)) {
+  for (const std::string& name : planning::supports_of(*document_.scene(), *object)) {
     supports.push_back(QString::fromStdString(name));
   }
   ask(tr("Pick and place %1").arg(QString::fromStdString(object->name)), {object->name}, supports);

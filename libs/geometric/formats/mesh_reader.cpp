@@ -14,7 +14,6 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <mutex>
@@ -124,8 +123,9 @@ void take_bytes(std::string_view& bytes, Value* values, std::size_t count) {
   if (bytes.size() / sizeof(Value) < count) {
     throw std::length_error("fewer bytes than they say");
   }
-  std::memcpy(static_cast<void*>(values), bytes.data(), count * sizeof(Value));
-  bytes.remove_prefix(count * sizeof(Value));
+  const std::string_view taken = bytes.substr(0, count * sizeof(Value));
+  std::ranges::copy(taken, reinterpret_cast<char*>(values));
+  bytes.remove_prefix(taken.size());
 }
 
 std::string to_bytes(const ReadMesh& mesh) {

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -149,6 +151,24 @@ std::vector<Pose> resting_places(const geometric::Scene& scene,
     }
   }
   return places;
+}
+
+std::vector<std::string> supports_of(const geometric::Scene& scene,
+                                     const geometric::SceneObject& object) {
+  std::vector<std::pair<double, std::string>> found;
+  for (const geometric::SceneObject& other : scene.objects) {
+    if (other.name == object.name || other.attachment) {
+      continue;
+    }
+    geometric::Scene alone;
+    alone.objects = {other};
+    const auto gap = geometric::gap_to_support(alone, object);
+    found.emplace_back(gap ? std::abs(*gap) : std::numeric_limits<double>::infinity(), other.name);
+  }
+  std::ranges::stable_sort(found, {}, &std::pair<double, std::string>::first);
+  std::vector<std::string> names;
+  std::ranges::transform(found, std::back_inserter(names), &std::pair<double, std::string>::second);
+  return names;
 }
 
 }  // namespace handway::planning

@@ -209,6 +209,17 @@ const char* to_string(StageKind kind) {
   return "";
 }
 
+std::vector<std::string> picked_objects(const Task& task) {
+  std::vector<std::string> objects;
+  for (const TaskStep& step : task) {
+    const auto* pick = std::get_if<PickStep>(&step);
+    if (pick && std::ranges::count(objects, pick->object) == 0) {
+      objects.push_back(pick->object);
+    }
+  }
+  return objects;
+}
+
 std::string to_string(const TaskStep& step) {
   if (const auto* pick = std::get_if<PickStep>(&step)) {
     return "pick " + pick->object;

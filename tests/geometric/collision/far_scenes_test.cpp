@@ -114,8 +114,8 @@ class FarScene : public testing::TestWithParam<double> {
         }
       }
     }
-    EXPECT_GT(touching, 10);
-    EXPECT_GT(close, 10);
+    EXPECT_GT(touching, test::scaled(10));
+    EXPECT_GT(close, test::scaled(10));
   }
 
   // Edges that are free here and there, by their clearance.

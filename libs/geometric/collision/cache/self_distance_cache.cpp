@@ -170,7 +170,7 @@ void SelfDistanceCache::recall() {
   for (const auto& table : tables_) {
     count += table ? table->cell_count() : 0;
   }
-  if (!cached || cached->size() != count * sizeof(float)) {
+  if (!cached || count == 0 || cached->size() != count * sizeof(float)) {
     return;
   }
   keeps_ = true;

@@ -23,4 +23,9 @@ namespace handway::planning {
     const geometric::Scene& scene, const geometric::SceneObject& object, const std::string& support,
     int count, std::uint64_t seed);
 
+/// Returns the objects that another one can be placed on: those that stand in the world. The one
+/// that it stands on comes first, those that it is not above come last.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> supports_of(
+    const geometric::Scene& scene, const geometric::SceneObject& object);
+
 }  // namespace handway::planning

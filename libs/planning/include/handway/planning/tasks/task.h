@@ -130,6 +130,9 @@ struct TaskPlan {
                                                            const std::string& name,
                                                            const TimingOptions& options = {});
 
+/// Returns the names of the objects that a task picks, each once, in their order.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> picked_objects(const Task& task);
+
 /// Words for a step: "pick can", "place on shelf", "move to home".
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_string(const TaskStep& step);
 

@@ -1,0 +1,79 @@
+/// `handway dataset`: what it writes, and how it is continued.
+#include "command_line.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace handway::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class DatasetCommand : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome make(const std::string& options) const {
+    return line_.run("dataset " + (source_dir() / "scenes" / "can_on_table.yaml").string() +
+                     " --pick can --place-on table --spread-mm 60 --out set " + options);
+  }
+  [[nodiscard]] std::vector<nlohmann::json> episodes() const {
+    std::vector<nlohmann::json> entries;
+    for (const std::string& line : lines_of(line_.read("set/episodes.jsonl"))) {
+      entries.push_back(nlohmann::json::parse(line));
+    }
+    return entries;
+  }
+
+  CommandLine line_;
+};
+
+TEST_F(DatasetCommand, MakesMotionsFromRandomPlaces) {
+  const Outcome made = make("--episodes 2");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("2 episodes, 2 with a motion"));
+  for (const nlohmann::json& episode : episodes()) {
+    EXPECT_EQ(episode["stages"].size(), 8U);
+    EXPECT_EQ(episode["stages"][3]["carried"], "can");
+    const Outcome info = line_.run("recording info set/" + episode["file"].get<std::string>());
+    EXPECT_EQ(info.exit_code, 0) << info.err;
+    EXPECT_THAT(info.out, AllOf(HasSubstr("joint_1"), HasSubstr("palm.qw"), HasSubstr("can.x"),
+                                HasSubstr("stage")));
+  }
+  EXPECT_NE(line_.read("set/episode_000000.npz"), line_.read("set/episode_000001.npz"));
+  EXPECT_THAT(line_.read("set/README.md"),
+              AllOf(HasSubstr("with a motion | 2 (100.0 %)"), HasSubstr("certified")));
+}
+
+TEST_F(DatasetCommand, ContinuesWithWhatIsThere) {
+  ASSERT_EQ(make("--episodes 1 --jobs 1").exit_code, 0);
+  const std::string first = line_.read("set/episode_000000.npz");
+  line_.write("set/episodes.jsonl", line_.read("set/episodes.jsonl") + "{\"episode\": 1, \"sol");
+  const Outcome refused = make("--episodes 2");
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("--resume"));
+  ASSERT_EQ(make("--episodes 2 --resume").exit_code, 0);
+  EXPECT_EQ(episodes().size(), 2U);
+  EXPECT_EQ(line_.read("set/episode_000000.npz"), first);
+  const Outcome other = make("--episodes 2 --resume --friction 0.5");
+  EXPECT_EQ(other.exit_code, 3);
+  EXPECT_THAT(other.err, HasSubstr("of other settings"));
+}
+
+TEST_F(DatasetCommand, SaysWhyEpisodesHaveNoMotion) {
+  const Outcome made = make("--episodes 1 --place-at 9,9,9,0,0,0");
+  EXPECT_NE(made.exit_code, 0) << "excluded by --place-on";
+  const Outcome far =
+      line_.run("dataset " + (source_dir() / "scenes" / "can_on_table.yaml").string() +
+                " --pick can --place-at 9,9,9,0,0,0 --episodes 1 --out far");
+  EXPECT_EQ(far.exit_code, 1);
+  EXPECT_THAT(line_.read("far/README.md"), HasSubstr("Episodes without a motion"));
+}
+
+}  // namespace
+}  // namespace handway::test
