@@ -40,7 +40,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kListName = "episodes.jsonl";
 constexpr const char* kSettingsName = "dataset.json";
-constexpr std::chrono::seconds kProgressPeriod(5);
+constexpr std::chrono::seconds kReportPeriod(5);
 
 struct DatasetCommand {
   TaskRequest request;
@@ -57,7 +57,7 @@ std::string file_of(const DatasetCommand& command, int episode) {
   return fmt::format("episode_{:06}.{}", episode, command.format);
 }
 
-// What the episodes depend on: a data set is only continued with the same.
+// All that episodes depend on: a data set is only continued with the same.
 Json settings_of(DatasetCommand& command, const LoadedTask& loaded) {
   Json steps = Json::array();
   for (const planning::TaskStep& step : loaded.task) {
@@ -119,13 +119,16 @@ Json entry_of(const Episode& episode, int index, const DatasetCommand& command) 
 }
 
 // The episodes that a folder has, by number. A last line that a killed program has left incomplete
-// does not count.
+// does not count, nor does an episode whose file is gone.
 std::map<int, Json> read_entries(const fs::path& folder) {
   std::map<int, Json> entries;
   std::ifstream list(folder / kListName);
   for (std::string line; std::getline(list, line);) {
     const Json entry = Json::parse(line, nullptr, false);
-    if (entry.is_object() && entry.contains("episode") && entry["episode"].is_number_integer()) {
+    const bool is_entry =
+        entry.is_object() && entry.contains("episode") && entry["episode"].is_number_integer();
+    if (is_entry &&
+        (!entry.value("solved", false) || fs::exists(folder / entry.value("file", "none")))) {
       entries[entry["episode"].get<int>()] = entry;
     }
   }
@@ -140,7 +143,7 @@ std::string text_of(const std::map<int, Json>& entries) {
   return text;
 }
 
-// What others have to know of the data set, from its list.
+// The text that others need to use the data set, from its list.
 std::string data_card(const Json& settings, const std::map<int, Json>& entries) {
   int solved = 0;
   double duration = 0.0;
@@ -299,7 +302,7 @@ class EpisodeWork {
     const std::scoped_lock lock(mutex_);
     folder_.add(index, entry_of(episode, index, command_));
     if (const auto now = std::chrono::steady_clock::now(); now >= report_) {
-      report_ = now + kProgressPeriod;
+      report_ = now + kReportPeriod;
       print_line(fmt::format("{} of {} episodes", folder_.entries().size(), command_.episodes));
     }
   }
@@ -314,8 +317,7 @@ class EpisodeWork {
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // guards the folder and what follows
   std::exception_ptr error_;
-  std::chrono::steady_clock::time_point report_ =
-      std::chrono::steady_clock::now() + kProgressPeriod;
+  std::chrono::steady_clock::time_point report_ = std::chrono::steady_clock::now() + kReportPeriod;
 };
 
 int make_dataset(DatasetCommand& command) {

@@ -11,7 +11,7 @@
 
 namespace handway::tools {
 
-/// How the scenes of a data set differ from the given one.
+/// Differences of the scenes of a data set from the given one.
 struct SceneVariation {
   double spread = 0.15;  ///< m: distance up to which an object is moved from its place.
 };

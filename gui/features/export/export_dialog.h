@@ -128,7 +128,7 @@ class ExportDialog : public QDialog {
   QLineEdit* folder_;
   QPushButton* export_button_;
   QLabel* problem_text_;
-  QListWidget* written_;  ///< What was exported, the latest first.
+  QListWidget* written_;  ///< Exports so far, the latest first.
   QPushButton* open_folder_;
 };
 

@@ -22,7 +22,7 @@ struct TaskFrame {
 
 /// A planned task, with all that is shown of it.
 struct FilmedTask {
-  std::vector<std::string> objects;  ///< Those that are picked, each once.
+  std::vector<std::string> objects;  ///< Picked objects, each once.
   planning::Task task;
   planning::TaskPlan plan;
   planning::TimingSettings timing;
@@ -32,7 +32,7 @@ struct FilmedTask {
 
 /// A task in which the hand carries its objects in a simulation.
 struct SimulatedTask {
-  planning::CarryResult result;   ///< Of the object that is lost, or that slips most.
+  planning::CarryResult result;   ///< Result of the object that is lost, or that slips most.
   std::vector<TaskFrame> frames;  ///< They end where an object is lost.
 };
 

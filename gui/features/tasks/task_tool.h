@@ -90,8 +90,8 @@ class TaskTool : public QObject {
   SceneView& view_;
   const planning::PluginManager& plugins_;
   TaskCard* card_;
-  std::optional<geometric::Program> program_;  ///< Of the scene; empty: pick and place.
-  std::vector<std::string> objects_;           ///< Those that are picked, each once.
+  std::optional<geometric::Program> program_;  ///< Program of the scene; empty: pick and place.
+  std::vector<std::string> objects_;           ///< Picked objects, each once.
   planning::Derived<FilmedTask> task_;
   std::optional<SimulatedTask> simulation_;
   bool is_keeping_ = false;        ///< The scene is edited to keep the steps.
