@@ -264,6 +264,7 @@ class EpisodeWork {
   void run() {
     {
       std::vector<std::jthread> threads;
+      threads.reserve(static_cast<std::size_t>(command_.jobs));
       for (int i = 0; i < command_.jobs; ++i) {
         threads.emplace_back([this] { work(); });
       }

@@ -86,15 +86,18 @@ Episode make_episode(const LoadedTask& loaded, const TaskRequest& request,
                      const planning::PluginManager& plugins, const planning::TimingOptions& timing,
                      const SceneVariation& variation, std::uint64_t seed,
                      const std::stop_token& stop) {
-  Episode episode{seed,
-                  with_random_places(loaded.state, picked_objects(loaded.task), variation, seed),
-                  {},
-                  {},
-                  {}};
+  constexpr std::uint64_t kTries = 8;  // until no object is in the way of the robot's start
+  Episode episode;
+  episode.seed = seed;
   planning::TaskOptions options = request.options;
   options.seed = seed;
   const auto planner = planner_of(request, loaded.state, plugins);
-  episode.plan = plan_task(episode.state, loaded.task, *planner, options, stop);
+  const sampling::RandomStream places(seed);
+  for (std::uint64_t i = 0; i < kTries && (i == 0 || !episode.plan.start_is_valid); ++i) {
+    episode.state = with_random_places(loaded.state, picked_objects(loaded.task), variation,
+                                       places.fork(i).below(1ULL << 62));
+    episode.plan = plan_task(episode.state, loaded.task, *planner, options, stop);
+  }
   if (!episode.plan.solved) {
     episode.reason = episode.plan.reason;
     return episode;

@@ -281,7 +281,7 @@ void DeviceSession::time_again() {
   }
 }
 
-void DeviceSession::time_task(planning::TimingOptions options) {
+void DeviceSession::time_task(const planning::TimingOptions& options) {
   if (measured_.size() > 0) {
     const Offset from_start = offset(measured_, *task_->value.scenes.front().scene->start);
     if (from_start.angle > options.start_tolerance) {
@@ -294,7 +294,7 @@ void DeviceSession::time_task(planning::TimingOptions options) {
   timing_.start(*task_, "task", options);
 }
 
-void DeviceSession::time_path(planning::TimingOptions options) {
+void DeviceSession::time_path(const planning::TimingOptions& options) {
   planning::Path path = player_.timeline().path();
   timed_path_ = path;
   if (measured_.size() > 0) {

@@ -112,8 +112,8 @@ class DeviceSession : public QObject {
  private:
   void connect_devices();
   void time_again();
-  void time_path(planning::TimingOptions options);
-  void time_task(planning::TimingOptions options);
+  void time_path(const planning::TimingOptions& options);
+  void time_task(const planning::TimingOptions& options);
   void run();
   void on_state_changed(MotionDriver::State state);
   void show_stop(bool active);
