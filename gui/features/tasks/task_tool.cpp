@@ -419,7 +419,7 @@ void add_tasks(Workbench& workbench) {
       QObject::tr("Plan to grasp the object, carry it and place it, and show the motion"));
   workbench.add_to_menu(MainMenu::kPlan, {0, 20}, pick);
   workbench.add_to_menu(MainMenu::kContext, {3, 1}, pick);
-  auto* programs = new QMenu(QObject::tr("Pro&grams"), &workbench.window);
+  auto* programs = new QMenu(QObject::tr("Progra&ms"), &workbench.window);
   programs->setObjectName(QStringLiteral("programs"));
   programs->setToolTipsVisible(true);
   workbench.add_to_menu(MainMenu::kPlan, {0, 21}, programs->menuAction());
