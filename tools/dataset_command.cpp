@@ -6,6 +6,7 @@
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/timing/timing_settings.h"
+#include "handway/report/document/escaping.h"
 #include "motion_sending.h"
 #include "parameter_options.h"
 #include "printing.h"
@@ -102,11 +103,8 @@ Json entry_of(const Episode& episode, int index, const DatasetCommand& command) 
   entry["file"] = file_of(command, index);
   entry["duration_s"] = motion.trajectory.duration();
   entry["frames"] = motion.trajectory.points.size();
-  double clearance = planning::kFarClearance;
-  for (const planning::TimedPath& stage : episode.timed.stages) {
-    clearance = std::min(clearance, stage.preflight.min_clearance);
-  }
-  entry["min_clearance_mm"] = geometric::millimetres(clearance);
+  entry["min_clearance_mm"] =
+      geometric::millimetres(whole_task(episode.timed).preflight.min_clearance);
   Json stages = Json::array();
   for (std::size_t i = 0; i < motion.stages.size(); ++i) {
     stages.push_back({{"stage", motion.stages[i].name},
@@ -160,14 +158,15 @@ std::string data_card(const Json& settings, const std::map<int, Json>& entries) 
   }
   std::string steps;
   for (const Json& step : settings["steps"]) {
-    steps += (steps.empty() ? "" : ", ") + step.get<std::string>();
+    steps += (steps.empty() ? "" : ", ") + report::markdown_escaped(step.get<std::string>());
   }
   std::string card = fmt::format(
       "# Motions of {} in \"{}\"\n\n"
       "Made by `handway dataset`, version {}. Task: {}.\n\n"
       "| | |\n|---|---|\n| episodes | {} |\n| with a motion | {} ({:.1f} %) |\n"
       "| frames | {} |\n| duration of all motions | {:.1f} s |\n\n",
-      settings["robot"].get<std::string>(), settings["scene"].get<std::string>(), kVersion, steps,
+      report::markdown_escaped(settings["robot"].get<std::string>()),
+      report::markdown_escaped(settings["scene"].get<std::string>()), kVersion, steps,
       entries.size(), solved,
       entries.empty() ? 0.0 : 100.0 * solved / static_cast<double>(entries.size()), frames,
       duration);
@@ -182,7 +181,7 @@ std::string data_card(const Json& settings, const std::map<int, Json>& entries) 
   if (!reasons.empty()) {
     card += "\n| Episodes without a motion | |\n|---|---|\n";
     for (const auto& [reason, count] : reasons) {
-      card += fmt::format("| {} | {} |\n", reason, count);
+      card += fmt::format("| {} | {} |\n", report::markdown_escaped(reason), count);
     }
   }
   return card;

@@ -23,14 +23,6 @@ using execution::MotionTarget;
 
 constexpr double kProgressPeriod = 0.5;  // s
 
-double duration_of(std::span<const MotionPart> parts) {
-  double sum = 0.0;
-  for (const MotionPart& part : parts) {
-    sum += part.trajectory.duration();
-  }
-  return sum;
-}
-
 std::size_t points_of(const std::vector<MotionPart>& parts) {
   std::size_t sum = 0;
   for (const MotionPart& part : parts) {
@@ -55,7 +47,7 @@ class SendObserver final : public execution::MotionObserver {
     log_.add(sample.time, sample.target, sample.planned, sample.measured);
   }
   void on_part(std::size_t part) override {
-    part_begin_ = duration_of({parts_.data(), part});
+    part_begin_ = duration_of(std::span(parts_).first(part));
     if (!parts_[part].name.empty()) {
       print_out("{} of {}: {}\n", part + 1, parts_.size(), parts_[part].name);
       std::fflush(stdout);

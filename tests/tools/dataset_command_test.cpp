@@ -65,6 +65,17 @@ TEST_F(DatasetCommand, ContinuesWithWhatIsThere) {
   EXPECT_THAT(other.err, HasSubstr("of other settings"));
 }
 
+TEST_F(DatasetCommand, QuotesNamesOfTheScene) {
+  const std::string shipped = (source_dir() / "scenes" / "can_on_table.yaml").string();
+  std::string text = line_.read(shipped);
+  const std::string name = "Can on a table";
+  line_.write("scene.yaml", text.replace(text.find(name), name.size(), "<script>a</script>"));
+  EXPECT_EQ(line_.run("dataset scene.yaml --pick can --place-at 9,9,9,0,0,0 --episodes 1 --out set")
+                .exit_code,
+            1);
+  EXPECT_THAT(line_.read("set/README.md"), testing::Not(HasSubstr("<script>")));
+}
+
 TEST_F(DatasetCommand, SaysWhyEpisodesHaveNoMotion) {
   const Outcome made = make("--episodes 1 --place-at 9,9,9,0,0,0");
   EXPECT_NE(made.exit_code, 0) << "excluded by --place-on";

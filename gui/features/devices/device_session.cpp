@@ -502,10 +502,6 @@ planning::SceneState with_objects_of(const planning::SceneState& after,
   return next;
 }
 
-}  // namespace
-
-namespace {
-
 // The name of the program, in whose place the button is shown: the menus stay where they are.
 QWidget* corner_of(QPushButton* stop) {
   auto* corner = new QWidget;

@@ -27,14 +27,6 @@ execution::SceneWatch::ProblemSource source_of(std::shared_ptr<const PreparedPro
   return [scene = std::move(scene)](const std::stop_token& stop) { return scene->wait(stop); };
 }
 
-double duration_of(const std::vector<execution::MotionPart>& parts) {
-  double sum = 0.0;
-  for (const execution::MotionPart& part : parts) {
-    sum += part.trajectory.duration();
-  }
-  return sum;
-}
-
 double farthest(const std::vector<execution::FollowingError>& errors) {
   double error = 0.0;
   for (const execution::FollowingError& device : errors) {

@@ -203,6 +203,14 @@ std::vector<MotionPart> parts_of(const Motion& motion,
   return parts;
 }
 
+double duration_of(std::span<const MotionPart> parts) {
+  double sum = 0.0;
+  for (const MotionPart& part : parts) {
+    sum += part.trajectory.duration();
+  }
+  return sum;
+}
+
 MotionOutcome run_parts(std::vector<MotionTarget>& targets, const std::vector<MotionPart>& parts,
                         const device::MotionTolerances& tolerances, MotionRequests& requests,
                         MotionObserver& observer) {

@@ -7,6 +7,7 @@
 #include "handway/planning/timing/time_path.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct MotionPart {
 /// @param motion of planning::time_task(). @param scenes those of its stages, shape [stages].
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT std::vector<MotionPart> parts_of(
     const planning::Motion& motion, const std::vector<planning::SceneState>& scenes);
+
+/// Returns the sum of the durations of parts, s.
+[[nodiscard]] HANDWAY_EXECUTION_EXPORT double duration_of(std::span<const MotionPart> parts);
 
 /// Runs the parts of a motion one after another, as run_motion(). Times of the outcome and of the
 /// observer are from the begin of the first part. A hold that is requested between two parts lasts
