@@ -2,6 +2,8 @@
 
 #include "collision/volumes/solid.h"
 #include "handway/geometric/io/input_error.h"
+#include "math/pose_columns.h"
+#include "math/vector_units.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -346,17 +348,30 @@ void CollisionWorld::place(const Configuration& q, std::vector<Pose>& X_BL,
   place_moving(q, X_BL, X_WBody);
 }
 
+namespace {
+
+// Sets the poses of the moving bodies from those of their links.
+HANDWAY_VECTOR_UNITS void place_on_links(std::span<const CollisionBody> bodies,
+                                         std::span<const int> moving, const Pose& X_WB,
+                                         std::span<const Pose> X_BL, std::span<Pose> X_WBody) {
+  const PoseColumns base(X_WB);
+  for (const int index : moving) {
+    const CollisionBody& body = bodies[static_cast<std::size_t>(index)];
+    PoseColumns X = base;
+    X.multiply(X_BL[static_cast<std::size_t>(body.link)]);
+    if (body.is_carried || !body.centre.isZero(0.0)) {
+      X.multiply(body.X_FB);
+    }
+    X.store(X_WBody[static_cast<std::size_t>(index)]);
+  }
+}
+
+}  // namespace
+
 void CollisionWorld::place_moving(const Configuration& q, std::vector<Pose>& X_BL,
                                   std::vector<Pose>& X_WBody) const {
   model_->forward_kinematics(q, X_BL);
-  for (const int index : moving_) {
-    const CollisionBody& moving = body(index);
-    Pose& X_W = X_WBody[static_cast<std::size_t>(index)];
-    X_W = X_WB_ * X_BL[static_cast<std::size_t>(moving.link)];
-    if (moving.is_carried || !moving.centre.isZero(0.0)) {
-      X_W = X_W * moving.X_FB;
-    }
-  }
+  place_on_links(bodies_, moving_, X_WB_, X_BL, X_WBody);
 }
 
 }  // namespace handway::geometric

@@ -1,6 +1,7 @@
 #include "collision/broad_phase/broad_phase.h"
 
-#include "collision/volumes/vector_units.h"
+#include "math/pose_columns.h"
+#include "math/vector_units.h"
 
 #include <algorithm>
 #include <array>
@@ -102,15 +103,6 @@ constexpr std::size_t kMany = 600;
 
 std::size_t full_lanes(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
-void append_found(const std::uint32_t* near, std::span<const int> pairs_of_lanes,
-                  std::vector<int>& pairs) {
-  for (std::size_t first = 0; first < pairs_of_lanes.size(); first += kLanes) {
-    for (std::uint32_t bits = near[first / kLanes]; bits != 0; bits &= bits - 1) {
-      pairs.push_back(pairs_of_lanes[first + static_cast<std::size_t>(std::countr_zero(bits))]);
-    }
-  }
-}
-
 // Returns the column of each body, counted among the moving or among the fixed ones.
 std::vector<std::size_t> columns(const CollisionWorld& world) {
   std::array<std::size_t, 2> count{};
@@ -140,44 +132,53 @@ std::size_t count_still(const CollisionWorld& world) {
 }  // namespace
 
 BroadPhase::Table::Table(std::size_t row_count, std::size_t column_count)
-    : rows(row_count),
-      width(full_lanes(column_count)),
-      radii(rows * width, kNoPair),
-      pairs(rows * width, -1) {}
+    : width(full_lanes(column_count)),
+      radii(row_count * width, kNoPair),
+      pairs(row_count * width, -1) {}
 
 void BroadPhase::Table::add(int pair, Cell cell, float radius) {
   radii[cell.row * width + cell.column] = radius;
   pairs[cell.row * width + cell.column] = pair;
 }
 
-std::size_t BroadPhase::Table::blocks() const { return width / kLanes; }
+void BroadPhase::Table::list_blocks() {
+  for (std::size_t first = 0; first < pairs.size(); first += kLanes) {
+    const auto begin = pairs.begin() + static_cast<std::ptrdiff_t>(first);
+    if (std::any_of(begin, begin + kLanes, [](int pair) { return pair >= 0; })) {
+      blocks.push_back({first / width, first % width});
+    }
+  }
+}
+
+void BroadPhase::Table::append_found(const std::uint32_t* near, std::vector<int>& found) const {
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (std::uint32_t bits = near[b]; bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+      found.push_back(pairs[blocks[b].row * width + blocks[b].first + lane]);
+    }
+  }
+}
 
 BroadPhase::BroadPhase(const CollisionWorld& world, std::vector<BoundingSphere> spheres)
     : p_WO_(origin_near(world.X_WB().translation())),
       spheres_(std::move(spheres)),
       bodies_(world.moving()),
       moving_(bodies_.size(), bodies_.size()),
-      still_(bodies_.size(), count_still(world)) {
-  box_rounding_.resize(still_.width);
-  for (std::vector<float>& numbers : X_BoxO_) {
-    numbers.resize(still_.width);
-  }
-  for (std::vector<float>& numbers : half_) {
-    numbers.resize(still_.width);
-  }
-  const std::vector<std::size_t> column = columns(world);
-  for (std::size_t body = 0; body < column.size(); ++body) {
-    const CollisionBody& still = world.bodies()[body];
-    if (!still.moves()) {
-      add_box(still, column[body]);
+      still_(count_still(world), bodies_.size()) {
+  for (const CollisionBody& body : world.bodies()) {
+    if (!body.moves()) {
+      add_box(body);
     }
   }
+  const std::vector<std::size_t> column = columns(world);
   for (const auto& [a, b] : world.pairs()) {
     add_pair(a, b, column, world.body(b).moves(), world.padding(static_cast<int>(cells_.size())));
   }
   if (cells_.size() - moving_pairs_ > kMany) {
     many_.emplace(world, p_WO_);
   }
+  moving_.list_blocks();
+  still_.list_blocks();
 }
 
 void BroadPhase::add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move,
@@ -185,7 +186,8 @@ void BroadPhase::add_pair(int a, int b, const std::vector<std::size_t>& column, 
   const auto first = static_cast<std::size_t>(a);
   const auto second = static_cast<std::size_t>(b);
   const auto pair = static_cast<int>(cells_.size());
-  cells_.push_back({column[first], column[second]});
+  cells_.push_back(both_move ? Cell{column[first], column[second]}
+                             : Cell{column[second], column[first]});
   const float radius = spheres_[first].radius + (both_move ? spheres_[second].radius : 0.0F) +
                        static_cast<float>(padding);
   most_padding_ = std::max(most_padding_, static_cast<float>(padding));
@@ -195,35 +197,42 @@ void BroadPhase::add_pair(int a, int b, const std::vector<std::size_t>& column, 
   moving_pairs_ += both_move ? 1 : 0;
 }
 
-void BroadPhase::add_box(const CollisionBody& still, std::size_t column) {
+void BroadPhase::add_box(const CollisionBody& still) {
   const Aabb box = bounding_box(*still.mesh);
   const Pose X_BoxO =
       Eigen::Translation3d(-box.centre()) * still.X_FB.inverse() * Eigen::Translation3d(p_WO_);
+  StillBox placed{};
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index k = 0; k < 4; ++k) {
-      X_BoxO_[static_cast<std::size_t>(4 * row + k)][column] =
+      placed.X_BoxO.at(static_cast<std::size_t>(4 * row + k)) =
           static_cast<float>(X_BoxO.matrix()(row, k));
     }
-    half_[static_cast<std::size_t>(row)][column] = static_cast<float>(0.5 * box.size()[row]);
+    placed.half.at(static_cast<std::size_t>(row)) = static_cast<float>(0.5 * box.size()[row]);
   }
-  box_rounding_[column] = rounding_beyond(X_BoxO.translation().norm() + 0.5 * box.size().norm());
+  boxes_.push_back(placed);
+  box_rounding_.push_back(rounding_beyond(X_BoxO.translation().norm() + 0.5 * box.size().norm()));
 }
 
 BroadPhase::Placement BroadPhase::placement() const {
   const std::vector<float> zeros(moving_.width);
-  const std::size_t blocks = std::max(moving_.blocks(), many_ ? 0 : still_.blocks());
-  return {zeros, zeros, zeros, 0.0F, std::vector<std::uint32_t>(bodies_.size() * blocks), {}};
+  const std::size_t blocks = std::max(moving_.blocks.size(), many_ ? 0 : still_.blocks.size());
+  return {zeros, zeros, zeros, 0.0F, std::vector<std::uint32_t>(blocks), {}};
 }
 
-void BroadPhase::place(std::span<const Pose> X_WBody, Placement& placement) const {
+HANDWAY_VECTOR_UNITS void BroadPhase::place(std::span<const Pose> X_WBody,
+                                            Placement& placement) const {
+  const PoseColumn origin{p_WO_.x(), p_WO_.y(), p_WO_.z(), 0.0};
   double farthest = 0.0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const auto body = static_cast<std::size_t>(bodies_[i]);
-    const Eigen::Vector3d centre = X_WBody[body] * spheres_[body].centre.cast<double>() - p_WO_;
-    farthest = std::max(farthest, centre.lpNorm<Eigen::Infinity>());
-    placement.x[i] = static_cast<float>(centre.x());
-    placement.y[i] = static_cast<float>(centre.y());
-    placement.z[i] = static_cast<float>(centre.z());
+    const PoseColumns X(X_WBody[body]);
+    const float* const p = spheres_[body].centre.data();
+    const PoseColumn centre = X.x * static_cast<double>(p[0]) + X.y * static_cast<double>(p[1]) +
+                              X.z * static_cast<double>(p[2]) + X.p - origin;
+    farthest = std::max({farthest, std::abs(centre[0]), std::abs(centre[1]), std::abs(centre[2])});
+    placement.x[i] = static_cast<float>(centre[0]);
+    placement.y[i] = static_cast<float>(centre[1]);
+    placement.z[i] = static_cast<float>(centre[2]);
   }
   placement.rounding = rounding_beyond(farthest);
 }
@@ -232,13 +241,15 @@ void BroadPhase::find_near(Placement& placement, double tolerance, std::vector<i
   const float within = static_cast<float>(std::min(tolerance, kEverywhere)) + placement.rounding;
   pairs.clear();
   find_near_moving(placement, within, placement.near.data());
-  append_found(placement.near.data(), moving_.pairs, pairs);
+  moving_.append_found(placement.near.data(), pairs);
   if (many_) {
     append_near_still(placement, tolerance, pairs);
-  } else {
-    find_near_still(placement, within, placement.near.data());
-    append_found(placement.near.data(), still_.pairs, pairs);
+    return;
   }
+  const auto moving_end = static_cast<std::ptrdiff_t>(pairs.size());
+  find_near_still(placement, within, placement.near.data());
+  still_.append_found(placement.near.data(), pairs);
+  std::sort(pairs.begin() + moving_end, pairs.end());
 }
 
 void BroadPhase::append_near_still(Placement& placement, double tolerance,
@@ -260,66 +271,61 @@ void BroadPhase::append_near_still(Placement& placement, double tolerance,
 
 double BroadPhase::bound(const Placement& placement, int pair) const {
   const auto [i, j] = cells_[static_cast<std::size_t>(pair)];
-  const Eigen::Vector3f p(placement.x[i], placement.y[i], placement.z[i]);
+  const Eigen::Vector3f p(placement.x[j], placement.y[j], placement.z[j]);
   if (static_cast<std::size_t>(pair) < moving_pairs_) {
-    const Eigen::Vector3f other(placement.x[j], placement.y[j], placement.z[j]);
-    return (p - other).norm() - moving_.radii[i * moving_.width + j] - placement.rounding;
+    const Eigen::Vector3f other(placement.x[i], placement.y[i], placement.z[i]);
+    return (other - p).norm() - moving_.radii[i * moving_.width + j] - placement.rounding;
   }
+  const auto& [X, half] = boxes_[i];
   Eigen::Vector3f beyond;
   for (std::size_t row = 0; row < 3; ++row) {
-    const float along = X_BoxO_[4 * row][j] * p.x() + X_BoxO_[4 * row + 1][j] * p.y() +
-                        X_BoxO_[4 * row + 2][j] * p.z() + X_BoxO_[4 * row + 3][j];
-    beyond[static_cast<Eigen::Index>(row)] = std::max(std::abs(along) - half_[row][j], 0.0F);
+    const float along =
+        X[4 * row] * p.x() + X[4 * row + 1] * p.y() + X[4 * row + 2] * p.z() + X[4 * row + 3];
+    beyond[static_cast<Eigen::Index>(row)] = std::max(std::abs(along) - half[row], 0.0F);
   }
   return beyond.norm() - still_.radii[i * still_.width + j] - placement.rounding;
 }
 
 HANDWAY_VECTOR_UNITS void BroadPhase::find_near_moving(const Placement& at, float within,
                                                        std::uint32_t* near) const {
-  const std::size_t blocks = moving_.blocks();
-  for (std::size_t i = 0; i < moving_.rows; ++i) {
-    for (std::size_t block = 0; block < blocks; ++block) {
-      const float* const radii = moving_.radii.data() + i * moving_.width;
-      std::uint32_t bits = 0;
-      HANDWAY_LANES
-      for (std::size_t k = 0; k < kLanes; ++k) {
-        const std::size_t other = block * kLanes + k;
-        const float x = at.x[other] - at.x[i];
-        const float y = at.y[other] - at.y[i];
-        const float z = at.z[other] - at.z[i];
-        const float reach = radii[other] + within;
-        bits |= reach > 0.0F && x * x + y * y + z * z < reach * reach ? 1U << k : 0U;
-      }
-      near[i * blocks + block] = bits;
+  for (std::size_t b = 0; b < moving_.blocks.size(); ++b) {
+    const auto [i, first] = moving_.blocks[b];
+    const float* const radii = moving_.radii.data() + i * moving_.width;
+    std::uint32_t bits = 0;
+    HANDWAY_LANES
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      const std::size_t other = first + k;
+      const float x = at.x[other] - at.x[i];
+      const float y = at.y[other] - at.y[i];
+      const float z = at.z[other] - at.z[i];
+      const float reach = radii[other] + within;
+      bits |= reach > 0.0F && x * x + y * y + z * z < reach * reach ? 1U << k : 0U;
     }
+    near[b] = bits;
   }
 }
 
 HANDWAY_VECTOR_UNITS void BroadPhase::find_near_still(const Placement& at, float within,
                                                       std::uint32_t* near) const {
-  const std::size_t blocks = still_.blocks();
-  for (std::size_t i = 0; i < still_.rows; ++i) {
-    const float x = at.x[i];
-    const float y = at.y[i];
-    const float z = at.z[i];
-    for (std::size_t block = 0; block < blocks; ++block) {
-      const float* const radii = still_.radii.data() + i * still_.width;
-      std::uint32_t bits = 0;
-      HANDWAY_LANES
-      for (std::size_t k = 0; k < kLanes; ++k) {
-        const std::size_t box = block * kLanes + k;
-        float squared = 0.0F;
-        for (std::size_t row = 0; row < 3; ++row) {
-          const float along = X_BoxO_[4 * row][box] * x + X_BoxO_[4 * row + 1][box] * y +
-                              X_BoxO_[4 * row + 2][box] * z + X_BoxO_[4 * row + 3][box];
-          const float beyond = std::max(std::abs(along) - half_[row][box], 0.0F);
-          squared += beyond * beyond;
-        }
-        const float reach = radii[box] + within;
-        bits |= reach > 0.0F && squared < reach * reach ? 1U << k : 0U;
+  for (std::size_t b = 0; b < still_.blocks.size(); ++b) {
+    const auto [i, first] = still_.blocks[b];
+    const auto& [X, half] = boxes_[i];
+    const float* const radii = still_.radii.data() + i * still_.width;
+    std::uint32_t bits = 0;
+    HANDWAY_LANES
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      const std::size_t body = first + k;
+      float squared = 0.0F;
+      for (std::size_t row = 0; row < 3; ++row) {
+        const float along = X[4 * row] * at.x[body] + X[4 * row + 1] * at.y[body] +
+                            X[4 * row + 2] * at.z[body] + X[4 * row + 3];
+        const float beyond = std::max(std::abs(along) - half[row], 0.0F);
+        squared += beyond * beyond;
       }
-      near[i * blocks + block] = bits;
+      const float reach = radii[body] + within;
+      bits |= reach > 0.0F && squared < reach * reach ? 1U << k : 0U;
     }
+    near[b] = bits;
   }
 }
 

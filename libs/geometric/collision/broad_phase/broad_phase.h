@@ -69,22 +69,35 @@ class BroadPhase {
     std::size_t row;
     std::size_t column;
   };
-  /// Pairs to check of moving bodies: a row for each moving body, a column for each partner.
+  /// Neighbouring columns of a row, as many as are tested together.
+  struct Block {
+    std::size_t row;
+    std::size_t first;  ///< Its first column.
+  };
+  /// Pairs to check: a row for each body of one kind, a column for each moving body.
   struct Table {
     Table(std::size_t row_count, std::size_t column_count);
     void add(int pair, Cell cell, float radius);
-    [[nodiscard]] std::size_t blocks() const;  ///< Lanes in a row.
+    /// Lists the blocks that have a pair. @pre all pairs were added.
+    void list_blocks();
+    /// Appends the pairs of the bits that are set in `near`, shape [blocks].
+    void append_found(const std::uint32_t* near, std::vector<int>& found) const;
 
-    std::size_t rows;
     std::size_t width;         ///< Columns, to full lanes.
     std::vector<float> radii;  ///< Shape [rows, width]: radii with rounding.
     std::vector<int> pairs;    ///< Shape [rows, width].
+    std::vector<Block> blocks;
+  };
+  /// A fixed body's box.
+  struct StillBox {
+    std::array<float, 12> X_BoxO;  ///< R and p, row by row.
+    std::array<float, 3> half;     ///< Halves of its edges, m.
   };
   /// @param column shape [bodies].
   void add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move,
                 double padding);
-  void add_box(const CollisionBody& still, std::size_t column);
-  /// Sets a bit for every column that is nearer than `within` (m); shape of `near` [rows, blocks].
+  void add_box(const CollisionBody& still);
+  /// Sets a bit for every column that is nearer than `within` (m); shape of `near` [blocks].
   void find_near_moving(const Placement& at, float within, std::uint32_t* near) const;
   void find_near_still(const Placement& at, float within, std::uint32_t* near) const;
   /// Appends near pairs with many fixed bodies, which are looked up in a tree.
@@ -93,15 +106,13 @@ class BroadPhase {
   Eigen::Vector3d p_WO_;
   std::vector<BoundingSphere> spheres_;
   std::vector<int> bodies_;       ///< The moving bodies.
-  std::vector<Cell> cells_;       ///< Cell of each pair in either table.
+  std::vector<Cell> cells_;       ///< Cell of each pair in its table.
   float most_padding_ = 0.0F;     ///< m, of all pairs.
   std::size_t moving_pairs_ = 0;  ///< Number of pairs, at the front, of moving bodies.
-  Table moving_;                  ///< Pairs of two moving bodies.
-  Table still_;                   ///< Pairs of a moving and a fixed body.
-  /// Boxes of the fixed bodies: R and p of X_BoxO, row by row, half the edges, and the rounding.
-  std::array<std::vector<float>, 12> X_BoxO_;
-  std::array<std::vector<float>, 3> half_;
-  std::vector<float> box_rounding_;
+  Table moving_;                  ///< Pairs of two moving bodies; those named first are the rows.
+  Table still_;                   ///< Pairs of a fixed body, the row, and a moving one.
+  std::vector<StillBox> boxes_;   ///< Per fixed body.
+  std::vector<float> box_rounding_;   ///< Per fixed body, m.
   std::optional<StaticBodies> many_;  ///< Used for many bodies.
 };
 

@@ -164,13 +164,14 @@ EdgeResult ContinuousCollisionChecker::search(const Configuration& from, const C
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
         const int pair = pairs[i];
         const double motion = motion_.over_edge(pair) * stretch.half;
-        if (checker_.pair_quick_bound(pair) >= motion + far_from_ends(pair)) {
+        const double quick = checker_.pair_quick_bound(pair);
+        if (quick >= motion + far_from_ends(pair)) {
           continue;
         }
         const double need = motion_.within(pair, stretch.half);
         const double keep = required(pair, middle, motion);
-        const Proximity proximity = is_out_of_reach(pair, need)
-                                        ? proximity_of_spheres(pair)
+        const Proximity proximity = is_out_of_reach(pair, need, quick)
+                                        ? proximity_of_spheres(pair, quick)
                                         : proximity_within(pair, stretch.half, need, keep);
         if (proximity == Proximity::kClear) {
           continue;
@@ -197,17 +198,16 @@ EdgeResult ContinuousCollisionChecker::search(const Configuration& from, const C
   return result;
 }
 
-bool ContinuousCollisionChecker::is_out_of_reach(int pair, double distance) {
+bool ContinuousCollisionChecker::is_out_of_reach(int pair, double distance, double quick) const {
   const MotionBound::PairFrame& frame = bounds_->pair_frame(pair);
   const double size =
       bounds_->ball(frame.a).radius + (frame.b_moves ? bounds_->ball(frame.b).radius : 0.0);
-  return distance > checker_.pair_quick_bound(pair) + kLikelyGain * size;
+  return distance > quick + kLikelyGain * size;
 }
 
-Proximity ContinuousCollisionChecker::proximity_of_spheres(int pair) {
-  return checker_.pair_quick_bound(pair) <= 0.0 && checker_.pair_collides(pair)
-             ? Proximity::kCollision
-             : Proximity::kWithinTolerance;
+Proximity ContinuousCollisionChecker::proximity_of_spheres(int pair, double quick) {
+  return quick <= 0.0 && checker_.pair_collides(pair) ? Proximity::kCollision
+                                                      : Proximity::kWithinTolerance;
 }
 
 Proximity ContinuousCollisionChecker::proximity_within(int pair, double half, double need,
@@ -321,12 +321,13 @@ void ContinuousCollisionChecker::look_along(const Configuration& from, const Con
 }
 
 bool ContinuousCollisionChecker::settle(int pair, double half, Clearance& found) {
-  if (checker_.pair_quick_bound(pair) >= found.at_most + motion_.over_edge(pair) * half) {
+  const double quick = checker_.pair_quick_bound(pair);
+  if (quick >= found.at_most + motion_.over_edge(pair) * half) {
     return true;
   }
   const double loss = motion_.within(pair, half);
   const double enough = found.good_enough() + loss;
-  if (is_out_of_reach(pair, loss)) {
+  if (is_out_of_reach(pair, loss, quick)) {
     return false;
   }
   const double bound = checker_.pair_bound(pair, enough);

@@ -10,6 +10,8 @@
 namespace handway::geometric {
 namespace {
 
+constexpr double kUnknown = -1.0;  // bends and speeds are not negative
+
 double distance_from_axis(const Eigen::Vector3d& point, const Eigen::Vector3d& axis) {
   return axis.cross(point).norm();
 }
@@ -188,11 +190,15 @@ EdgeMotion::EdgeMotion(std::shared_ptr<const MotionBound> motion) : motion_(std:
   rates_.resize(links);
   w_BL_.resize(links, Eigen::Vector3d::Zero());
   v_BL_.resize(links, Eigen::Vector3d::Zero());
+  const std::size_t motions = motion_->motion_count();
+  bends_.resize(motions, kUnknown);
+  speeds_.resize(motions, kUnknown);
 }
 
 void EdgeMotion::set_edge(const Configuration& delta) {
   const RobotModel& model = motion_->model();
   travel_ = motion_->bounds(delta.cwiseAbs());
+  std::ranges::fill(bends_, kUnknown);
   most_ = motion_->pair_motions() > 0 ? travel_.head(motion_->pair_motions()).maxCoeff() : 0.0;
   for (int i = 1; i < model.link_count(); ++i) {
     const RobotModel::MimicMapping& drive = model.mimic_mapping(i);
@@ -204,6 +210,7 @@ void EdgeMotion::set_edge(const Configuration& delta) {
 void EdgeMotion::set_middle(const std::vector<Pose>& X_BL) {
   const RobotModel& model = motion_->model();
   X_BL_ = &X_BL;
+  std::ranges::fill(speeds_, kUnknown);
   for (std::size_t i = 1; i < X_BL.size(); ++i) {
     const int link = static_cast<int>(i);
     const auto parent = static_cast<std::size_t>(model.parent(link));
@@ -217,14 +224,20 @@ void EdgeMotion::set_middle(const std::vector<Pose>& X_BL) {
   }
 }
 
-double EdgeMotion::within(int pair, double half) const {
-  const double coarse = over_edge(pair) * half;
-  const MotionBound::PairFrame& frame = motion_->pair_frame(pair);
-  double fine = displacement(frame.a, frame.link, half);
-  if (fine < coarse && frame.b_moves) {
-    fine += displacement(frame.b, frame.link, half);
+double EdgeMotion::within(int pair, double half) {
+  const auto motion = static_cast<std::size_t>(motion_->motion(pair));
+  double& speed = speeds_[motion];
+  if (speed < 0.0) {
+    const MotionBound::PairFrame& frame = motion_->pair_frame(pair);
+    const auto sum = [&](const auto& of) {
+      return of(frame.a) + (frame.b_moves ? of(frame.b) : 0.0);
+    };
+    speed = sum([&](int body) { return this->speed(body, frame.link); });
+    if (bends_[motion] < 0.0) {
+      bends_[motion] = sum([&](int body) { return bend(body, frame.link); });
+    }
   }
-  return std::min(coarse, fine);
+  return std::min(over_edge(pair) * half, half * (speed + 0.5 * half * bends_[motion]));
 }
 
 // Second derivatives of a point's displacement by two joints: the outer one's, turned by the inner
@@ -247,22 +260,18 @@ double EdgeMotion::bend(int body, int frame) const {
   return bend;
 }
 
-// The velocity of the fastest point in the middle, and its largest change.
-double EdgeMotion::displacement(int body, int frame, double half) const {
+double EdgeMotion::speed(int body, int frame) const {
   const MotionBound::Ball& ball = motion_->ball(body);
   const auto link = static_cast<std::size_t>(ball.link);
   const auto base = static_cast<std::size_t>(frame);
-  const double change = 0.5 * half * bend(body, frame);
   const Eigen::Vector3d w = w_BL_[link] - w_BL_[base];  // all in the robot's base
   if (ball.is_direction) {
-    const double turn = w.cross((*X_BL_)[link].linear() * ball.centre).norm();
-    return half * (turn + change);
+    return w.cross((*X_BL_)[link].linear() * ball.centre).norm();
   }
   const Eigen::Vector3d p = (*X_BL_)[link] * ball.centre;
   const Eigen::Vector3d v = v_BL_[link] + w_BL_[link].cross(p - (*X_BL_)[link].translation()) -
                             v_BL_[base] - w_BL_[base].cross(p - (*X_BL_)[base].translation());
-  const double velocity = v.norm() + w.norm() * ball.radius;
-  return half * (velocity + change);
+  return v.norm() + w.norm() * ball.radius;
 }
 
 PointMotion EdgeMotion::point_motion(int body, int frame) const {

@@ -1,7 +1,7 @@
 #include "collision/volumes/convex_cover.h"
 
 #include "collision/volumes/box_tree.h"
-#include "collision/volumes/vector_units.h"
+#include "math/vector_units.h"
 
 #include <algorithm>
 #include <array>

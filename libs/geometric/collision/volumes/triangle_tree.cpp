@@ -1,6 +1,6 @@
 #include "collision/volumes/triangle_tree.h"
 
-#include "collision/volumes/vector_units.h"
+#include "math/vector_units.h"
 
 #include <algorithm>
 #include <bit>

@@ -141,8 +141,9 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
 
   /// Returns whether the pair is likely to be farther apart than `distance`, in the configuration
   /// in place, as the next two. Pairs with large requirements may be reported closer than they are.
-  [[nodiscard]] bool is_out_of_reach(int pair, double distance);
-  [[nodiscard]] Proximity proximity_of_spheres(int pair);
+  /// @param quick the pair's quick bound, m.
+  [[nodiscard]] bool is_out_of_reach(int pair, double distance, double quick) const;
+  [[nodiscard]] Proximity proximity_of_spheres(int pair, double quick);
   /// @param half half of the stretch, as a share of the edge. @param need possible approach on it,
   /// m.
   /// @param required distance to keep nevertheless, m.

@@ -35,6 +35,8 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
 
   /// Number of motions of pairs: those of constraints follow.
   [[nodiscard]] Eigen::Index pair_motions() const { return pair_motions_; }
+  /// Number of motions of pairs and constraints.
+  [[nodiscard]] std::size_t motion_count() const { return static_cast<std::size_t>(reach_.cols()); }
 
   /// bound() of all motions. @returns shape [motions].
   [[nodiscard]] Eigen::VectorXd bounds(const Eigen::VectorXd& travel) const {
@@ -114,7 +116,7 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
 
   /// Upper bound (m) of the change of the pair's distance between the middle and any configuration
   /// of the edge within `half` of the edge.
-  [[nodiscard]] double within(int pair, double half) const;
+  [[nodiscard]] double within(int pair, double half);
 
   /// The motions of the pair's bodies about the middle, in the world.
   [[nodiscard]] PairMotion pair_motion(int pair) const;
@@ -124,12 +126,14 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
   [[nodiscard]] PointMotion point_motion(int body, int frame) const;
   /// Bounds the second derivative of a body's points relative to the link `frame`, m per edge².
   [[nodiscard]] double bend(int body, int frame) const;
-  /// Bounds the displacement of a body relative to the link `frame`.
-  [[nodiscard]] double displacement(int body, int frame, double half) const;
+  /// Bounds the speed of a body's points relative to the link `frame` in the middle, m per edge.
+  [[nodiscard]] double speed(int body, int frame) const;
 
   std::shared_ptr<const MotionBound> motion_;
   Eigen::VectorXd travel_;  ///< Per motion.
   double most_ = 0.0;
+  std::vector<double> bends_;          ///< Per motion, of both bodies; negative: not known yet.
+  std::vector<double> speeds_;         ///< Per motion in this middle, of both bodies; as above.
   std::vector<double> rates_;          ///< Per link: its joint's change, rad or m.
   std::vector<Eigen::Vector3d> w_BL_;  ///< Per link: angular velocity in the base, rad per edge.
   std::vector<Eigen::Vector3d> v_BL_;  ///< Per link: velocity of its frame's origin, m per edge.
