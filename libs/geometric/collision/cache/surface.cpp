@@ -34,6 +34,8 @@ class VolumeArchive {
   template <typename Archive, typename Hull>
   static void hull(Archive& archive, Hull& hull) {
     plain(archive, hull.middle_);
+    plain(archive, hull.lower_);
+    plain(archive, hull.upper_);
     plain(archive, hull.margin_);
     plain(archive, hull.count_);
     list(archive, hull.x_);
@@ -80,7 +82,7 @@ class VolumeArchive {
 };
 
 std::string archive_layout() {
-  constexpr int kRevision = 21;  // to change with what volumes are made of
+  constexpr int kRevision = 22;  // to change with what volumes are made of
   return fmt::format("volumes {}, {} {} {}", kRevision, sizeof(SphereTree::Node),
                      sizeof(DistanceField::Cell), sizeof(TriangleBlock));
 }

@@ -98,7 +98,7 @@ void NarrowPhaseQuery::found(double distance) {
 double NarrowPhaseQuery::bound(double enough, int effort) {
   start(enough);
   effort_ = effort;
-  if (root_is_near() && !separated_by_plane()) {
+  if (root_is_near() && !separated_by_plane() && !hulls_show_nearer()) {
     bound_node(0);
   }
   return std::min(enough, std::max(hull_gap_, least_));
@@ -193,8 +193,16 @@ void NarrowPhaseQuery::visit(std::uint32_t index) {
 
 bool NarrowPhaseQuery::separated_by_plane() {
   const auto reach = static_cast<float>(reach_);
-  hull_gap_ = std::max(hull_gap_, static_cast<double>(hull_gap(*a_.hull, *b_.hull, moves_, reach)));
+  const HullGap gap = hull_gap(*a_.hull, *b_.hull, moves_, reach);
+  if (static_cast<double>(gap.distance) > hull_gap_) {
+    hull_gap_ = static_cast<double>(gap.distance);
+    p_BNext_ = gap.p_BA;
+  }
   return hull_gap_ >= reach_;
+}
+
+bool NarrowPhaseQuery::hulls_show_nearer() const {
+  return hull_gap_ > 0.0 && static_cast<double>(b_.field.bound(p_BNext_)) < reach_;
 }
 
 bool NarrowPhaseQuery::hulls_keep_apart() {

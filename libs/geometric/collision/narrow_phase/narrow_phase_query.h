@@ -81,6 +81,9 @@ class NarrowPhaseQuery {
   void visit(std::uint32_t node);
   /// Returns whether the hulls are known to be at least `reach_` apart.
   [[nodiscard]] bool separated_by_plane();
+  /// Returns whether the hulls are apart, but one of A's points is likely to be nearer to B than
+  /// `reach_`, so that spheres would hardly tell more.
+  [[nodiscard]] bool hulls_show_nearer() const;
   /// Returns whether the hulls keep `reach_`, searching for a separating plane only once.
   [[nodiscard]] bool hulls_keep_apart();
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
@@ -111,6 +114,7 @@ class NarrowPhaseQuery {
   float relative_distance_ = 0.0F;
   ClosestPoints closest_B_;           ///< Points at `least_` of the triangles compared, in B.
   double hull_gap_ = 0.0;             ///< m: the hulls are known to be that far apart.
+  Eigen::Vector3f p_BNext_;           ///< Point of A's hull next to B's. @pre hull_gap_ > 0
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
 };
 

@@ -127,11 +127,14 @@ ConvexCover::ConvexCover(const TriangleMesh& mesh, double margin) {
     sum += p;
   }
   middle_ = (sum / static_cast<double>(points.size())).cast<float>();
+  lower_ = upper_ = points.front().cast<float>();
   margin_ = static_cast<float>(chosen->left_out) + kRounding * largest;
 
   count_ = points.size();
   points.resize((count_ + kVectorWidth - 1) / kVectorWidth * kVectorWidth, points.back());
   for (const Eigen::Vector3d& p : points) {
+    lower_ = lower_.cwiseMin(p.cast<float>());
+    upper_ = upper_.cwiseMax(p.cast<float>());
     x_.push_back(static_cast<float>(p.x()));
     y_.push_back(static_cast<float>(p.y()));
     z_.push_back(static_cast<float>(p.z()));
@@ -176,18 +179,19 @@ constexpr double kConverged = 0.02;  // share of the distance between its bounds
 /// Searches for the nearest points of two convex sets A and B. Each step gives a direction and the
 /// gap (m) between the sets along it. Ends when `is_settled(direction, gap)`, when the sets are
 /// nearer than `needed` (m), or after kPlanes steps.
-/// @param nearest offset of a point of A from a point of B, m. @param farthest_apart
-/// `farthest_apart(n)` is the offset of A's first point along n from B's last one.
+/// @param nearest offset of a point of A from a point of B, m. @param likely the first direction.
+/// @param farthest_apart `farthest_apart(n)` is the offset of A's first point along n from B's last
+/// one.
 template <typename FarthestApart, typename IsSettled>
-void search_plane(Eigen::Vector3d nearest, double needed, const FarthestApart& farthest_apart,
-                  const IsSettled& is_settled) {
+void search_plane(Eigen::Vector3d nearest, const Eigen::Vector3d& likely, double needed,
+                  const FarthestApart& farthest_apart, const IsSettled& is_settled) {
   Simplex simplex{nearest, nearest, nearest};
   for (int plane = 0; plane < kPlanes; ++plane) {
     const double distance = nearest.norm();
     if (distance <= needed) {
       return;
     }
-    const Eigen::Vector3d normal = nearest / distance;
+    const Eigen::Vector3d normal = plane == 0 ? likely.normalized() : nearest / distance;
     const Eigen::Vector3d between = farthest_apart(normal);
     const double gap = normal.dot(between);
     if (is_settled(normal, gap) || distance - gap <= kConverged * distance ||
@@ -212,24 +216,36 @@ void search_plane(Eigen::Vector3d nearest, double needed, const FarthestApart& f
   }
 }
 
+// The direction in which a point outside of B's box is nearest to it; for a point in it, the
+// direction from B's middle.
+Eigen::Vector3f away_from(const ConvexCover& b, const Eigen::Vector3f& p) {
+  const Eigen::Vector3f beyond = p - b.nearest_in_box(p);
+  return beyond.isZero(0.0F) ? p - b.middle() : beyond;
+}
+
 }  // namespace
 
-float hull_gap(const ConvexCover& a, const ConvexCover& b, const FloatPose& X_BA, float enough) {
+HullGap hull_gap(const ConvexCover& a, const ConvexCover& b, const FloatPose& X_BA, float enough) {
   using RowMajor = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
   const Eigen::Map<const RowMajor> R(X_BA.R.data());
   const Eigen::Map<const Eigen::Vector3f> p(X_BA.p.data());
   const float lost = a.margin() + b.margin() + X_BA.rounding;
-  float most = 0.0F;
+  HullGap most;
+  Eigen::Vector3f p_BA;
   const auto farthest_apart = [&](const Eigen::Vector3d& normal) -> Eigen::Vector3d {
     const Eigen::Vector3f n = normal.cast<float>();
-    return ((R * a.support(-(R.transpose() * n)) + p) - b.support(n)).cast<double>();
+    p_BA = R * a.support(-(R.transpose() * n)) + p;
+    return (p_BA - b.support(n)).cast<double>();
   };
   const auto is_settled = [&](const Eigen::Vector3d& /*normal*/, double gap) {
-    most = std::max(most, static_cast<float>(gap) - lost);
-    return most >= enough;
+    if (const float distance = static_cast<float>(gap) - lost; distance > most.distance) {
+      most = {distance, p_BA};
+    }
+    return most.distance >= enough;
   };
-  search_plane((R * a.middle() + p - b.middle()).cast<double>(), static_cast<double>(lost),
-               farthest_apart, is_settled);
+  const Eigen::Vector3f middle = R * a.middle() + p;
+  search_plane((middle - b.middle()).cast<double>(), away_from(b, middle).cast<double>(),
+               static_cast<double>(lost), farthest_apart, is_settled);
   return most;
 }
 
@@ -270,9 +286,11 @@ double hull_gap_along(const MovingHull& a, const MovingHull& b, double half, dou
     }
     return most >= enough;
   };
-  search_plane(
-      a.X_WHull * a.hull.middle().cast<double>() - b.X_WHull * b.hull.middle().cast<double>(),
-      needed, farthest_apart, is_settled);
+  const Eigen::Vector3d middle = a.X_WHull * a.hull.middle().cast<double>();
+  const Eigen::Vector3d p_BMiddle = b.X_WHull.inverse(Eigen::Isometry) * middle;
+  search_plane(middle - b.X_WHull * b.hull.middle().cast<double>(),
+               b.X_WHull.linear() * away_from(b.hull, p_BMiddle.cast<float>()).cast<double>(),
+               needed, farthest_apart, is_settled);
   return most;
 }
 

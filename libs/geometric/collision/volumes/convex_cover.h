@@ -26,6 +26,10 @@ class ConvexCover {
 
   /// A point within the hull, m.
   [[nodiscard]] const Eigen::Vector3f& middle() const { return middle_; }
+  /// The point of the box around the hull that is nearest to `p`, m.
+  [[nodiscard]] Eigen::Vector3f nearest_in_box(const Eigen::Vector3f& p) const {
+    return p.cwiseMax(lower_).cwiseMin(upper_);
+  }
   [[nodiscard]] float margin() const { return margin_; }
   [[nodiscard]] std::size_t point_count() const { return count_; }
   /// The hull's corners, and possibly inner points, m.
@@ -35,20 +39,29 @@ class ConvexCover {
   friend class VolumeArchive;
 
   Eigen::Vector3f middle_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f lower_ = Eigen::Vector3f::Zero();  ///< Corners of the box around the points.
+  Eigen::Vector3f upper_ = Eigen::Vector3f::Zero();
   float margin_ = 0.0F;
   std::size_t count_ = 0;
   std::vector<float> x_, y_, z_;  ///< Padded with the last one to full vectors.
 };
 
-/// A lower bound (m) of the distance of the contents of two hulls, from a few candidates for a
-/// separating plane; 0 if none separates them. The search ends once the bound is `enough`.
+/// A lower bound of the distance of two hulls.
+struct HullGap {
+  float distance = 0.0F;  ///< m; 0: no separating plane was found.
+  Eigen::Vector3f p_BA =
+      Eigen::Vector3f::Zero();  ///< A's point next to the plane, in B's frame. @pre distance > 0.
+};
+
+/// A lower bound of the distance of the contents of two hulls, from a few candidates for a
+/// separating plane. The search ends once the bound is `enough` (m).
 /// @param X_BA pose of A's frame in B's.
 ///
 /// Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between
 /// complex objects in three-dimensional space", 1988: each step towards the nearest points gives a
 /// plane between the hulls.
-[[nodiscard]] float hull_gap(const ConvexCover& a, const ConvexCover& b, const FloatPose& X_BA,
-                             float enough);
+[[nodiscard]] HullGap hull_gap(const ConvexCover& a, const ConvexCover& b, const FloatPose& X_BA,
+                               float enough);
 
 /// A hull in motion about the middle of a stretch of an edge: a share s of the edge further on, its
 /// point p has moved by s (v + w × p), and by at most ½ s² `bend` beside that. All in the world.
