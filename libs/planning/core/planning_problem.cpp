@@ -202,14 +202,14 @@ double normalised_distance(const geometric::RobotModel& model, const Configurati
 }
 
 double arm_progress(const PlanningProblem& problem, const Configuration& q) {
-  const Eigen::VectorXd motion =
-      problem.goal(problem.joints.arm) - problem.start(problem.joints.arm);
-  const double length = motion.squaredNorm();
-  if (length == 0.0) {
-    return 0.0;
+  double length = 0.0;
+  double along = 0.0;
+  for (const int joint : problem.joints.arm) {
+    const double motion = problem.goal[joint] - problem.start[joint];
+    length += motion * motion;
+    along += motion * (q[joint] - problem.start[joint]);
   }
-  return std::clamp(
-      (q(problem.joints.arm) - problem.start(problem.joints.arm)).dot(motion) / length, 0.0, 1.0);
+  return length == 0.0 ? 0.0 : std::clamp(along / length, 0.0, 1.0);
 }
 
 }  // namespace handway::planning

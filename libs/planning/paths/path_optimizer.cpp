@@ -216,11 +216,11 @@ std::vector<Objective::Point> PathOptimizer::draw_inner(const Place& from, const
                                   : objective_.with_hand(to.point, from.point)};
   }
   const double kind = draw_.uniform();
-  std::vector<Point> inner(points_.begin() + static_cast<std::ptrdiff_t>(from.edge) + 1,
-                           points_.begin() + static_cast<std::ptrdiff_t>(to.edge) + 1);
   if (kind < 0.4) {
     return {};
   }
+  std::vector<Point> inner(points_.begin() + static_cast<std::ptrdiff_t>(from.edge) + 1,
+                           points_.begin() + static_cast<std::ptrdiff_t>(to.edge) + 1);
   if (has_subspace() && kind < 0.7) {
     const double share = draw_.uniform() < 0.5 ? 1.0 : draw_.uniform();
     inner.insert(inner.begin(), from.point);
@@ -253,8 +253,10 @@ std::vector<Objective::Point> PathOptimizer::draw_inner(const Place& from, const
   for (std::size_t i = 0; i < inner.size(); ++i) {
     Eigen::VectorXd moved = inner[i].joints;
     const double share = at[i] / std::max(whole, kSame);
-    moved(joints) =
-        from.point.joints(joints) + share * (to.point.joints(joints) - from.point.joints(joints));
+    for (const int joint : joints) {
+      const double begin = from.point.joints[joint];
+      moved[joint] = begin + share * (to.point.joints[joint] - begin);
+    }
     inner[i] = objective_.point_of_joints(std::move(moved));
   }
   return inner;

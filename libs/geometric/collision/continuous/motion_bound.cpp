@@ -1,5 +1,7 @@
 #include "handway/geometric/collision/continuous/motion_bound.h"
 
+#include "math/vector_units.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -162,7 +164,7 @@ MotionBound::MotionBound(const CollisionWorld& world)
       }
     }
   }
-  reach_ = Eigen::MatrixXd::Zero(model.variable_count(), static_cast<Eigen::Index>(motions.size()));
+  reach_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(motions.size()), model.variable_count());
   farthest_ = Eigen::VectorXd::Zero(model.variable_count());
   for (int i = 1; i < model.link_count(); ++i) {
     const int variable = model.mimic_mapping(i).variable;
@@ -178,11 +180,34 @@ MotionBound::MotionBound(const CollisionWorld& world)
       const bool moves_b =
           b != kWorld && is_above(model, i, moving[static_cast<std::size_t>(b)].link);
       if (is_above(model, i, moving[static_cast<std::size_t>(a)].link) != moves_b) {
-        reach_(variable, static_cast<Eigen::Index>(m)) +=
+        reach_(static_cast<Eigen::Index>(m), variable) +=
             multiplier * (of_link_(i, a) + (b == kWorld ? 0.0 : of_link_(i, b)));
       }
     }
   }
+}
+
+namespace {
+
+// Adds `factor` times `column` to `sum`, both of `count` values.
+HANDWAY_VECTOR_UNITS void add_scaled(const double* column, double factor, std::size_t count,
+                                     double* sum) {
+  for (std::size_t i = 0; i < count; ++i) {
+    sum[i] += factor * column[i];
+  }
+}
+
+}  // namespace
+
+// Variables that do not move, as those of a hand that rests, cost nothing.
+Eigen::VectorXd MotionBound::bounds(const Eigen::VectorXd& travel) const {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(reach_.rows());
+  for (Eigen::Index v = 0; v < travel.size(); ++v) {
+    if (travel[v] != 0.0) {
+      add_scaled(reach_.col(v).data(), travel[v], motion_count(), sums.data());
+    }
+  }
+  return sums;
 }
 
 EdgeMotion::EdgeMotion(std::shared_ptr<const MotionBound> motion) : motion_(std::move(motion)) {

@@ -26,7 +26,7 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   /// Upper bound (m) of the change of the pair's distance when every variable v
   /// moves by at most `travel[v]`. @param travel shape [variable_count], ≥ 0.
   [[nodiscard]] double bound(int pair, const Eigen::VectorXd& travel) const {
-    return reach_.col(motion(pair)).dot(travel);
+    return reach_.row(motion(pair)).dot(travel);
   }
 
   /// Pairs with the same relative motion share it: those of one body with all fixed bodies.
@@ -36,12 +36,10 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   /// Number of motions of pairs: those of constraints follow.
   [[nodiscard]] Eigen::Index pair_motions() const { return pair_motions_; }
   /// Number of motions of pairs and constraints.
-  [[nodiscard]] std::size_t motion_count() const { return static_cast<std::size_t>(reach_.cols()); }
+  [[nodiscard]] std::size_t motion_count() const { return static_cast<std::size_t>(reach_.rows()); }
 
   /// bound() of all motions. @returns shape [motions].
-  [[nodiscard]] Eigen::VectorXd bounds(const Eigen::VectorXd& travel) const {
-    return reach_.transpose() * travel;
-  }
+  [[nodiscard]] Eigen::VectorXd bounds(const Eigen::VectorXd& travel) const;
 
   /// Bounds the motion of any point of the robot in the world: the measure of edge resolution in
   /// millimetres.
@@ -88,7 +86,7 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   Eigen::MatrixXd of_link_;  ///< Shape [link_count x bodies].
   MotionIndices motions_;    ///< Per pair.
   Eigen::Index pair_motions_ = 0;
-  Eigen::MatrixXd reach_;     ///< Shape [variable_count x motions], m per rad or m per m.
+  Eigen::MatrixXd reach_;     ///< Shape [motions x variable_count], m per rad or m per m.
   Eigen::VectorXd farthest_;  ///< Shape [variable_count].
 };
 
