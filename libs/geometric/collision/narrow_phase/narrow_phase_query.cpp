@@ -98,7 +98,10 @@ void NarrowPhaseQuery::found(double distance) {
 double NarrowPhaseQuery::bound(double enough, int effort) {
   start(enough);
   effort_ = effort;
-  if (root_is_near() && !separated_by_plane() && !hulls_show_nearer()) {
+  if (root_is_near() && !separated_by_plane()) {
+    if (hulls_show_nearer()) {
+      return hull_gap_;
+    }
     bound_node(0);
   }
   return std::min(enough, std::max(hull_gap_, least_));
