@@ -103,7 +103,7 @@ TEST(ConvexCover, HasAFewHundredPointsOfAVeryFineMesh) {
 TEST(HullGap, PartsTwoBoxesWhoseSpheresOverlap) {
   const ConvexCover box(*tessellate(Box{{0.4, 0.1, 0.02}}), kMargin);
   const Pose X_BA(Eigen::Translation3d(0.0, 0.0, 0.025));
-  const float gap = hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F);
+  const float gap = hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F).distance;
   EXPECT_LE(gap, 0.005F);
   EXPECT_GT(gap, 0.004F);
 }
@@ -111,8 +111,8 @@ TEST(HullGap, PartsTwoBoxesWhoseSpheresOverlap) {
 TEST(HullGap, FindsNoneWhereHullsMeet) {
   const ConvexCover box(*tessellate(Box{{0.4, 0.1, 0.02}}), kMargin);
   const Pose X_BA(Eigen::Translation3d(0.1, 0.0, 0.019));
-  EXPECT_EQ(hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F), 0.0F);
-  EXPECT_EQ(hull_gap(box, box, FloatPose(Pose::Identity(), 0.25F), 1.0F), 0.0F);
+  EXPECT_EQ(hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F).distance, 0.0F);
+  EXPECT_EQ(hull_gap(box, box, FloatPose(Pose::Identity(), 0.25F), 1.0F).distance, 0.0F);
 }
 
 TEST(HullGap, IsTheDistanceOfTiltedBoxesToWithinAFewPerCent) {
@@ -126,7 +126,7 @@ TEST(HullGap, IsTheDistanceOfTiltedBoxesToWithinAFewPerCent) {
     // The lowest corner of the one box is above the middle of the other one's upper side.
     const Pose X_BA =
         Eigen::Translation3d(Eigen::Vector3d(0.0, 0.0, 0.01 + apart) - tilt * lowest) * tilt;
-    const float gap = hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F);
+    const float gap = hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F).distance;
     EXPECT_LE(gap, apart + 1e-6);
     EXPECT_GE(gap, 0.95 * apart - 1e-5);
   }
@@ -159,7 +159,7 @@ TEST(HullGap, NeverExceedsTheDistanceOfTwoBalls) {
   const Eigen::Vector3f shift = Eigen::Vector3f(1.0F, 2.0F, -3.0F).normalized();
   for (const float apart : {0.05F, 0.061F, 0.08F, 0.5F, 3.0F}) {
     const Pose X_BA(Eigen::Translation3d((apart * shift).cast<double>()));
-    const float gap = hull_gap(ball, ball, FloatPose(X_BA, kRadius), 10.0F);
+    const float gap = hull_gap(ball, ball, FloatPose(X_BA, kRadius), 10.0F).distance;
     // Tessellated balls keep a little more distance than round ones.
     EXPECT_LE(gap, std::max(0.0F, apart - 2.0F * kRadius + 0.002F)) << apart;
     EXPECT_GE(gap, apart - 2.0F * kRadius - 0.001F) << apart;
