@@ -71,7 +71,8 @@ MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget
   log_refused_plugins();
 }
 
-MainWindow::~MainWindow() = default;
+// Ends edits of focused fields while what they change still exists.
+MainWindow::~MainWindow() { hide(); }
 
 void MainWindow::build_middle() {
   PlaybackBar& bar = workbench_.playback_bar;

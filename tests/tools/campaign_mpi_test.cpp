@@ -1,5 +1,6 @@
 /// `mpirun -n N handway bench CAMPAIGN.yaml`: the same runs as without it.
 #include "command_line.h"
+#include "handway_test/resource_use.h"
 #include "run_rows.h"
 
 #include <gmock/gmock.h>
@@ -28,6 +29,7 @@ class HandwayUnderMpi : public testing::Test {
         std::system("command -v mpirun >/dev/null") != 0) {
       GTEST_SKIP() << "no MPI here";
     }
+    test::ignore_leaks_of_children();
     line_.write("study.yaml",
                 "campaign: 1\nproblems: [open.yaml, post.yaml]\nseeds: 8\n"
                 "planners: [pmd-prm, rrt-connect]\n");

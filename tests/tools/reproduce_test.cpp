@@ -1,5 +1,6 @@
 /// `handway reproduce`: the paper's tables beside ours.
 #include "command_line.h"
+#include "handway_test/resource_use.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +19,10 @@ using testing::Not;
 class HandwayReproduce : public testing::Test {
  protected:
   // Uses only the scenes that ship: the published problems take longer.
-  HandwayReproduce() { unsetenv("HANDWAY_REFERENCE_DIR"); }
+  HandwayReproduce() {
+    unsetenv("HANDWAY_REFERENCE_DIR");
+    test::ignore_leaks_of_children();
+  }
 
   CommandLine line_;
 };

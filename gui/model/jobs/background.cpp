@@ -69,7 +69,7 @@ void LatestJob::run_next(Job job) {
     has_thread = std::exchange(shared_->has_thread, true);
   }
   if (!has_thread) {
-    run_in_background([this, shared = shared_] { work(*shared); });
+    run_in_background([ticket = this, shared = shared_] { work(ticket, *shared); });
   }
 }
 
@@ -98,7 +98,7 @@ void LatestJob::take_answer(int number, const Answer& answer) {
   emit ended();
 }
 
-void LatestJob::work(Shared& shared) {
+void LatestJob::work(LatestJob* ticket, Shared& shared) {
   std::unique_lock lock(shared.mutex);
   while (shared.next) {
     Job job = std::exchange(shared.next, nullptr);
@@ -108,7 +108,10 @@ void LatestJob::work(Shared& shared) {
     shared.is_running = true;
     lock.unlock();
     QMetaObject::invokeMethod(
-        this, [this, number, answer = answer_of(job, cancelled)] { take_answer(number, answer); },
+        ticket,
+        [ticket, number, answer = ticket->answer_of(job, cancelled)] {
+          ticket->take_answer(number, answer);
+        },
         Qt::QueuedConnection);
     job = nullptr;  // what it holds may be the owner's
     lock.lock();

@@ -53,9 +53,9 @@ class LatestJob : public QObject {
   struct Shared;
 
   void drop();
-  /// Runs what waits, on a thread of the executor. @param shared outlives the ticket; `this` is
-  /// used only while a job runs.
-  void work(Shared& shared);
+  /// Runs the jobs that wait, on a thread of the executor. @param shared outlives the ticket.
+  /// @param ticket is used only while a job runs: it may be destroyed before the thread begins.
+  static void work(LatestJob* ticket, Shared& shared);
   void take_answer(int number, const Answer& answer);
   [[nodiscard]] Answer answer_of(const Job& job, const std::stop_token& cancelled);
 

@@ -108,6 +108,8 @@ ShapeForm::ShapeForm(QWidget* parent) : QWidget(parent), layout_(new QFormLayout
   rebuild();
 }
 
+ShapeForm::~ShapeForm() { hide(); }
+
 void ShapeForm::add_field(const QString& label, const char* name, double least, double most) {
   auto* field = new QuantityField(QuantityField::Kind::kLength, least, most);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);

@@ -21,6 +21,8 @@ class ShapeForm : public QWidget {
 
  public:
   explicit ShapeForm(QWidget* parent = nullptr);
+  /// Ends an edit of a focused field while the shape that it changes still exists.
+  ~ShapeForm() override;
 
   void show_shape(const geometric::Shape& shape);
   void set_editable(bool editable);

@@ -45,7 +45,7 @@ using testing::HasSubstr;
 
 constexpr std::size_t kMegabyte = std::size_t{1} << 20U;
 /// Largest growth of this program's memory by a flood, proxy and emulators included.
-constexpr std::size_t kMostMemory = 24 * kMegabyte;
+constexpr std::size_t kMostMemory = (24 + test::kQuarantineMegabytes) * kMegabyte;
 /// Least size of a flood.
 constexpr std::uint64_t kFlood = kMegabyte;
 

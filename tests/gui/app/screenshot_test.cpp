@@ -1,3 +1,4 @@
+#include "handway_test/resource_use.h"
 #include "small_cell.h"
 #include "window_test.h"
 
@@ -14,7 +15,10 @@ using ::testing::HasSubstr;
 
 class Screenshot : public ::testing::Test {
  protected:
-  void SetUp() override { HANDWAY_NEED_DISPLAY(); }
+  void SetUp() override {
+    HANDWAY_NEED_DISPLAY();
+    ignore_leaks_of_children();
+  }
 
   int run(const QStringList& arguments) {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();

@@ -390,11 +390,12 @@ TEST_F(PregraspSearch, SaysWhyThereIsNoGrasp) {
                          geometric::SceneObject& can) { can.X_PO.translation().x() += 3.0; }),
       ::testing::StartsWith("can is out of the arm's reach"));
   const auto cover = [](geometric::Scene& scene, const geometric::SceneObject& can) {
+    const Eigen::Isometry3d X_PC = can.X_PO;  // the can moves where objects are added
     for (int side = 0; side < 4; ++side) {
       geometric::SceneObject wall;
       wall.name = "side_" + std::to_string(side);
       wall.shape = geometric::Box{{0.01, 0.16, 0.3}};
-      wall.X_PO = can.X_PO * Eigen::AngleAxisd(0.5 * EIGEN_PI * side, Eigen::Vector3d::UnitZ()) *
+      wall.X_PO = X_PC * Eigen::AngleAxisd(0.5 * EIGEN_PI * side, Eigen::Vector3d::UnitZ()) *
                   Eigen::Translation3d(0.075, 0.0, 0.08);
       scene.objects.push_back(wall);
     }

@@ -71,6 +71,14 @@ TEST(LatestJob, HasNoThreadWhileIdle) {
   EXPECT_LE(threads(), before);
 }
 
+// Without a job that runs, nobody waits for the thread.
+TEST(LatestJob, MayBeDestroyedBeforeItsThreadBegins) {
+  for (int round = 0; round < 1000; ++round) {
+    LatestJob ticket;
+    ticket.run([](const std::stop_token&) -> LatestJob::Answer { return {}; });
+  }
+}
+
 TEST(LatestJob, RunsWhileManyLongJobsRun) {
   HANDWAY_NEED_DISPLAY();
   std::vector<std::pair<LongJob, LatestJob>> long_jobs(100);

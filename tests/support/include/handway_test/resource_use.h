@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdlib.h>
 #include <sys/resource.h>
 #include <time.h>
 
@@ -7,6 +8,17 @@
 
 /// Resources of the machine that a program uses.
 namespace handway::test {
+
+/// Freed memory that AddressSanitizer holds back by default, MB.
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::size_t kQuarantineMegabytes = 256;
+#else
+constexpr std::size_t kQuarantineMegabytes = 0;
+#endif
+
+/// Programs that this one starts report no leaks: for those that unload libraries (MPI, OpenGL
+/// drivers) before LeakSanitizer can name them.
+inline void ignore_leaks_of_children() { ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1); }
 
 /// The most memory that this process has had resident so far, bytes.
 [[nodiscard]] inline std::size_t peak_memory() {
