@@ -17,8 +17,10 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -137,12 +139,12 @@ planning::MakeHoldTest need_hold_test() {
 }
 
 py::list grasps(const SceneModel& scene, const std::string& object, int most, std::uint64_t seed,
-                int test, const py::kwargs& settings) {
+                std::optional<int> test, const py::kwargs& settings) {
   if (most < 1) {
     throw InputError({"most", "", std::to_string(most), "1 or more", ""});
   }
-  if (test < 0) {
-    throw InputError({"test", "", std::to_string(test), "0 or more", ""});
+  if (test.value_or(0) < 0) {
+    throw InputError({"test", "", std::to_string(*test), "0 or more", ""});
   }
   planning::PregraspOptions options;
   planning::HoldConditions conditions;
@@ -154,21 +156,25 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, st
   options.seed = seed;
   conditions.mass = options.payload;
   conditions.contact = options.contact;
-  const planning::MakeHoldTest make_hold_test = test > 0 ? need_hold_test() : nullptr;
-  std::vector<planning::Pregrasp> found;
-  std::vector<planning::HoldResult> holds;
+  const planning::MakeHoldTest make_hold_test =
+      test ? (*test > 0 ? need_hold_test() : nullptr) : plugin_manager().hold_test_maker();
+  const int wanted = make_hold_test == nullptr ? 0 : test.value_or(most);
+  options.spares = std::min(wanted, most);
+  std::vector<planning::TestedGrasp> ranked;
   run_interruptible([&](const std::stop_token& stop) {
-    const planning::Pregrasps grasps =
-        planning::find_pregrasps(scene.problem(), object, options, stop);
-    found = grasps.found;
-    if (make_hold_test != nullptr && !found.empty()) {
-      holds =
-          planning::test_grasps(*make_hold_test(scene.problem(), object, grasps.palm), found,
-                                static_cast<std::size_t>(test), conditions, options.threads, stop);
+    planning::Pregrasps grasps = planning::find_pregrasps(scene.problem(), object, options, stop);
+    if (wanted > 0 && !grasps.found.empty()) {
+      ranked = planning::rank_by_tests(*make_hold_test(scene.problem(), object, grasps.palm),
+                                       std::move(grasps.found), static_cast<std::size_t>(wanted),
+                                       conditions, options.threads, stop);
+    } else {
+      std::ranges::transform(
+          grasps.found, std::back_inserter(ranked),
+          [](const planning::Pregrasp& grasp) { return planning::TestedGrasp{grasp}; });
     }
   });
   py::list answers;
-  for (const planning::Pregrasp& grasp : found) {
+  for (const auto& [grasp, hold] : ranked | std::views::take(most)) {
     py::dict answer;
     answer["q"] = to_array(grasp.q);
     answer["score"] = grasp.score;
@@ -182,8 +188,7 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, st
     answer["holding_force"] = grasp.holding_force;
     answer["doubt"] = grasp.doubt;
     answer["contacts"] = contacts_of(grasp);
-    const auto rank = static_cast<std::size_t>(answers.size());
-    answer["hold"] = rank < holds.size() ? py::object(hold_of(holds[rank])) : py::none();
+    answer["hold"] = hold ? py::object(hold_of(*hold)) : py::none();
     answers.append(answer);
   }
   return answers;
@@ -279,22 +284,24 @@ void bind_motion(py::module_& module) {
            "path: [waypoints, variables], rad or m. name: name of exported files.\n"
            "speed: share of full speed, above 0 and at most 1. period: time between points, s.\n"
            "jerk: True to limit jerk, too.")
-      .def("grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
-           py::arg("seed") = 1, py::arg("test") = 0,
-           "Returns grasps of an object, the best first.\n\n"
-           "object: name of a fixed object. most: largest number of grasps. seed: seed of the\n"
-           "samples. test: how many of the best to simulate. Settings (table in the manual):\n"
-           "samples, the number of palm poses to try; friction, the coefficient between hand and\n"
-           "object; payload, the mass of the object, kg; force (N), torque (N m) and stiffness\n"
-           "(N m/rad) of the simulation.\n"
-           "Returns dicts: q, closed and squeezed\n"
-           "[variables], the configurations before contact, in contact and pushing; score;\n"
-           "epsilon (N) and volume of the grasp wrench space; holding_force (N, the largest\n"
-           "contact force that holds the payload, or None); contacts, dicts with finger, link,\n"
-           "point and normal (in the object's frame) and distance (m); doubt, a reason to\n"
-           "distrust it, or empty; fingers,\n"
-           "enclosure, clearance (m); hold, None or a dict of the simulation: held (in all six\n"
-           "directions), squeeze, directions and lift, each with held, shift (m) and turn (rad).");
+      .def(
+          "grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
+          py::arg("seed") = 1, py::arg("test") = std::nullopt,
+          "Returns grasps of an object, the best first.\n\n"
+          "object: name of a fixed object. most: largest number of grasps. seed: seed of the\n"
+          "samples. test: simulate until so many hold, and rank these first; None: as most, where\n"
+          "MuJoCo is installed; 0: simulate none. Settings (table in the manual): samples, the "
+          "number of palm poses to try; friction, the coefficient between hand and\n"
+          "object; payload, the mass of the object, kg; force (N), torque (N m) and stiffness\n"
+          "(N m/rad) of the simulation.\n"
+          "Returns dicts: q, closed and squeezed\n"
+          "[variables], the configurations before contact, in contact and pushing; score;\n"
+          "epsilon (N) and volume of the grasp wrench space; holding_force (N, the largest\n"
+          "contact force that holds the payload, or None); contacts, dicts with finger, link,\n"
+          "point and normal (in the object's frame) and distance (m); doubt, a reason to\n"
+          "distrust it, or empty; fingers,\n"
+          "enclosure, clearance (m); hold, None or a dict of the simulation: held (in all six\n"
+          "directions), squeeze, directions and lift, each with held, shift (m) and turn (rad).");
   module.def(
       "find_pmds", &find_pmds, py::arg("postures"), py::arg("joints"), py::kw_only(),
       py::arg("free") = std::vector<std::string>(), py::arg("directions") = 4, py::arg("hand") = "",

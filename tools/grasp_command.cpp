@@ -22,10 +22,12 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::tools {
@@ -38,38 +40,35 @@ struct GraspOptions {
   std::string object;
   planning::PregraspOptions search;
   planning::HoldConditions hold;  ///< Friction and mass are those of the search.
-  int test = 0;                   ///< Grasps to simulate at most.
+  std::optional<int> test;        ///< Grasps that shall hold; if not given, all that are listed.
   bool margins = false;
   std::vector<std::string> group;
   std::filesystem::path out;
   std::filesystem::path report;
 };
 
-/// A simulated grasp.
-struct TestedGrasp {
-  planning::HoldResult result;
-  planning::HoldMargins margins;  ///< Empty unless they are asked for.
-};
-
-/// The first grasps of a search, simulated.
+/// Grasps of a search, simulated as far as that was asked for.
 struct TestedGrasps {
-  std::vector<TestedGrasp> tested;
+  std::vector<planning::TestedGrasp> ranked;
+  std::vector<planning::HoldMargins> margins;  ///< Of the first ones; none if not asked for.
   std::vector<std::string> assumptions;
 };
 
 TestedGrasps test_grasps(const GraspOptions& options, const planning::PluginManager& plugins,
-                         const planning::PlanningProblem& problem,
-                         const planning::Pregrasps& grasps, const std::stop_token& stop) {
+                         const planning::PlanningProblem& problem, planning::Pregrasps grasps,
+                         const std::stop_token& stop) {
   const auto test = plugins.hold_test_maker()(problem, options.object, grasps.palm);
-  TestedGrasps tested{{}, test->assumptions()};
-  const auto results =
-      planning::test_grasps(*test, grasps.found, static_cast<std::size_t>(options.test),
-                            options.hold, options.search.threads, stop);
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    tested.tested.push_back(
-        {results[i], options.margins
-                         ? planning::hold_margins(*test, grasps.found[i], options.hold, stop)
-                         : planning::HoldMargins{}});
+  const auto wanted = static_cast<std::size_t>(*options.test);
+  TestedGrasps tested{planning::rank_by_tests(*test, std::move(grasps.found), wanted, options.hold,
+                                              options.search.threads, stop),
+                      {},
+                      test->assumptions()};
+  if (tested.ranked.size() > static_cast<std::size_t>(options.search.most)) {
+    tested.ranked.resize(static_cast<std::size_t>(options.search.most));
+  }
+  for (std::size_t i = 0; options.margins && i < std::min(wanted, tested.ranked.size()); ++i) {
+    tested.margins.push_back(
+        planning::hold_margins(*test, tested.ranked[i].grasp, options.hold, stop));
   }
   return tested;
 }
@@ -86,22 +85,22 @@ Json number_or_null(const std::optional<double>& number) {
   return number ? Json(*number) : Json(nullptr);
 }
 
-Json json_of(const TestedGrasp& tested, bool margins) {
+Json json_of(const planning::HoldResult& result) {
   Json directions = Json::array();
-  for (const planning::HoldSlip& slip : tested.result.directions) {
+  for (const planning::HoldSlip& slip : result.directions) {
     directions.push_back(json_of(slip));
   }
-  Json hold = {{"held", tested.result.held()},
-               {"squeeze", json_of(tested.result.squeeze)},
-               {"directions", directions},
-               {"lift", json_of(*tested.result.lift)}};
-  if (margins) {
-    hold["least_friction"] = number_or_null(tested.margins.least_friction);
-    hold["largest_mass"] = number_or_null(tested.margins.largest_mass);
-    const auto& error = tested.margins.position_error;
-    hold["position_error_mm"] = error ? Json(geometric::millimetres(*error)) : Json(nullptr);
-  }
-  return hold;
+  return {{"held", result.held()},
+          {"squeeze", json_of(result.squeeze)},
+          {"directions", directions},
+          {"lift", json_of(*result.lift)}};
+}
+
+void add_margins(const planning::HoldMargins& margins, Json& hold) {
+  hold["least_friction"] = number_or_null(margins.least_friction);
+  hold["largest_mass"] = number_or_null(margins.largest_mass);
+  const auto& error = margins.position_error;
+  hold["position_error_mm"] = error ? Json(geometric::millimetres(*error)) : Json(nullptr);
 }
 
 Json json_of(const planning::Pregrasp& grasp) {
@@ -131,20 +130,23 @@ Json json_of(const planning::Pregrasp& grasp) {
 }
 
 Json report_of(const GraspOptions& options, const planning::PlanningProblem& problem,
-               const planning::Pregrasps& grasps, const TestedGrasps& tests, double time_s) {
+               const std::string& why_none, const TestedGrasps& grasps, double time_s) {
   Json joints = Json::array();
   for (int v = 0; v < problem.model().variable_count(); ++v) {
     joints.push_back(problem.model().variable(v).name);
   }
   Json found = Json::array();
-  for (std::size_t i = 0; i < grasps.found.size(); ++i) {
-    found.push_back(json_of(grasps.found[i]));
-    if (i < tests.tested.size()) {
-      found.back()["hold"] = json_of(tests.tested[i], options.margins);
+  for (std::size_t i = 0; i < grasps.ranked.size(); ++i) {
+    found.push_back(json_of(grasps.ranked[i].grasp));
+    if (const auto& hold = grasps.ranked[i].hold) {
+      found.back()["hold"] = json_of(*hold);
+      if (i < grasps.margins.size()) {
+        add_margins(grasps.margins[i], found.back()["hold"]);
+      }
     }
   }
   return {{"object", options.object},
-          {"reason", grasps.why_none},
+          {"reason", why_none},
           {"friction", options.search.contact.friction},
           {"patch_radius_mm", geometric::millimetres(options.search.contact.patch_radius)},
           {"payload_kg", options.search.payload},
@@ -153,98 +155,120 @@ Json report_of(const GraspOptions& options, const planning::PlanningProblem& pro
           {"time_s", time_s},
           {"joints", joints},
           {"grasps", found},
-          {"hold_assumptions", tests.assumptions},
+          {"hold_assumptions", grasps.assumptions},
           {"version", kVersion}};
 }
 
-// The columns of a simulated grasp; of another one, empty.
-std::string hold_columns(const TestedGrasps& tests, std::size_t grasp, bool margins) {
-  if (grasp >= tests.tested.size()) {
+// The columns of the margins; of a grasp without them, empty.
+std::string margin_columns(const TestedGrasps& grasps, std::size_t rank) {
+  if (rank >= grasps.margins.size()) {
     return {};
   }
-  const auto& [result, margin] = tests.tested[grasp];
-  std::string text = fmt::format(
-      " {:>6} {:>8}", fmt::format("{}/6", result.directions_held()),
-      result.lift->held ? fmt::format("{:.1f}", geometric::millimetres(result.lift->shift))
-                        : "dropped");
-  if (margins) {
-    const auto column = [](const std::optional<double>& number, const char* form, double unit) {
-      return number ? fmt::format(fmt::runtime(form), *number * unit) : std::string("-");
-    };
-    text += fmt::format(" {:>8} {:>8} {:>8}", column(margin.least_friction, "{:.2f}", 1.0),
-                        column(margin.largest_mass, "{:.2f}", 1.0),
-                        column(margin.position_error, "{:.0f}", 1e3));
+  const planning::HoldMargins& margins = grasps.margins[rank];
+  const auto column = [](const std::optional<double>& number, const char* form, double unit) {
+    return number ? fmt::format(fmt::runtime(form), *number * unit) : std::string("-");
+  };
+  return fmt::format(" {:>8} {:>8} {:>8}", column(margins.least_friction, "{:.2f}", 1.0),
+                     column(margins.largest_mass, "{:.2f}", 1.0),
+                     column(margins.position_error, "{:.0f}", 1e3));
+}
+
+// The columns of a simulated grasp; of another one, empty.
+std::string hold_columns(const TestedGrasps& grasps, std::size_t rank) {
+  const std::optional<planning::HoldResult>& hold = grasps.ranked[rank].hold;
+  if (!hold) {
+    return {};
   }
-  return text;
+  return fmt::format(" {:>6} {:>8}", fmt::format("{}/6", hold->directions_held()),
+                     hold->lift->held
+                         ? fmt::format("{:.1f}", geometric::millimetres(hold->lift->shift))
+                         : "dropped") +
+         margin_columns(grasps, rank);
 }
 
 std::string hold_titles(const GraspOptions& options) {
   std::string titles;
-  if (options.test > 0) {
+  if (*options.test > 0) {
     titles += fmt::format(" {:>6} {:>8}", "held", "lift, mm");
   }
-  if (options.test > 0 && options.margins) {
+  if (*options.test > 0 && options.margins) {
     titles += fmt::format(" {:>8} {:>8} {:>8}", "friction", "mass, kg", "off, mm");
   }
   return titles;
 }
 
-void print_grasps(const planning::Pregrasps& grasps, const TestedGrasps& tests,
-                  const GraspOptions& options) {
+void print_grasps(const TestedGrasps& grasps, const GraspOptions& options) {
   print_out("Friction {}, payload {} kg\n", options.search.contact.friction,
             options.search.payload);
   print_out("{:>4} {:>6} {:>8} {:>8} {:>8} {:>8} {:>10}{}\n", "rank", "score", "epsilon",
             "contacts", "touching", "force, N", "clear, mm", hold_titles(options));
-  for (std::size_t i = 0; i < grasps.found.size(); ++i) {
-    const planning::Pregrasp& grasp = grasps.found[i];
+  for (std::size_t i = 0; i < grasps.ranked.size(); ++i) {
+    const planning::Pregrasp& grasp = grasps.ranked[i].grasp;
     print_out("{:>4} {:>6.2f} {:>8.3f} {:>8} {:>8} {:>8} {:>10.0f}{}{}\n", i + 1, grasp.score,
               grasp.quality.epsilon, grasp.contacts.size(), touching_fingers(grasp),
               grasp.holding_force ? fmt::format("{:.1f}", *grasp.holding_force) : "-",
-              geometric::millimetres(grasp.clearance), hold_columns(tests, i, options.margins),
+              geometric::millimetres(grasp.clearance), hold_columns(grasps, i),
               grasp.doubt.empty() ? std::string() : fmt::format("  {}", grasp.doubt));
   }
 }
 
-int find_grasps(const GraspOptions& options) {
-  planning::PluginManager plugins;
-  plugins.load_plugins(planning::plugin_directory());
-  if (options.test > 0 && plugins.hold_test_maker() == nullptr) {
+// Grasps are simulated by default where that is possible.
+void set_tests(bool can_simulate, GraspOptions& options) {
+  if (options.test.value_or(0) > 0 && !can_simulate) {
     throw geometric::InputError({"--test", "", "no plugin that simulates grasps",
                                  "the plugin simulate_mujoco", "Build Handway with libmujoco-dev"});
   }
+  if (!options.test) {
+    options.test = can_simulate ? options.search.most : 0;
+  }
+  options.search.spares = std::min(*options.test, options.search.most);
+}
+
+int find_grasps(GraspOptions options) {
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  set_tests(plugins.hold_test_maker() != nullptr, options);
   planning::SceneState loaded = planning::load_scene(options.scene, plugins);
   set_group(options.group, loaded);
   const planning::PlanningProblem problem =
       planning::make_problem(loaded.scene, loaded.basis, {}, planning::GoalNeed::kOptional);
   print_warnings(problem);
   std::stop_source stop;
-  planning::Pregrasps grasps;
-  TestedGrasps tests;
+  planning::Pregrasps found;
+  TestedGrasps grasps;
   std::chrono::duration<double> time{};
   {
     const StopsOnInterrupt guard(stop);
     const auto begin = std::chrono::steady_clock::now();
-    grasps = planning::find_pregrasps(problem, options.object, options.search, stop.get_token());
+    found = planning::find_pregrasps(problem, options.object, options.search, stop.get_token());
     time = std::chrono::steady_clock::now() - begin;
-    if (options.test > 0 && !grasps.found.empty()) {
-      tests = test_grasps(options, plugins, problem, grasps, stop.get_token());
+    if (*options.test > 0 && !found.found.empty()) {
+      grasps = test_grasps(options, plugins, problem, found, stop.get_token());
+    } else {
+      std::ranges::transform(
+          found.found, std::back_inserter(grasps.ranked),
+          [](const planning::Pregrasp& grasp) { return planning::TestedGrasp{grasp}; });
     }
   }
   if (!options.report.empty()) {
     geometric::replace_file(
-        options.report, report_of(options, problem, grasps, tests, time.count()).dump(2) + "\n");
+        options.report,
+        report_of(options, problem, found.why_none, grasps, time.count()).dump(2) + "\n");
   }
-  if (grasps.found.empty()) {
+  if (grasps.ranked.empty()) {
     print_out("No grasp of {} found. {}\n", options.object,
-              stop.stop_requested() ? "The search was interrupted." : grasps.why_none);
+              stop.stop_requested() ? "The search was interrupted." : found.why_none);
     return kNoPath;
   }
   if (!options.out.empty()) {
+    found.found.clear();
+    std::ranges::transform(grasps.ranked, std::back_inserter(found.found),
+                           &planning::TestedGrasp::grasp);
     geometric::replace_file(
-        options.out, planning::grasp_file_text(problem, options.object, options.search, grasps));
+        options.out, planning::grasp_file_text(problem, options.object, options.search, found));
   }
-  print_grasps(grasps, tests, options);
-  return grasps.found.front().doubt.empty() ? kDone : kNoPath;
+  print_grasps(grasps, options);
+  return grasps.ranked.front().grasp.doubt.empty() ? kDone : kNoPath;
 }
 
 }  // namespace
@@ -261,10 +285,11 @@ void add_grasp_command(CLI::App& app, int& exit_code) {
   add_seed_option(*command, options->search.seed);
   add_threads_option(*command, options->search.threads, "which grasps are found");
   command
-      ->add_option("--test", options->test,
-                   "Number of the best grasps to simulate: six forces, then a lift")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+      ->add_option(
+          "--test", options->test,
+          "Simulate grasps, six forces and a lift each, until so many hold, and list these "
+          "first; 0 simulates none (default: as --count)")
+      ->check(CLI::Range(0, 1000));
   command->add_flag("--margins", options->margins,
                     "Also simulate the least friction, the largest mass and the largest position "
                     "error with which these grasps hold");
@@ -275,7 +300,9 @@ void add_grasp_command(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] {
     options->hold.contact = options->search.contact;
     options->hold.mass = options->search.payload;
-    options->test = options->margins ? std::max(options->test, 1) : options->test;
+    if (options->margins) {
+      options->test = std::max(options->test.value_or(1), 1);
+    }
     exit_code = find_grasps(*options);
   });
 }

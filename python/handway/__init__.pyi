@@ -292,7 +292,7 @@ class Scene:
         *,
         most: int = 8,
         seed: int = 1,
-        test: int = 0,
+        test: Union[int, None] = None,
         **settings: float,
     ) -> list[dict[str, Any]]: ...
     def with_robot(

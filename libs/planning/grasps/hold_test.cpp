@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -12,8 +14,28 @@ namespace {
 // Holds in everything that is tested.
 bool holds(const HoldTest& test, const Pregrasp& grasp, const HoldConditions& conditions,
            const std::stop_token& stop) {
-  const HoldResult result = test.test(grasp, conditions, stop, {});
-  return result.held() && result.lift && result.lift->held;
+  return test.test(grasp, conditions, stop, {}).held_under_all_loads();
+}
+
+bool is_finished(const HoldResult& result) { return result.lift.has_value(); }
+
+// Tests grasps [first, last) and notes the results of those tests that are not stopped.
+void test_range(const HoldTest& test, std::vector<TestedGrasp>& grasps, std::size_t first,
+                std::size_t last, const HoldConditions& conditions, ThreadPool& threads,
+                const std::stop_token& stop) {
+  threads.run(static_cast<int>(first), static_cast<int>(last), [&](int k) {
+    TestedGrasp& tested = grasps[static_cast<std::size_t>(k)];
+    HoldResult result = test.test(tested.grasp, conditions, stop, {});
+    if (is_finished(result)) {
+      tested.hold = std::move(result);
+    }
+  });
+}
+
+std::size_t holding_count(const std::vector<TestedGrasp>& grasps) {
+  return static_cast<std::size_t>(std::ranges::count_if(grasps, [](const TestedGrasp& tested) {
+    return tested.hold && tested.hold->held_under_all_loads();
+  }));
 }
 
 /// The last value that holds between one that does and one that does not.
@@ -106,20 +128,27 @@ HoldMargins hold_margins(const HoldTest& test, const Pregrasp& grasp,
   return margins;
 }
 
-std::vector<HoldResult> test_grasps(const HoldTest& test, const std::vector<Pregrasp>& grasps,
-                                    std::size_t most, const HoldConditions& conditions, int threads,
-                                    const std::stop_token& stop) {
-  const std::size_t count = std::min(most, grasps.size());
-  std::vector<HoldResult> results(count);
+std::vector<TestedGrasp> rank_by_tests(const HoldTest& test, std::vector<Pregrasp> grasps,
+                                       std::size_t wanted, const HoldConditions& conditions,
+                                       int threads, const std::stop_token& stop) {
+  constexpr std::size_t kLeastTests = 2;  // at a time, whatever the number of threads
+  std::vector<TestedGrasp> tested;
+  for (Pregrasp& grasp : grasps) {
+    tested.push_back({std::move(grasp)});
+  }
   ThreadPool pool(std::max(threads, 1));
-  pool.run(0, static_cast<int>(count), [&](int k) {
-    const auto i = static_cast<std::size_t>(k);
-    results[i] = test.test(grasps[i], conditions, stop, {});
+  std::size_t done = 0;
+  for (std::size_t held = 0; held < wanted && done < tested.size() && !stop.stop_requested();
+       held = holding_count(tested)) {
+    const std::size_t last = std::min(done + std::max(wanted - held, kLeastTests), tested.size());
+    test_range(test, tested, done, last, conditions, pool, stop);
+    done = last;
+  }
+  std::ranges::stable_sort(tested, std::greater(), [](const TestedGrasp& one) {
+    constexpr double kUntested = 6.5;  // between all seven loads and fewer
+    return one.hold ? one.hold->loads_held() : kUntested;
   });
-  const auto unfinished =
-      std::ranges::find_if(results, [](const HoldResult& result) { return !result.lift; });
-  results.erase(unfinished, results.end());
-  return results;
+  return tested;
 }
 
 }  // namespace handway::planning

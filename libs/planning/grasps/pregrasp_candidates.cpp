@@ -74,14 +74,14 @@ bool SampleResults::asks_why() const {
 
 int SampleResults::pool_size() const { return std::max(kLeastPool, kPoolFactor * most_); }
 
-CandidateIndices SampleResults::best() const {
+CandidateIndices SampleResults::best(int spares) const {
   const bool has_good = std::ranges::any_of(candidates_, &Candidate::is_good);
   return distinct(
       candidates_, [](const Candidate& candidate) { return candidate.grasp.score; },
       [&](const Candidate& candidate) {
         return has_good ? candidate.is_good() : candidate.is_measured();
       },
-      most_);
+      most_ + spares);
 }
 
 CandidateIndices SampleResults::to_be_measured() const {

@@ -67,8 +67,8 @@ class SampleResults {
   /// Candidates that are measured at a time, in places that differ.
   [[nodiscard]] int pool_size() const;
   /// Returns indices of the measured candidates that differ, the best first; those in doubt if
-  /// there are no others.
-  [[nodiscard]] CandidateIndices best() const;
+  /// there are no others. @param spares more than are wanted.
+  [[nodiscard]] CandidateIndices best(int spares = 0) const;
   /// Returns indices of those among the most promising candidates that are to be measured.
   [[nodiscard]] CandidateIndices to_be_measured() const;
 

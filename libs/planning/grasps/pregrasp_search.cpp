@@ -182,15 +182,20 @@ class SampleRunner {
   }
 
   /// The grasps that differ, the best first; see SampleResults::best().
-  [[nodiscard]] std::vector<Pregrasp> best() const {
+  [[nodiscard]] std::vector<Pregrasp> best() const { return grasps_of(best_); }
+  [[nodiscard]] std::vector<Pregrasp> best_and_spares(int spares) const {
+    return grasps_of(results_.best(spares));
+  }
+
+ private:
+  [[nodiscard]] std::vector<Pregrasp> grasps_of(const CandidateIndices& indices) const {
     std::vector<Pregrasp> grasps;
-    for (const std::size_t i : best_) {
+    for (const std::size_t i : indices) {
       grasps.push_back(results_.candidates()[i].grasp);
     }
     return grasps;
   }
 
- private:
   /// The grasp that a sample is to be taken beside; null for one anywhere.
   [[nodiscard]] const Candidate* improvable(int sample) const {
     const int since = sample - kFirstNeighbour;
@@ -253,6 +258,7 @@ Pregrasps find_pregrasps(const PlanningProblem& problem, std::string_view object
       progress(grasps.found, patience.ended() ? 1.0 : static_cast<double>(done) / options.samples);
     }
   }
+  grasps.found = runner.best_and_spares(options.spares);
   if (grasps.found.empty() && !stop.stop_requested()) {
     grasps.why_none = runner.sampler().why_none(runner.results());
   }

@@ -54,24 +54,45 @@ TEST(HoldMargins, AreNoneOfAGraspThatDoesNotHold) {
   EXPECT_FALSE(margins.least_friction || margins.largest_mass || margins.position_error);
 }
 
-TEST(TestGrasps, GivesOneResultForEachOfTheFirst) {
-  const std::vector<Pregrasp> grasps{grasp_with(0.1), grasp_with(0.0), grasp_with(0.2)};
-  const std::vector<HoldResult> results = test_grasps(SimpleHold(), grasps, 2, {}, 2);
-  ASSERT_EQ(results.size(), 2U);
-  EXPECT_TRUE(results[0].held());
-  EXPECT_FALSE(results[1].held());
-  EXPECT_EQ(test_grasps(SimpleHold(), grasps, 100, {}, 1).size(), 3U);
+std::vector<double> epsilons(const std::vector<TestedGrasp>& ranked) {
+  std::vector<double> all;
+  for (const TestedGrasp& tested : ranked) {
+    all.push_back(tested.grasp.quality.epsilon);
+  }
+  return all;
 }
 
-TEST(TestGrasps, GivesNothingForNothing) {
-  EXPECT_TRUE(test_grasps(SimpleHold(), {}, 5, {}, 2).empty());
+TEST(RankByTests, PutsFirstWhatHolds) {
+  const std::vector<Pregrasp> grasps{grasp_with(0.0), grasp_with(0.2), grasp_with(0.1)};
+  const std::vector<TestedGrasp> ranked = rank_by_tests(SimpleHold(), grasps, 3, {}, 2);
+  EXPECT_EQ(epsilons(ranked), (std::vector{0.2, 0.1, 0.0}));
+  EXPECT_TRUE(ranked[0].hold->held_under_all_loads());
+  EXPECT_EQ(ranked[2].hold->loads_held(), 0);
+}
+
+TEST(RankByTests, EndsWhenEnoughHold) {
+  const std::vector<Pregrasp> grasps{grasp_with(0.0), grasp_with(0.3), grasp_with(0.2),
+                                     grasp_with(0.1)};
+  const std::vector<TestedGrasp> ranked = rank_by_tests(SimpleHold(), grasps, 1, {}, 1);
+  EXPECT_EQ(epsilons(ranked), (std::vector{0.3, 0.2, 0.1, 0.0}));
+  EXPECT_FALSE(ranked[1].hold || ranked[2].hold) << "one that holds was wanted";
+  EXPECT_TRUE(ranked[3].hold) << "it was tried first";
+  EXPECT_EQ(epsilons(rank_by_tests(SimpleHold(), grasps, 1, {}, 4)), epsilons(ranked));
+}
+
+TEST(RankByTests, TestsNothingUnlessItIsWanted) {
+  EXPECT_TRUE(rank_by_tests(SimpleHold(), {}, 5, {}, 2).empty());
+  EXPECT_FALSE(rank_by_tests(SimpleHold(), {grasp_with(0.1)}, 0, {}, 2).front().hold);
   EXPECT_FALSE(HoldResult{}.held());
 }
 
-TEST(TestGrasps, LeavesOutWhatWasStopped) {
+TEST(RankByTests, LeavesOutWhatWasStopped) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(test_grasps(SimpleHold(), {grasp_with(0.1)}, 1, {}, 1, stop.get_token()).empty());
+  const std::vector<TestedGrasp> ranked =
+      rank_by_tests(SimpleHold(), {grasp_with(0.1)}, 1, {}, 1, stop.get_token());
+  ASSERT_EQ(ranked.size(), 1U);
+  EXPECT_FALSE(ranked.front().hold);
 }
 
 }  // namespace

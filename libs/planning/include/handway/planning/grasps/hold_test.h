@@ -60,6 +60,10 @@ struct HoldResult {
   [[nodiscard]] HANDWAY_PLANNING_EXPORT int directions_held() const;
   /// Returns whether the object is held in all six directions.
   [[nodiscard]] bool held() const { return directions_held() == 6; }
+  /// Returns the number of loads, the six directions and the lift, under which it is held.
+  [[nodiscard]] int loads_held() const { return directions_held() + (lift && lift->held ? 1 : 0); }
+  /// Returns whether it is held under all seven.
+  [[nodiscard]] bool held_under_all_loads() const { return loads_held() == 7; }
 };
 
 /// Misplacements (m) that hold_margins() tries.
@@ -155,10 +159,20 @@ class HANDWAY_PLANNING_EXPORT HoldTest {
                                                                const HoldConditions& conditions,
                                                                const std::stop_token& stop = {});
 
-/// The tests of the first `most` grasps, in their order, on `threads` threads.
-/// @returns one for each; fewer if `stop` was requested.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<HoldResult> test_grasps(
-    const HoldTest& test, const std::vector<Pregrasp>& grasps, std::size_t most,
+/// A grasp, and the result of its hold test if it was tested.
+struct TestedGrasp {
+  Pregrasp grasp;
+  std::optional<HoldResult> hold = {};
+};
+
+/// Tests grasps in their order until `wanted` of them hold in all six directions and in the lift,
+/// and ranks them: first those that hold, then those that were not tested, then the others, those
+/// that hold under more loads first. Equal ones stay in their order. Any number of threads gives
+/// the same result.
+/// @param wanted 0 tests none.
+/// @param stop ends the tests within 100 ms; the grasps are then ranked by the tests until then.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<TestedGrasp> rank_by_tests(
+    const HoldTest& test, std::vector<Pregrasp> grasps, std::size_t wanted,
     const HoldConditions& conditions, int threads, const std::stop_token& stop = {});
 
 }  // namespace handway::planning

@@ -23,6 +23,8 @@ struct PregraspOptions {
   double gap = 0.003;       ///< m that every finger keeps to the object.
   double own_gap = 0.0003;  ///< m that the hand's links keep to each other.
   int most = 8;             ///< Pre-grasps to give.
+  /// Further ones to give, if there are, for which the search makes no effort.
+  int spares = 0;
   std::uint64_t seed = 1;
   int threads = 2;            ///< That search; any number of them gives the same bits.
   ContactModel contact = {};  ///< Forces that links transmit to the object.
