@@ -159,7 +159,7 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, st
   const planning::MakeHoldTest make_hold_test =
       test ? (*test > 0 ? need_hold_test() : nullptr) : plugin_manager().hold_test_maker();
   const int wanted = make_hold_test == nullptr ? 0 : test.value_or(most);
-  options.spares = std::min(wanted, most);
+  options.spares = 2 * std::min(wanted, most);
   std::vector<planning::TestedGrasp> ranked;
   run_interruptible([&](const std::stop_token& stop) {
     planning::Pregrasps grasps = planning::find_pregrasps(scene.problem(), object, options, stop);

@@ -221,7 +221,7 @@ void set_tests(bool can_simulate, GraspOptions& options) {
   if (!options.test) {
     options.test = can_simulate ? options.search.most : 0;
   }
-  options.search.spares = std::min(*options.test, options.search.most);
+  options.search.spares = 2 * std::min(*options.test, options.search.most);
 }
 
 int find_grasps(GraspOptions options) {

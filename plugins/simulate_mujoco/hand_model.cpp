@@ -1,6 +1,7 @@
 #include "hand_model.h"
 
-#include "convex_parts.h"
+#include "convex_parts_cache.h"
+#include "geom_boxes.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/pose.h"
 
@@ -57,7 +58,7 @@ class GeomWriter {
                        fmt::format("{:.9g} {:.9g}", cylinder->radius, 0.5 * cylinder->length));
     }
     std::string text;
-    for (const ConvexPart& part : convex_parts(*geometric::tessellate(shape), limits)) {
+    for (const ConvexPart& part : cached_convex_parts(*geometric::tessellate(shape), limits)) {
       text += fmt::format("<geom class='{}' type='mesh' mesh='{}' mass='{:.9g}' {}/>\n", name,
                           mesh(part.corners), density * part.volume, place(X));
     }
@@ -210,6 +211,7 @@ ModelPointer compile(const std::string& mjcf) {
   const std::lock_guard lock(one_at_a_time);
   mju_user_error = throw_error;
   mju_user_warning = ignore_warning;
+  install_box_filter();
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   const std::unique_ptr<mjVFS, void (*)(mjVFS*)> guard(files.get(), mj_deleteVFS);
@@ -224,6 +226,7 @@ ModelPointer compile(const std::string& mjcf) {
   if (!model) {
     throw std::runtime_error(message.data());
   }
+  set_geom_boxes(*model);
   return model;
 }
 

@@ -23,9 +23,10 @@ struct DataDeleter {
 using DataPointer = std::unique_ptr<mjData, DataDeleter>;
 
 /// The settings of the solver, as MJCF: steps of 4 ms, elliptic friction cones whose friction is
-/// stiffer than the contact, so that little creeps; no gravity, room for 300 contacts.
+/// stiffer than the contact, so that little creeps; no gravity, room for 300 contacts and for
+/// boxes around geoms.
 inline constexpr const char* kSolver =
-    "<size njmax='1500' nconmax='300'/>"
+    "<size njmax='1500' nconmax='300' nuser_geom='6'/>"
     "<option timestep='0.004' integrator='implicit' cone='elliptic' impratio='10' "
     "noslip_iterations='2' gravity='0 0 0'/>";
 
