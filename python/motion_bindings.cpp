@@ -2,6 +2,7 @@
 #include "bindings.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/grasps/given_grasps.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/timing/time_path.h"
@@ -12,10 +13,12 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -138,8 +141,23 @@ planning::MakeHoldTest need_hold_test() {
   return make;
 }
 
+// Finds grasps, or measures those of a file.
+planning::Pregrasps found_or_given(const planning::PlanningProblem& problem,
+                                   const std::string& object,
+                                   const std::optional<std::filesystem::path>& given,
+                                   const planning::PregraspOptions& options,
+                                   const std::stop_token& stop) {
+  if (!given) {
+    return planning::find_pregrasps(problem, object, options, stop);
+  }
+  return planning::measure_given_grasps(
+             problem, object, planning::read_given_grasps(*given, problem, object), options, stop)
+      .grasps;
+}
+
 py::list grasps(const SceneModel& scene, const std::string& object, int most, std::uint64_t seed,
-                std::optional<int> test, const py::kwargs& settings) {
+                std::optional<int> test, const std::optional<std::filesystem::path>& given,
+                const py::kwargs& settings) {
   if (most < 1) {
     throw InputError({"most", "", std::to_string(most), "1 or more", ""});
   }
@@ -162,7 +180,7 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, st
   options.spares = 2 * std::min(wanted, most);
   std::vector<planning::TestedGrasp> ranked;
   run_interruptible([&](const std::stop_token& stop) {
-    planning::Pregrasps grasps = planning::find_pregrasps(scene.problem(), object, options, stop);
+    planning::Pregrasps grasps = found_or_given(scene.problem(), object, given, options, stop);
     if (wanted > 0 && !grasps.found.empty()) {
       ranked = planning::rank_by_tests(*make_hold_test(scene.problem(), object, grasps.palm),
                                        std::move(grasps.found), static_cast<std::size_t>(wanted),
@@ -187,6 +205,7 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, st
     answer["volume"] = grasp.quality.volume;
     answer["holding_force"] = grasp.holding_force;
     answer["doubt"] = grasp.doubt;
+    answer["source"] = grasp.source;
     answer["contacts"] = contacts_of(grasp);
     answer["hold"] = hold ? py::object(hold_of(*hold)) : py::none();
     answers.append(answer);
@@ -286,11 +305,12 @@ void bind_motion(py::module_& module) {
            "jerk: True to limit jerk, too.")
       .def(
           "grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
-          py::arg("seed") = 1, py::arg("test") = std::nullopt,
+          py::arg("seed") = 1, py::arg("test") = std::nullopt, py::arg("given") = std::nullopt,
           "Returns grasps of an object, the best first.\n\n"
           "object: name of a fixed object. most: largest number of grasps. seed: seed of the\n"
           "samples. test: simulate until so many hold, and rank these first; None: as most, where\n"
-          "MuJoCo is installed; 0: simulate none. Settings (table in the manual): samples, the "
+          "MuJoCo is installed; 0: simulate none. given: file of grasps (YAML or JSON) to measure\n"
+          "instead of a search. Settings (table in the manual): samples, the "
           "number of palm poses to try; friction, the coefficient between hand and\n"
           "object; payload, the mass of the object, kg; force (N), torque (N m) and stiffness\n"
           "(N m/rad) of the simulation.\n"
@@ -299,7 +319,7 @@ void bind_motion(py::module_& module) {
           "epsilon (N) and volume of the grasp wrench space; holding_force (N, the largest\n"
           "contact force that holds the payload, or None); contacts, dicts with finger, link,\n"
           "point and normal (in the object's frame) and distance (m); doubt, a reason to\n"
-          "distrust it, or empty; fingers,\n"
+          "distrust it, or empty; source, where a given grasp is in its file; fingers,\n"
           "enclosure, clearance (m); hold, None or a dict of the simulation: held (in all six\n"
           "directions), squeeze, directions and lift, each with held, shift (m) and turn (rad).");
   module.def(

@@ -4,6 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
+#include "handway/planning/grasps/given_grasps.h"
 #include "handway/planning/grasps/grasp_file.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
@@ -43,9 +44,13 @@ struct GraspOptions {
   std::optional<int> test;        ///< Grasps that shall hold; if not given, all that are listed.
   bool margins = false;
   std::vector<std::string> group;
+  std::filesystem::path from;  ///< File of grasps to measure; empty: grasps are searched for.
   std::filesystem::path out;
   std::filesystem::path report;
 };
+
+// Grasps that shall hold: by default all that are listed.
+int wanted(const GraspOptions& options) { return options.test.value_or(options.search.most); }
 
 /// Grasps of a search, simulated as far as that was asked for.
 struct TestedGrasps {
@@ -58,15 +63,15 @@ TestedGrasps test_grasps(const GraspOptions& options, const planning::PluginMana
                          const planning::PlanningProblem& problem, planning::Pregrasps grasps,
                          const std::stop_token& stop) {
   const auto test = plugins.hold_test_maker()(problem, options.object, grasps.palm);
-  const auto wanted = static_cast<std::size_t>(*options.test);
-  TestedGrasps tested{planning::rank_by_tests(*test, std::move(grasps.found), wanted, options.hold,
+  const auto count = static_cast<std::size_t>(wanted(options));
+  TestedGrasps tested{planning::rank_by_tests(*test, std::move(grasps.found), count, options.hold,
                                               options.search.threads, stop),
                       {},
                       test->assumptions()};
   if (tested.ranked.size() > static_cast<std::size_t>(options.search.most)) {
     tested.ranked.resize(static_cast<std::size_t>(options.search.most));
   }
-  for (std::size_t i = 0; options.margins && i < std::min(wanted, tested.ranked.size()); ++i) {
+  for (std::size_t i = 0; options.margins && i < std::min(count, tested.ranked.size()); ++i) {
     tested.margins.push_back(
         planning::hold_margins(*test, tested.ranked[i].grasp, options.hold, stop));
   }
@@ -126,6 +131,7 @@ Json json_of(const planning::Pregrasp& grasp) {
           {"pregrasp", list_of(grasp.q)},
           {"grasp", list_of(grasp.closed)},
           {"squeeze", list_of(grasp.squeezed)},
+          {"source", grasp.source},
           {"contacts", contacts}};
 }
 
@@ -188,13 +194,22 @@ std::string hold_columns(const TestedGrasps& grasps, std::size_t rank) {
 
 std::string hold_titles(const GraspOptions& options) {
   std::string titles;
-  if (*options.test > 0) {
+  if (wanted(options) > 0) {
     titles += fmt::format(" {:>6} {:>8}", "held", "lift, mm");
   }
-  if (*options.test > 0 && options.margins) {
+  if (wanted(options) > 0 && options.margins) {
     titles += fmt::format(" {:>8} {:>8} {:>8}", "friction", "mass, kg", "off, mm");
   }
   return titles;
+}
+
+// The source and the doubt of a grasp, as far as it has them.
+std::string remark(const planning::Pregrasp& grasp) {
+  std::string text;
+  for (const std::string& part : {grasp.source, grasp.doubt}) {
+    text += part.empty() ? std::string() : "  " + part;
+  }
+  return text;
 }
 
 void print_grasps(const TestedGrasps& grasps, const GraspOptions& options) {
@@ -207,8 +222,7 @@ void print_grasps(const TestedGrasps& grasps, const GraspOptions& options) {
     print_out("{:>4} {:>6.2f} {:>8.3f} {:>8} {:>8} {:>8} {:>10.0f}{}{}\n", i + 1, grasp.score,
               grasp.quality.epsilon, grasp.contacts.size(), touching_fingers(grasp),
               grasp.holding_force ? fmt::format("{:.1f}", *grasp.holding_force) : "-",
-              geometric::millimetres(grasp.clearance), hold_columns(grasps, i),
-              grasp.doubt.empty() ? std::string() : fmt::format("  {}", grasp.doubt));
+              geometric::millimetres(grasp.clearance), hold_columns(grasps, i), remark(grasp));
   }
 }
 
@@ -218,10 +232,30 @@ void set_tests(bool can_simulate, GraspOptions& options) {
     throw geometric::InputError({"--test", "", "no plugin that simulates grasps",
                                  "the plugin simulate_mujoco", "Build Handway with libmujoco-dev"});
   }
-  if (!options.test) {
-    options.test = can_simulate ? options.search.most : 0;
+  if (!options.test && !can_simulate) {
+    options.test = 0;
   }
-  options.search.spares = 2 * std::min(*options.test, options.search.most);
+  options.search.spares = 2 * std::min(wanted(options), options.search.most);
+}
+
+// Searches for grasps, or measures those of a file: then all are listed.
+planning::Pregrasps found_or_given(const planning::PlanningProblem& problem, GraspOptions& options,
+                                   const std::stop_token& stop) {
+  if (options.from.empty()) {
+    return planning::find_pregrasps(problem, options.object, options.search, stop);
+  }
+  const std::vector<planning::GivenGrasp> given =
+      planning::read_given_grasps(options.from, problem, options.object);
+  planning::MeasuredGrasps measured =
+      planning::measure_given_grasps(problem, options.object, given, options.search, stop);
+  for (const std::string& sentence : measured.left_out) {
+    print_error("{}\n", sentence);
+  }
+  if (measured.grasps.found.empty()) {
+    measured.grasps.why_none = fmt::format("None of the {} given is possible.", given.size());
+  }
+  options.search.most = static_cast<int>(given.size());
+  return std::move(measured.grasps);
 }
 
 int find_grasps(GraspOptions options) {
@@ -240,9 +274,9 @@ int find_grasps(GraspOptions options) {
   {
     const StopsOnInterrupt guard(stop);
     const auto begin = std::chrono::steady_clock::now();
-    found = planning::find_pregrasps(problem, options.object, options.search, stop.get_token());
+    found = found_or_given(problem, options, stop.get_token());
     time = std::chrono::steady_clock::now() - begin;
-    if (*options.test > 0 && !found.found.empty()) {
+    if (wanted(options) > 0 && !found.found.empty()) {
       grasps = test_grasps(options, plugins, problem, found, stop.get_token());
     } else {
       std::ranges::transform(
@@ -295,6 +329,8 @@ void add_grasp_command(CLI::App& app, int& exit_code) {
                     "error with which these grasps hold");
   add_parameter_options(*command, parameters_of(options->hold));
   add_group_option(*command, options->group);
+  command->add_option("--from", options->from,
+                      "File of grasps (YAML or JSON) to measure instead of a search");
   command->add_option("--out", options->out, "File for the grasps (YAML)");
   command->add_option("--report", options->report, "File for the report (JSON)");
   command->callback([options, &exit_code] {

@@ -293,6 +293,7 @@ class Scene:
         most: int = 8,
         seed: int = 1,
         test: Union[int, None] = None,
+        given: Union[_File, None] = None,
         **settings: float,
     ) -> list[dict[str, Any]]: ...
     def with_robot(

@@ -173,7 +173,8 @@ class Grasps(unittest.TestCase):
         self.assertGreater(grasps[0]["holding_force"], 0.0)
         self.assertGreaterEqual(len({contact["finger"] for contact in grasps[0]["contacts"]}), 2)
         self.assertAlmostEqual(float(np.linalg.norm(grasps[0]["contacts"][0]["normal"])), 1.0)
-        self.assertIsNone(grasps[0]["hold"])
+        self.assertEqual(grasps[0]["source"], "")
+        self.assertIsNone(scene.grasps("can", most=1, samples=1000, test=0)[0]["hold"])
         try:
             hold = scene.grasps("can", most=1, samples=4000, test=1)[0]["hold"]
         except handway.InputError as error:
@@ -182,10 +183,18 @@ class Grasps(unittest.TestCase):
             self.assertTrue(hold["held"])
             self.assertEqual(len(hold["directions"]), 6)
             self.assertLess(hold["lift"]["shift"], 0.005)
-        slippery = scene.grasps("can", most=1, samples=1000, friction=0.02)
+        slippery = scene.grasps("can", most=1, samples=1000, test=0, friction=0.02)
         self.assertTrue(all(grasp["doubt"] for grasp in slippery))
         with self.assertRaisesRegex(handway.InputError, "cam"):
             scene.grasps("cam")
+
+    def test_are_measured_from_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "grasps.json"
+            file.write_text('[{"pose": [9, 0, 0, 0, 0, 0, 1], "joints": {}}]')
+            self.assertEqual(can_on_table().grasps("can", given=file), [])
+            with self.assertRaisesRegex(handway.InputError, "missing.json"):
+                can_on_table().grasps("can", given="missing.json")
 
 
 if __name__ == "__main__":

@@ -88,6 +88,19 @@ TEST_F(GraspCommand, ListsFirstWhatHoldsInTheSimulation) {
   EXPECT_TRUE(std::ranges::is_partitioned(report["grasps"], holds));
 }
 
+TEST_F(GraspCommand, MeasuresGraspsOfAFile) {
+  ASSERT_EQ(line_.run("grasp " + scene() + " can --count 2 --test 0 --out own.yaml").exit_code, 0);
+  const Outcome run = line_.run("grasp " + scene() + " can --from own.yaml --test 0");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("own.yaml:"));
+  line_.write("far.json", R"([{"pose": [9, 0, 0, 0, 0, 0, 1], "joints": {}}])");
+  const Outcome far = line_.run("grasp " + scene() + " can --from far.json --test 0");
+  EXPECT_EQ(far.exit_code, 1);
+  EXPECT_THAT(far.err, HasSubstr("far.json:1: the arm does not get there."));
+  EXPECT_THAT(far.out, HasSubstr("None of the 1 given is possible."));
+  EXPECT_EQ(line_.run("grasp " + scene() + " can --from missing.yaml").exit_code, 3);
+}
+
 TEST_F(GraspCommand, NeedsNoGoalInTheScene) {
   std::filesystem::copy_file(scene(), line_.folder() / "scene.yaml");
   line_.replace("scene.yaml", "\ngoal: ", "\n# ");

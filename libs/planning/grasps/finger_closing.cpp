@@ -73,7 +73,9 @@ Configuration FingerClosing::all_closed(Configuration q, const geometric::Aabb& 
                                         const geometric::Pose& X_PO, const Limits& limits,
                                         const std::stop_token& stop) {
   for (std::size_t finger = 0; finger < hand_.fingers().size(); ++finger) {
-    q = closed(std::move(q), finger, core, X_PO, limits, stop);
+    if (!is_near(q, finger, limits.touch)) {
+      q = closed(std::move(q), finger, core, X_PO, limits, stop);
+    }
   }
   return q;
 }
@@ -118,6 +120,16 @@ std::vector<FingerClosing::MovedCheck> FingerClosing::checks_of(
     }
   }
   return checks;
+}
+
+bool FingerClosing::is_near(const Configuration& q, std::size_t finger, double distance) {
+  if (distance <= 0.0) {
+    return false;
+  }
+  checker_.place(q);
+  return std::ranges::any_of(checks_[finger], [&](const MovedCheck& moved) {
+    return moved.concern == Concern::kObject && checker_.pair_is_nearer_than(moved.check, distance);
+  });
 }
 
 bool FingerClosing::keeps_gap(const Configuration& q, std::vector<MovedCheck>& checks,

@@ -17,6 +17,7 @@ class FingerClosing {
     double object_gap = 0.0;  ///< m, to the object.
     double own_gap = 0.0;     ///< m, between the hand's links.
     int halvings = 0;         ///< Times that a blocked step is halved before a joint stops.
+    double touch = 0.0;       ///< m: fingers that are nearer to the object at first stay.
   };
 
   /// @param problem, hand, checker outlive this object.
@@ -49,6 +50,8 @@ class FingerClosing {
   [[nodiscard]] std::vector<MovedCheck> checks_of(const HandClosing::Finger& finger,
                                                   const std::vector<int>& with_object,
                                                   const std::vector<int>& of_hand) const;
+  /// Returns whether a finger is nearer to the object than that, m.
+  [[nodiscard]] bool is_near(const Configuration& q, std::size_t finger, double distance);
   /// @param first joint of the finger that moves; what only joints before it move keeps its gap.
   [[nodiscard]] bool keeps_gap(const Configuration& q, std::vector<MovedCheck>& checks,
                                Eigen::Index first, const Limits& limits);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -47,7 +48,16 @@ GraspMeasurement::GraspMeasurement(const Hand& hand, const geometric::SceneObjec
       scale_(torque_scale(*geometric::tessellate(object.shape))) {}
 
 bool GraspMeasurement::measure(Pregrasp& grasp, const geometric::Aabb& core, double needed) {
-  Configuration closed = closed_to_contact(grasp.q, core);
+  return set_closed(closed_to_contact(grasp.q, core, 0.0), needed, grasp);
+}
+
+void GraspMeasurement::measure_held(Pregrasp& grasp, const Configuration& start,
+                                    const geometric::Aabb& core) {
+  set_closed(closed_to_contact(start, core, kTouchDistance),
+             -std::numeric_limits<double>::infinity(), grasp);
+}
+
+bool GraspMeasurement::set_closed(Configuration closed, double needed, Pregrasp& grasp) {
   if (stop_.stop_requested()) {
     return false;  // closed in part
   }
@@ -86,9 +96,10 @@ int GraspMeasurement::finger_of(int link) const {
 
 // `q` with the hand closed until everything that moves touches. Where one joint moves several
 // fingers and only one of them touches, the palm gives way so that all do.
-Configuration GraspMeasurement::closed_to_contact(Configuration q, const geometric::Aabb& core) {
+Configuration GraspMeasurement::closed_to_contact(Configuration q, const geometric::Aabb& core,
+                                                  double touch) {
   constexpr int kRounds = 3;
-  q = closed_once(std::move(q), core);
+  q = closed_once(std::move(q), core, touch);
   for (int round = 0; round < kRounds; ++round) {
     const std::optional<Vector3d> shift_B = centring(q);
     if (!shift_B) {
@@ -98,17 +109,20 @@ Configuration GraspMeasurement::closed_to_contact(Configuration q, const geometr
     if (!moved.reached || of_.checker.first_collision(moved.q)) {
       break;
     }
-    q = closed_once(moved.q, core);
+    q = closed_once(moved.q, core, touch);
   }
   return q;
 }
 
-Configuration GraspMeasurement::closed_once(Configuration q, const geometric::Aabb& core) {
+Configuration GraspMeasurement::closed_once(Configuration q, const geometric::Aabb& core,
+                                            double touch) {
   const Pose X_PO = of_.ik.pose(q).inverse() * X_BO_;
-  return of_.closing.all_closed(
-      std::move(q), core, X_PO,
-      {.object_gap = kContactGap, .own_gap = options_.own_gap, .halvings = kContactHalvings},
-      stop_);
+  return of_.closing.all_closed(std::move(q), core, X_PO,
+                                {.object_gap = kContactGap,
+                                 .own_gap = options_.own_gap,
+                                 .halvings = kContactHalvings,
+                                 .touch = touch},
+                                stop_);
 }
 
 // Returns the shift of the palm that centres the object between two fingers of one joint, in the

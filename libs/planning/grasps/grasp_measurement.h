@@ -39,10 +39,18 @@ class GraspMeasurement {
   bool measure(Pregrasp& grasp, const geometric::Aabb& core,
                double needed = -std::numeric_limits<double>::infinity());
 
+  /// Like measure(), for a hand that is at the object already: fingers that touch it stay, the
+  /// others close until they do. @param start posture of the hand, free.
+  void measure_held(Pregrasp& grasp, const Configuration& start, const geometric::Aabb& core);
+
  private:
+  bool set_closed(Configuration closed, double needed, Pregrasp& grasp);
   [[nodiscard]] int finger_of(int link) const;
-  [[nodiscard]] Configuration closed_to_contact(Configuration q, const geometric::Aabb& core);
-  [[nodiscard]] Configuration closed_once(Configuration q, const geometric::Aabb& core);
+  /// @param touch fingers that are nearer to the object, m, stay.
+  [[nodiscard]] Configuration closed_to_contact(Configuration q, const geometric::Aabb& core,
+                                                double touch);
+  [[nodiscard]] Configuration closed_once(Configuration q, const geometric::Aabb& core,
+                                          double touch);
   [[nodiscard]] std::optional<Eigen::Vector3d> centring(const Configuration& q);
   [[nodiscard]] std::optional<double> holding_force(
       const std::vector<GraspContact>& contacts) const;

@@ -24,7 +24,10 @@ constexpr double kMaxRimWidth = 0.5;  // m, … of the longest side of what is h
 constexpr double kCoreShare = 0.65;   // of a chord, and …
 constexpr double kCoreRoom = 0.02;    // … m: radius of the part that the fingers close around
 constexpr int kOpeningSteps = 12;
-constexpr double kOpeningStep = 0.06;      // normalised
+constexpr double kOpeningStep = 0.06;   // normalised
+constexpr int kFineOpeningSteps = 100;  // of a given hand that is in the object
+constexpr double kFineOpeningStep = 0.005;
+constexpr double kFreeGap = 5e-5;          // m that it then keeps: less than in contact
 constexpr double kHoldingImbalance = 0.3;  // imbalance of the fingers: friction holds up to here, …
 constexpr double kSlippingImbalance = 0.6;  // … and not from here on
 constexpr double kHoldWeight = 0.6;         // share of the score that is lost then
@@ -199,14 +202,60 @@ SampleResult GraspSampler::neighbour(const Candidate& candidate, sampling::Rando
   return result;
 }
 
+SampleResult GraspSampler::given(const Pose& X_OP, const Configuration& q) {
+  SampleResult result;
+  HandClosing::Preshape shape;
+  shape.open = hand_.hand_of(q);
+  const GraspPlace place{std::move(shape), X_OP, held_core(X_OP, q)};
+  const std::vector<Configuration> reached = ik_.all(q, X_BO_ * X_OP);
+  try_place(
+      place, reached, [&] { return reached; }, true, result);
+  if (result.candidate) {
+    const Configuration in_hand = hand_in(result.candidate->grasp.q, q);
+    const Opening off{kFreeGap, kFineOpeningStep, kFineOpeningSteps};
+    measurement_->measure_held(result.candidate->grasp, opened(in_hand, place.core, off),
+                               place.core);
+    rate(*result.candidate);
+  }
+  return result;
+}
+
+geometric::Aabb GraspSampler::held_core(const Pose& X_OP, const Configuration& q) const {
+  Eigen::Matrix3Xd tips(3, std::ssize(hand_.fingers()));
+  for (Eigen::Index i = 0; i < tips.cols(); ++i) {
+    tips.col(i) = X_OP * hand_.tip_in_palm(hand_.fingers()[static_cast<std::size_t>(i)], q);
+  }
+  const Vector3d centre = nearest_in(box_, tips.rowwise().mean());
+  const double reach = (tips.colwise() - centre).colwise().norm().mean();
+  return chords_.core(centre, 2.0 * kCoreShare * reach + kCoreRoom);
+}
+
+std::string GraspSampler::why_not(const SampleResult& result) const {
+  switch (result.end) {
+    case SampleEnd::kOutOfReach:
+      return "the arm does not get there";
+    case SampleEnd::kInObject:
+      return fmt::format("the palm, or a finger that opens, is in {} or in the hand", object_);
+    case SampleEnd::kBlocked:
+      return fmt::format("{} is in the way", *result.in_the_way.begin());
+    default:
+      return fmt::format("no two fingers close to different sides of {}", object_);
+  }
+}
+
 bool GraspSampler::measure(Candidate& candidate, double needed) {
-  Pregrasp& grasp = candidate.grasp;
-  if (needed > kFullEpsilon || !measurement_->measure(grasp, candidate.place.core, needed)) {
+  if (needed > kFullEpsilon ||
+      !measurement_->measure(candidate.grasp, candidate.place.core, needed)) {
     return false;
   }
+  rate(candidate);
+  return true;
+}
+
+void GraspSampler::rate(Candidate& candidate) {
+  Pregrasp& grasp = candidate.grasp;
   grasp.score = kEpsilonWeight * std::clamp(grasp.quality.epsilon / kFullEpsilon, 0.0, 1.0) +
                 (1.0 - kEpsilonWeight) * candidate.promise;
-  return true;
 }
 
 std::string GraspSampler::why_none(const SampleResults& results) const {
@@ -221,7 +270,8 @@ void GraspSampler::try_place(const GraspPlace& place, const std::vector<Configur
     result.end = SampleEnd::kOutOfReach;
     return;
   }
-  const Configuration wider = opened_wider(reached.front(), place.core);
+  const Configuration wider =
+      opened(reached.front(), place.core, {options_.gap, kOpeningStep, kOpeningSteps});
   Configuration q = wider;
   std::optional<int> pair = colliding(q);
   if (pair && !is_of_hand(*pair)) {  // the hand is at the same place for all postures of the arm
@@ -303,24 +353,25 @@ bool GraspSampler::is_of_hand(int pair) const {
   return is_hand(bodies.a) && is_hand(bodies.b);
 }
 
-bool GraspSampler::touches(const Configuration& q, const std::vector<int>& links) {
+bool GraspSampler::touches(const Configuration& q, const std::vector<int>& links, double gap) {
   checker_->place(q);
   const geometric::CollisionWorld& world = checker_->world();
   return std::ranges::any_of(with_object_, [&](int pair) {
     const int link = world.body(world.pairs()[static_cast<std::size_t>(pair)].a).link;
-    return std::ranges::count(links, link) > 0 && checker_->pair_is_nearer_than(pair, options_.gap);
+    return std::ranges::count(links, link) > 0 && checker_->pair_is_nearer_than(pair, gap);
   });
 }
 
-Configuration GraspSampler::opened_wider(Configuration q, const geometric::Aabb& core) {
+Configuration GraspSampler::opened(Configuration q, const geometric::Aabb& core,
+                                   const Opening& opening) {
   for (const HandClosing::Finger& finger : hand_.fingers()) {
-    if (!touches(q, finger.links)) {
+    if (!touches(q, finger.links, opening.gap)) {
       continue;
     }
     Eigen::VectorXd posture = hand_.hand_of(q);
     const Eigen::VectorXd rates = hand_.towards(finger, posture, core, object_in_palm(q));
-    for (int step = 0; step < kOpeningSteps && touches(q, finger.links); ++step) {
-      posture(finger.joints) -= kOpeningStep * rates;
+    for (int step = 0; step < opening.most && touches(q, finger.links, opening.gap); ++step) {
+      posture(finger.joints) -= opening.step * rates;
       posture = posture.cwiseMax(0.0).cwiseMin(1.0);
       q = hand_.with_hand(q, posture);
     }

@@ -43,11 +43,18 @@ class GraspSampler {
   /// Tries a place beside that of a measured candidate; finds a better grasp or none.
   [[nodiscard]] SampleResult neighbour(const Candidate& candidate, sampling::RandomStream random);
 
+  /// Tries the place of a given grasp: the fingers open off the object, and close onto it.
+  /// @param X_OP pose of the palm in the object's frame. @param q has the hand's joints.
+  [[nodiscard]] SampleResult given(const geometric::Pose& X_OP, const Configuration& q);
+
   /// Closes the hand of a candidate up to contact, measures how the object is held, and sets its
   /// score.
   /// @param needed epsilon (N) without which it is not wanted.
   /// @returns false if it has less: then not all of it is set.
   bool measure(Candidate& candidate, double needed = -HUGE_VAL);
+
+  /// Describes why a given grasp is not possible.
+  [[nodiscard]] std::string why_not(const SampleResult& result) const;
 
   /// Explains why a search found no grasp.
   [[nodiscard]] std::string why_none(const SampleResults& results) const;
@@ -60,6 +67,10 @@ class GraspSampler {
   /// @param others returns other postures of the arm, for the case that the first one collides.
   void try_place(const GraspPlace& place, const std::vector<Configuration>& reached,
                  const ArmPostures& others, bool judges, SampleResult& result);
+
+  /// Returns the part of the object between the fingertips of a hand at that pose.
+  [[nodiscard]] geometric::Aabb held_core(const geometric::Pose& X_OP,
+                                          const Configuration& q) const;
 
   /// Returns `q` with the hand's joints of another configuration.
   [[nodiscard]] Configuration hand_in(Configuration q, const Configuration& other) const;
@@ -76,11 +87,21 @@ class GraspSampler {
   /// Returns whether a check depends on the hand's place and posture alone.
   [[nodiscard]] bool is_of_hand(int pair) const;
 
-  /// Returns whether one of these links is nearer to the object than the gap.
-  bool touches(const Configuration& q, const std::vector<int>& links);
+  /// How fingers open off the object.
+  struct Opening {
+    double gap = 0.0;   ///< m to the object from which on a finger is open.
+    double step = 0.0;  ///< Normalised joints.
+    int most = 0;       ///< Steps.
+  };
 
-  /// Opens the fingers that are in the object.
-  Configuration opened_wider(Configuration q, const geometric::Aabb& core);
+  /// Returns whether one of these links is nearer to the object than the gap.
+  bool touches(const Configuration& q, const std::vector<int>& links, double gap);
+
+  /// Opens the fingers that are in the object or too near to it.
+  Configuration opened(Configuration q, const geometric::Aabb& core, const Opening& opening);
+
+  /// Sets the score of a measured candidate.
+  static void rate(Candidate& candidate);
 
   /// Returns the pose of the object in the palm's frame.
   [[nodiscard]] geometric::Pose object_in_palm(const Configuration& q) const;

@@ -77,6 +77,10 @@ Eigen::VectorXd HandClosing::hand_of(const Configuration& q) const {
   return geometric::normalised(problem_.model(), q)(problem_.joints.hand);
 }
 
+Vector3d HandClosing::tip_in_palm(const Finger& finger, const Configuration& q) const {
+  return tip_link(finger, link_poses(hand_of(q))) * finger.p_LTip;
+}
+
 Eigen::VectorXd HandClosing::towards(const Finger& finger, const Eigen::VectorXd& posture,
                                      const geometric::Aabb& box, const Pose& X_PO) const {
   const RobotModel& model = problem_.model();

@@ -30,11 +30,14 @@ class HandClosing {
 
   /// An opened hand, seen from its palm: a thumb against fingers side by side. Lengths in m.
   struct Preshape {
-    Eigen::VectorXd open;        ///< Normalised joints in the basis' order.
-    Eigen::Vector3d grip;        ///< Between the ends of the thumb and of the others.
-    Eigen::Vector3d opposition;  ///< From the thumb to the others; of length 1.
-    Eigen::Vector3d row = {};    ///< Along the others' tips, square to it; of length 1.
-    double opening = 0.0;        ///< From the thumb's tip to the others.
+    Eigen::VectorXd open;  ///< Normalised joints in the basis' order.
+    /// Between the ends of the thumb and of the others.
+    Eigen::Vector3d grip = Eigen::Vector3d::Zero();
+    /// From the thumb to the others; of length 1.
+    Eigen::Vector3d opposition = Eigen::Vector3d::Zero();
+    /// Along the others' tips, square to it; of length 1.
+    Eigen::Vector3d row = Eigen::Vector3d::Zero();
+    double opening = 0.0;  ///< From the thumb's tip to the others.
   };
   /// A finger as far as closing needs it.
   struct Finger {
@@ -61,6 +64,9 @@ class HandClosing {
 
   /// The hand of `q`, normalised.
   [[nodiscard]] Eigen::VectorXd hand_of(const Configuration& q) const;
+
+  /// The middle of a finger's tip in the palm's frame, m.
+  [[nodiscard]] Eigen::Vector3d tip_in_palm(const Finger& finger, const Configuration& q) const;
 
   /// Direction of a finger's joints that brings its tip closer to a box: shape [joints of the
   /// finger], of length 1, or zero where none does.

@@ -42,8 +42,7 @@ Pregrasp measured_grasp(const SceneState& state, const std::string& name, const 
   GraspMeasurement measurement({problem, ik, hand, *checker, closing}, object, with_object, options,
                                stop);
   Pregrasp grasp{q};
-  static_cast<void>(
-      measurement.measure(grasp, geometric::bounding_box(*geometric::tessellate(object.shape))));
+  measurement.measure_held(grasp, q, geometric::bounding_box(*geometric::tessellate(object.shape)));
   if (touching_fingers(grasp) < 2) {
     throw geometric::InputError({source_of(*state.scene), "object " + name,
                                  fmt::format("{} fingers that touch it", touching_fingers(grasp)),

@@ -73,6 +73,7 @@ struct Pregrasp {
   double subspace_distance =
       0.0;                  ///< From the hand's PMD subspace, normalised joints; 0 without one.
   double arm_travel = 0.0;  ///< From the start, normalised joints.
+  std::string source = {};  ///< Origin of a given grasp (GivenGrasp); empty for a found one.
   /// In [0, 1]; what they are ranked by. 0.7 min(1, epsilon / 0.15) + 0.3 times the mean of what is
   /// above: 35 % fingers, 25 % enclosure, 15 % clearance (full at 30 mm), 15 % nearness to the PMD
   /// subspace, 10 % shortness of the arm's path; less where the fingers do not oppose each other.

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+#include "handway/planning/grasps/pregrasp_search.h"
+
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Grasps that were found elsewhere, measured like those of Handway's search.
+
+namespace handway::planning {
+
+/// A grasp from elsewhere: a file, another program, a person.
+struct GivenGrasp {
+  std::string source;                                  ///< For messages, as "grasps.json:12".
+  geometric::Pose X_OP = geometric::Pose::Identity();  ///< Pose of the palm in the object's frame.
+  Configuration q;  ///< Of the robot. Only the joints of the hand are used: in contact or near it.
+};
+
+/// Reads grasps of an object from a YAML or JSON file: a grasp file of Handway's
+/// (grasp_file_text()), or a list of grasps, each with a pose and the joints of the hand:
+///
+///     link: "hand_base"   # that the poses are of; the palm if absent
+///     grasps:
+///       - pose: [x, y, z, qx, qy, qz, qw]   # m, in the object's frame; or rows of a 4×4 matrix
+///         joints: {"joint_1": 0.31, …}      # rad or m
+///
+/// Joints that are not given are those of the start; joints of the arm are not used.
+/// @throws InputError naming the line if the file can't be read, names unknown joints, or has no
+/// grasps; and as find_pregrasps() for the object.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<GivenGrasp> read_given_grasps(
+    const std::filesystem::path& file, const PlanningProblem& problem, std::string_view object);
+
+/// Given grasps that are possible, and why the others are not.
+struct MeasuredGrasps {
+  Pregrasps grasps;                   ///< The best first, each with its source.
+  std::vector<std::string> left_out;  ///< A sentence for each that is not possible.
+};
+
+/// Measures given grasps as find_pregrasps() measures those that it finds. The arm gets the posture
+/// nearest to the start that is free. The fingers close up to contact from where they are given;
+/// those that are in the object open as far as they must. In the pre-grasp they are
+/// PregraspOptions::gap or more from it. Any number of threads gives the same bits.
+/// @param object that the grasps are of. @param stop ends within 100 ms, with those that are
+/// measured.
+/// @throws InputError as find_pregrasps().
+[[nodiscard]] HANDWAY_PLANNING_EXPORT MeasuredGrasps measure_given_grasps(
+    const PlanningProblem& problem, std::string_view object, const std::vector<GivenGrasp>& given,
+    const PregraspOptions& options = {}, const std::stop_token& stop = {});
+
+}  // namespace handway::planning
