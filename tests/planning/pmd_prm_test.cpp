@@ -1,10 +1,13 @@
+#include "handway/planning/core/observer.h"
 #include "handway/planning/planners/planner.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <handway_test/planar_problems.h>
 
+#include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,12 +23,12 @@ std::unique_ptr<Planner> planner_as_shipped() { return PlannerRegistry().create(
 
 std::unique_ptr<Planner> planner_as_printed() {
   std::unique_ptr<Planner> planner = planner_as_shipped();
-  for (const geometric::Parameter& parameter : planner->parameters()) {
-    if (!parameter.as_printed.empty()) {
-      planner->set_parameter(parameter.key, parameter.as_printed);
-    }
-  }
+  planner->set_parameter("preset", "print");
   return planner;
+}
+
+std::string value_of(Planner& planner, const std::string& key) {
+  return to_text(find_parameter(planner.parameters(), key));
 }
 
 // The upper arm is held between two pins of the robot's own base, 20 µm away on either side: hardly
@@ -62,6 +65,50 @@ TEST(PmdPrm, NamesWhatDepartsFromThePrint) {
   EXPECT_THAT(departures(planner_as_printed()->parameters()), IsEmpty());
 }
 
+TEST(PmdPrm, PresetsGiveValuesToWhatIsNotSetInAnyOrder) {
+  const auto planner = planner_as_shipped();
+  planner->set_parameter("rho_max", "0.03");
+  planner->set_parameter("preset", "authors");
+  planner->set_parameter("goal_samples", "3");
+  EXPECT_EQ(value_of(*planner, "rho_max"), "0.03");
+  EXPECT_EQ(value_of(*planner, "goal_samples"), "3");
+  EXPECT_EQ(value_of(*planner, "growth"), "linear");
+  EXPECT_EQ(value_of(*planner, "corridor"), "cartesian");
+  EXPECT_EQ(value_of(*planner, "neighbour_distance"), "4");
+}
+
+TEST(PmdPrm, ReturnsToItsDefaultsWithThePresetThatShips) {
+  const auto full = PlannerRegistry().create("full-prm");
+  full->set_parameter("preset", "authors");
+  full->set_parameter("preset", "print");
+  EXPECT_THAT(departures(full->parameters()), IsEmpty());
+  full->set_parameter("preset", "shipped");
+  const auto fresh = PlannerRegistry().create("full-prm");
+  for (const geometric::Parameter& parameter : fresh->parameters()) {
+    EXPECT_EQ(value_of(*full, parameter.key), to_text(parameter)) << parameter.key;
+  }
+}
+
+TEST(PmdPrm, SamplesAroundTheGoalBeforeTheFirstPass) {
+  const auto planner = planner_as_shipped();
+  planner->set_parameter("goal_samples", "10");
+  planner->set_parameter("max_samples", "100");
+  const PlanResult result = planner->plan(test::walled_in_problem(), {});
+  EXPECT_EQ(result.status, PlanStatus::kSamplesSpent);
+  EXPECT_GE(result.statistics.edges, 10U);  // all ten nodes are near the goal and joined to it
+  EXPECT_EQ(result.statistics.nodes_per_pmds.front(), 10U);
+}
+
+TEST(PmdPrm, ConnectsFartherNodesWithALargerNeighbourDistance) {
+  const auto edges = [](const char* distance) {
+    const auto planner = planner_as_shipped();
+    planner->set_parameter("neighbour_distance", distance);
+    planner->set_parameter("max_samples", "300");
+    return planner->plan(test::walled_in_problem(), {}).statistics.edges;
+  };
+  EXPECT_LT(edges("0.01"), edges("1"));
+}
+
 TEST(PmdPrm, GrowsTheCorridorWithoutLimitAsPrinted) {
   const auto printed = planner_as_printed();
   printed->set_parameter("rho_a", "0.02");
@@ -82,6 +129,44 @@ TEST(PmdPrm, GrowsTheCorridorByEqualStepsAsTheAuthorsProgram) {
   EXPECT_DOUBLE_EQ(statistics.final_rho_a, static_cast<double>(statistics.passes) * 0.001);
   EXPECT_THAT(departures(linear->parameters()),
               ElementsAre(testing::Field(&geometric::Parameter::key, "growth")));
+}
+
+/// Records the places of nodes, edges and search ranges, and stops after three samples.
+class RangeRecorder final : public Observer {
+ public:
+  void on_node(const NodeEvent& node) override { places.push_back(node.step); }
+  void on_edge(int from, int to) override { edges.emplace_back(from, to); }
+  void on_search_range(double d_ini, double d_goal) override {
+    ranges.emplace_back(d_ini, d_goal);
+    if (places.size() == 5) {
+      stop.request_stop();
+    }
+  }
+
+  std::vector<double> places;  ///< By node; start and goal are the first.
+  std::vector<std::pair<int, int>> edges;
+  std::vector<std::pair<double, double>> ranges;  ///< After each hypercube.
+  std::stop_source stop;
+};
+
+// The print's own example (Fig. 13): of three samples, at 0, 1 and 0.5, the first and the last are
+// in the component of the start, the second in that of the goal. Then 0.5 to 1 is left.
+TEST(PmdPrm, NarrowsTheSearchRangeAsInTheExampleOfFig13) {
+  bool seen = false;
+  for (std::uint64_t seed = 1; seed <= 40 && !seen; ++seed) {
+    RangeRecorder recorder;
+    static_cast<void>(planner_as_printed()->plan(test::walled_in_problem(), {.seed = seed},
+                                                 recorder.stop.get_token(), &recorder));
+    const std::vector<std::pair<int, int>> by_start{{0, 2}, {1, 3}, {0, 4}};
+    const std::vector<std::pair<int, int>> by_first_sample{{0, 2}, {1, 3}, {2, 4}};
+    seen = recorder.places == std::vector{0.0, 1.0, 0.0, 1.0, 0.5} &&
+           (recorder.edges == by_start || recorder.edges == by_first_sample);
+    if (seen) {
+      EXPECT_THAT(recorder.ranges,
+                  ElementsAre(std::pair(0.0, 1.0), std::pair(0.0, 1.0), std::pair(0.5, 1.0)));
+    }
+  }
+  EXPECT_TRUE(seen);
 }
 
 TEST(PmdPrm, ChecksNAtTheEndOfEachPassAsPrinted) {

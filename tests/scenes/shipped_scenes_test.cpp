@@ -98,8 +98,8 @@ class ShippedScene : public testing::TestWithParam<std::string> {
 TEST(ShippedScenes, AreThePaperBenchmarkItsFourHarderTasksAndOtherRobots) {
   EXPECT_EQ(scene_names(),
             (std::vector<std::string>{"can_in_box", "can_on_table", "cans_in_shelf", "cans_on_desk",
-                                      "iiwa_and_allegro", "panda_and_leap", "t_shape",
-                                      "two_cans_on_table", "ur5e_and_shadow"}));
+                                      "cluttered_table", "iiwa_and_allegro", "panda_and_leap",
+                                      "t_shape", "two_cans_on_table", "ur5e_and_shadow"}));
 }
 
 TEST_P(ShippedScene, LoadsWithoutWarningsAndSaysWhatItIs) {
@@ -158,9 +158,10 @@ TEST_P(ShippedScene, EndsCloserToTheObjectThanItStarts) {
 TEST_P(ShippedScene, TakesHandPosturesThatThePrincipalDirectionsReach) {
   ASSERT_NE(problem().basis, nullptr);
   EXPECT_EQ(problem().basis->joints.size(), problem().joints.hand.size());
-  for (const Configuration& q : {problem().start, problem().goal}) {
-    EXPECT_LT(distance_before_clamping(*problem().basis, posture(q)), kRounding);
-  }
+  EXPECT_LT(distance_before_clamping(*problem().basis, posture(problem().start)), kRounding);
+  // A goal of the grasp search need not be in the subspace (paper, section 5).
+  const double at_goal = distance_before_clamping(*problem().basis, posture(problem().goal));
+  EXPECT_EQ(at_goal < kRounding, GetParam() != "cluttered_table") << at_goal;
 }
 
 TEST_P(ShippedScene, IsTheSameWhenWrittenAndReadAgain) {

@@ -300,6 +300,9 @@ void PlanPanel::rebuild_form(bool from_defaults) {
   show_whether_several();
   delete form_;
   std::vector<geometric::Parameter> parameters = planner.parameters();
+  std::erase_if(parameters, [](const geometric::Parameter& parameter) {
+    return parameter.key == planning::kPresetKey;  // presets_ offers it
+  });
   std::stable_partition(
       parameters.begin(), parameters.end(), [](const geometric::Parameter& parameter) {
         return parameter.key == "objective" || parameter.key.starts_with("weight_");

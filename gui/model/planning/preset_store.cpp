@@ -14,6 +14,9 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <memory>
+#include <string_view>
+#include <utility>
 
 namespace handway::gui {
 namespace {
@@ -41,6 +44,21 @@ Texts texts_of(const std::vector<geometric::Parameter>& parameters) {
     texts.push_back(geometric::to_text(parameter));
   }
   return texts;
+}
+
+// Settings by which the planner differs from its defaults under a preset of its own.
+Settings settings_of(const std::string& name, std::string_view preset) {
+  const std::unique_ptr<planning::Planner> planner = planning::PlannerRegistry().create(name);
+  const std::vector<geometric::Parameter> usual = planner->parameters();
+  planner->set_parameter(planning::kPresetKey, preset);
+  Settings settings;
+  for (const geometric::Parameter& parameter : planner->parameters()) {
+    std::string value = to_text(parameter);
+    if (value != to_text(geometric::find_parameter(usual, parameter.key))) {
+      settings.emplace_back(parameter.key, std::move(value));
+    }
+  }
+  return settings;
 }
 
 // Returns the values of the planner's parameters under the preset.
@@ -98,10 +116,11 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
         QObject::tr(
             "The paper's values (Table 3) and exactly its Algorithm 4: ρₐ grows without limit, N "
             "is compared at the end of each pass, and smoothing may go back along the path."),
-        {{"rho_max", "0"},
-         {"fill_gaps", "false"},
-         {"n_checked", "pass"},
-         {"smoothing", "both-ways"}});
+        settings_of(planner, "print"));
+    add(QObject::tr("As the authors' program"),
+        QObject::tr("What the authors' program does otherwise than their paper: ρₐ grows by equal "
+                    "steps, in poses of the tool, with ten samples at the goal."),
+        settings_of(planner, "authors"));
   }
   if (planner == "pmd-prm") {
     add(QObject::tr("Fast"),

@@ -49,8 +49,8 @@ inline constexpr const char* kAutoPlanner = "auto";  ///< Its name.
 
 /// The paper's planner: a probabilistic roadmap of hand-arm configurations, the
 /// arm drawn from a corridor around the straight motion, the hand from the
-/// subspace of the thumb base and a few principal motion directions. Algorithm 4 as printed
-/// is `rho_max` = 0, `fill_gaps` = false, `n_checked` = pass and `smoothing` = both-ways.
+/// subspace of the thumb base and a few principal motion directions. The algorithms as printed
+/// are the preset `print`, what the authors' program does otherwise is `authors`.
 ///
 /// Source: Rosell, Suárez, Rosales, Pérez, "Autonomous motion planning of a
 /// hand-arm robotic system based on captured human-like hand postures",

@@ -244,6 +244,17 @@ void Planner::set_parameter(std::string_view key, std::string_view text) {
   geometric::Parameter& parameter = find_parameter(list, key);
   set_from_text(parameter, text);
   assign(bound_parameters()[static_cast<std::size_t>(&parameter - list.data())], parameter);
+  if (key != kPresetKey) {
+    keys_set_.emplace(key);
+    return;
+  }
+  const std::vector<geometric::Parameter> values = preset_values();
+  const std::vector<geometric::BoundParameter> own = own_parameters();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!keys_set_.contains(values[i].key)) {
+      assign(own[i], values[i]);
+    }
+  }
 }
 
 std::vector<geometric::BoundParameter> Planner::bound_parameters() {

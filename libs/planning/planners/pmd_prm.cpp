@@ -1,3 +1,4 @@
+#include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/core/observer.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_context.h"
@@ -37,9 +38,17 @@ enum class RhoGrowth {
   kLinear,     ///< k times the initial ρ_a, as in the authors' program.
 };
 
+/// Values of the settings that follow the print, or the authors' program, unless they are set.
+enum class PmdPrmPreset {
+  kShipped,
+  kPrint,    ///< The listings, literally.
+  kAuthors,  ///< The authors' program, which departs from their listings.
+};
+
 /// Symbols are the paper's (sections 5 and 7, Table 3), where good results are reported for ρ_a
 /// between 0.001 and 0.05.
 struct PmdPrmSettings {
+  int preset = static_cast<int>(PmdPrmPreset::kShipped);
   double rho_a = 0.001;
   double rho_max = 0.05;
   int growth = static_cast<int>(RhoGrowth::kFactorial);
@@ -53,6 +62,8 @@ struct PmdPrmSettings {
   int max_samples = 1000000;
   int max_pmds = 4;
   int arm_trials = 10;
+  double neighbour_distance = 1.0;
+  int goal_samples = 0;
 };
 
 /// One run of Algorithm 4.
@@ -67,9 +78,10 @@ class RoadmapSearch {
         grows_(space == HandSpace::kPrincipalDirections),
         region_(context.problem(), space, static_cast<CorridorForm>(settings.corridor)),
         joints_(make_corridor_space(context.problem(), CorridorForm::kJoint)),
-        threshold_((joints_->coordinates(context.problem().goal) -
-                    joints_->coordinates(context.problem().start))
-                       .norm()) {
+        threshold_(settings.neighbour_distance * (joints_->coordinates(context.problem().goal) -
+                                                  joints_->coordinates(context.problem().start))
+                                                     .norm()),
+        goal_draws_(RandomStream(context.request().seed).fork(3)) {
     const RandomStream seeds(context.request().seed);
     arm_points_ = context.make_sampler(std::max(1, region_.space().corridor_dimension()),
                                        seeds.fork(1).seed(), [this](const Eigen::VectorXd& u) {
@@ -86,20 +98,18 @@ class RoadmapSearch {
 
   // Algorithm 4.
   void run(PlanResult& result) {
+    std::optional<PlanStatus> end = sample_around_goal();
     double rho = settings_.rho_a;
-    for (int k = 1;; ++k) {
+    for (int k = 1; !end; ++k) {
       rho = std::min(grown(rho, k), largest_rho_);
       statistics().final_rho_a = rho;
       ++statistics().passes;
       notify({.line = lines::kWiden, .rho_a = rho});
-      const std::optional<PlanStatus> end = sweep(rho);
-      if (end) {
-        result.status = *end;
-        if (!result.solved()) {
-          notify({.line = lines::kFailure});
-        }
-        return;
-      }
+      end = sweep(rho);
+    }
+    result.status = *end;
+    if (!result.solved()) {
+      notify({.line = lines::kFailure});
     }
   }
 
@@ -118,6 +128,61 @@ class RoadmapSearch {
     if (watcher_) {
       watcher_->on_step(step);
     }
+  }
+
+  // Samples of the goal's hypercube before the first pass, as in the authors' program.
+  std::optional<PlanStatus> sample_around_goal() {
+    constexpr int kTrialsPerSample = 10;
+    const int trials = kTrialsPerSample * settings_.goal_samples;
+    statistics().final_rho_a = settings_.rho_a;
+    hypercube_ = {1.0, settings_.rho_a};
+    int free_count = 0;
+    for (int i = 0; i < trials && free_count < settings_.goal_samples; ++i) {
+      if (const auto interruption = context_.interruption()) {
+        return interruption;
+      }
+      if (trials_left() <= 0) {
+        return PlanStatus::kSamplesSpent;
+      }
+      const std::optional<Configuration> q =
+          near_goal(goal_draws_.fork(static_cast<std::uint64_t>(i)));
+      const bool is_free = q && !context_.validator().collision(*q);
+      statistics().samples += each_trial_counts_ || !is_free ? 1 : 0;
+      if (!is_free) {
+        continue;
+      }
+      ++free_count;
+      notify({.line = lines::kHypercube, .position = 1.0, .rho_a = settings_.rho_a});
+      connect(*q, 1.0, 0);
+      if (roadmap_.same_component(kStart, kGoal)) {
+        return PlanStatus::kSolved;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The arm anywhere in the goal's hypercube, the hand as at the goal, or half of the times up to
+  // 0.3 of the box's sides away from it.
+  [[nodiscard]] std::optional<Configuration> near_goal(RandomStream draw) const {
+    constexpr double kShare = 0.3;
+    const std::optional<Configuration> arm =
+        arm_at(draw.uniform(std::max(1, region_.space().corridor_dimension())));
+    if (!arm) {
+      return std::nullopt;
+    }
+    const geometric::JointIndices& hand = context_.problem().joints.hand;
+    Eigen::VectorXd joints = geometric::normalised(context_.problem().model(), *arm);
+    joints(hand) = geometric::normalised(context_.problem().model(), context_.problem().goal)(hand);
+    if (draw.uniform() < 0.5) {
+      const int axes = hand_dimension(settings_.max_pmds);
+      const Eigen::VectorXd sides = 2.0 * sampling::half_sides_of(region_.basis()).head(axes);
+      const Eigen::VectorXd offset =
+          kShare * (2.0 * draw.uniform(axes).array() - 1.0).matrix().cwiseProduct(sides);
+      joints(hand) = (joints(hand) + sampling::axes_of(region_.basis()).leftCols(axes) * offset)
+                         .cwiseMax(0.0)
+                         .cwiseMin(1.0);
+    }
+    return geometric::denormalised(context_.problem().model(), joints);
   }
 
   // ρ_a of pass `k`, from that of the pass before.
@@ -380,6 +445,7 @@ class RoadmapSearch {
   HandArmRegion region_;
   std::unique_ptr<CorridorSpace> joints_;  ///< Space in which distances are measured.
   double threshold_;
+  RandomStream goal_draws_;
   std::unique_ptr<sampling::Sampler> arm_points_;
   std::unique_ptr<sampling::Sampler> hand_points_;
   std::pair<double, double> hypercube_;  ///< Step and half side of the one explored.
@@ -402,9 +468,10 @@ class PmdPrm final : public BuiltInPlanner {
             {.uses_pmds = with_pmds(space), .needs_basis = with_pmds(space), .uses_threads = true}),
         space_(space) {
     if (!with_pmds(space)) {  // Table 3, in parentheses
-      settings_.n_a = 20;
-      settings_.n_h = 20;
+      shipped_.n_a = 20;
+      shipped_.n_h = 20;
     }
+    settings_ = shipped_;
   }
 
  protected:
@@ -419,57 +486,102 @@ class PmdPrm final : public BuiltInPlanner {
   }
 
   [[nodiscard]] std::vector<geometric::BoundParameter> own_parameters() override {
+    return describe(settings_);
+  }
+
+  [[nodiscard]] std::vector<geometric::Parameter> preset_values() override {
+    PmdPrmSettings values = shipped_;
+    values.preset = settings_.preset;
+    switch (static_cast<PmdPrmPreset>(settings_.preset)) {
+      case PmdPrmPreset::kShipped:
+        break;
+      case PmdPrmPreset::kPrint:
+        for (const geometric::BoundParameter& parameter : describe(values)) {
+          if (!parameter.as_printed.empty()) {
+            set_from_text(parameter, parameter.as_printed);
+          }
+        }
+        break;
+      case PmdPrmPreset::kAuthors:
+        values.growth = static_cast<int>(RhoGrowth::kLinear);
+        values.rho_max = 0.2;
+        values.fill_gaps = false;
+        values.smoothing = static_cast<int>(SmoothingEdges::kBothWays);
+        values.corridor = static_cast<int>(CorridorForm::kCartesian);
+        values.neighbour_distance = 4.0;
+        values.goal_samples = 10;
+        break;
+    }
+    return geometric::values_of(describe(values));
+  }
+
+ private:
+  [[nodiscard]] std::vector<geometric::BoundParameter> describe(PmdPrmSettings& settings) const {
+    geometric::BoundParameter corridor = corridor_parameter(settings.corridor);
+    corridor.as_printed = "joint";
     std::vector<geometric::BoundParameter> list = {
+        {"preset", "Preset", "",
+         "Values of the parameters that are not set. shipped: the defaults below; print: the "
+         "paper's algorithms literally; authors: as the authors' program, which differs from "
+         "them.",
+         geometric::BoundChoice{&settings.preset, {"shipped", "print", "authors"}}},
         {"rho_a", "Corridor half-width ρₐ", "",
          "Initial half-side of the arm's sampling hypercubes, in joints normalised to [0, 1]. It "
          "grows with every pass.",
-         &settings_.rho_a, 1e-5, 0.5},
+         &settings.rho_a, 1e-5, 0.5},
         {"rho_max", "Largest ρₐ", "",
-         "Largest half-width of the corridor. 0: no limit, as in the paper.", &settings_.rho_max,
+         "Largest half-width of the corridor. 0: no limit, as in the paper.", &settings.rho_max,
          0.0, 0.5, "0"},
         {"growth", "Growth of ρₐ", "",
          "Growth of ρₐ with the number k of the pass. factorial: times k, as in the paper; linear: "
          "k times the initial one, as in the authors' program.",
-         geometric::BoundChoice{&settings_.growth, {"factorial", "linear"}}, 0.0, 0.0, "factorial"},
+         geometric::BoundChoice{&settings.growth, {"factorial", "linear"}}, 0.0, 0.0, "factorial"},
         {"fill_gaps", "Fill gaps", "",
          "Sample the middle of the search range if no hypercube lies in it. The paper does not.",
-         &settings_.fill_gaps, 0.0, 0.0, "false"},
-        corridor_parameter(settings_.corridor),
+         &settings.fill_gaps, 0.0, 0.0, "false"},
+        std::move(corridor),
         {"n_a", "Arm trials nA", "",
-         "Number of arm configurations that are sampled in each hypercube.", &settings_.n_a, 1,
+         "Number of arm configurations that are sampled in each hypercube.", &settings.n_a, 1,
          1000},
         {"n_h", "Hand trials nH", "",
          "Number of hand configurations that are sampled for each arm configuration.",
-         &settings_.n_h, 1, 1000},
+         &settings.n_h, 1, 1000},
         {"k", "Neighbours K", "", "Number of nearest nodes that a new node is connected to.",
-         &settings_.k, 1, 1000},
+         &settings.k, 1, 1000},
         {"max_samples", "Samples N", "",
-         "Largest number of hand samples; the planner then gives up.", &settings_.max_samples, 1,
+         "Largest number of hand samples; the planner then gives up.", &settings.max_samples, 1,
          100000000},
         {"n_checked", "Check N", "",
          "When the number of hand samples is compared with max_samples. trial: at every sample; "
          "pass: at the end of each pass, counting only failed samples, as in the paper.",
-         geometric::BoundChoice{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
+         geometric::BoundChoice{&settings.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
         {"smoothing", "Smoothing", "",
          "Edges between nodes of the path that smoothing uses. forwards: only edges forwards along "
          "the path; both-ways: also edges back along it if the path gets shorter, as in the paper.",
-         geometric::BoundChoice{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0,
+         geometric::BoundChoice{&settings.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0,
          "both-ways"},
         {"arm_trials", "Arm samples", "",
          "Largest number of samples to find an arm configuration without self-collision (Algorithm "
          "1).",
-         &settings_.arm_trials, 1, 1000},
+         &settings.arm_trials, 1, 1000},
+        {"neighbour_distance", "Neighbour distance", "",
+         "Largest distance of a neighbour, in distances from start to goal.",
+         &settings.neighbour_distance, 0.01, 100.0, "1"},
+        {"goal_samples", "Samples at the goal", "",
+         "Number of free configurations that are sampled around the goal before the first pass, "
+         "with at most ten trials each. The paper does not; the authors' program samples ten.",
+         &settings.goal_samples, 0, 10000, "0"},
     };
     if (with_pmds(space_)) {
       list.push_back({"max_pmds", "Principal directions", "",
                       "Largest number of principal motion directions that are used together.",
-                      &settings_.max_pmds, 1, 13});
+                      &settings.max_pmds, 1, 13});
     }
     return list;
   }
 
- private:
   HandSpace space_;
+  PmdPrmSettings shipped_;
   PmdPrmSettings settings_;
 };
 

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -41,7 +42,8 @@ class HANDWAY_PLANNING_EXPORT Planner {
   /// The settings with their values: first the planner's own, then those of the objective and of
   /// optimising that all planners share.
   [[nodiscard]] std::vector<geometric::Parameter> parameters();
-  /// Sets one setting from text, as set_from_text().
+  /// Sets one setting from text, as set_from_text(). The setting `preset`, which some planners
+  /// have, gives values to all settings that have not been set, so that the order does not matter.
   /// @throws InputError naming the valid keys, or the setting's values.
   void set_parameter(std::string_view key, std::string_view text);
 
@@ -71,6 +73,9 @@ class HANDWAY_PLANNING_EXPORT Planner {
   /// The settings of this planner alone, bound to its members.
   [[nodiscard]] virtual std::vector<geometric::BoundParameter> own_parameters() = 0;
 
+  /// The settings of this planner alone with the values of the chosen preset, if it has some.
+  [[nodiscard]] virtual std::vector<geometric::Parameter> preset_values() { return {}; }
+
  private:
   [[nodiscard]] std::vector<geometric::BoundParameter> bound_parameters();
   [[nodiscard]] PlanResult plan_to_goal(const PlanningProblem& problem, const PlanRequest& request,
@@ -81,8 +86,12 @@ class HANDWAY_PLANNING_EXPORT Planner {
 
   ObjectiveSettings objective_;
   int optimize_checks_ = 0;
-  int sampler_ = 0;  ///< A sampling::SamplerKind.
+  int sampler_ = 0;                              ///< A sampling::SamplerKind.
+  std::set<std::string, std::less<>> keys_set_;  ///< Which a preset leaves as they are.
 };
+
+/// Key of the parameter that chooses values for others.
+inline constexpr const char* kPresetKey = "preset";
 
 /// Description of the parameter that limits a planner's samples.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT geometric::BoundParameter max_samples_parameter(int& value);
