@@ -12,6 +12,7 @@
 #include "handway/planning/extensions/plugin.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "machine.h"
+#include "motion_bench_maker.h"
 #include "numbers.h"
 #include "plan_bench.h"
 #include "printing.h"
@@ -94,6 +95,8 @@ struct BenchOptions {
   fs::path out;
   bool resume = false;
   int jobs = 0;
+  fs::path motion_bench_maker;  ///< Folder of its sets; empty: scenes or a campaign.
+  fs::path paths;               ///< Paths of other planners; empty: none.
 };
 
 /// A scene to run planners on.
@@ -363,14 +366,43 @@ int bench_campaign(const BenchOptions& options, const CLI::App& command) {
   refuse({"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--check-paths",
           "--checks", "--set", "--group", "--variants", "--postures"},
          command, "applies to scenes; for a campaign, set it in the campaign file");
-  return run_campaign_file({options.scenes.front(), options.out, options.resume, options.jobs});
+  return run_campaign_file(
+      {options.scenes.front(), options.out, options.resume, options.paths, options.jobs});
+}
+
+int bench_motion_bench_maker(const BenchOptions& options, const CLI::App& command) {
+  refuse({"scenes", "--checker", "--checks", "--set", "--group", "--postures", "--variants",
+          "--variant-seed", "--write", "--only-missed", "--others-limit"},
+         command, "can't be combined with --motionbenchmaker");
+  return run_in_team([&](planning::ProcessTeam* team) {
+    planning::PluginManager plugins;
+    plugins.load_plugins(planning::plugin_directory());
+    planning::Campaign campaign = motion_bench_maker_campaign(options.motion_bench_maker,
+                                                              options.planners, plugins.planners());
+    campaign.seeds = all_seeds(options);
+    campaign.threads = options.settings.threads;
+    campaign.time_limit_s = options.settings.time_limit_s;
+    campaign.check_paths = options.settings.check_paths;
+    CampaignSession session;
+    session.folder = options.out.empty() ? fs::path("motionbenchmaker") : options.out;
+    session.resume = options.resume;
+    session.paths = options.paths;
+    session.jobs = options.jobs;
+    return run_campaign(campaign, plugins, session, team);
+  });
 }
 
 int bench_or_campaign(BenchOptions& options, const CLI::App& command) {
+  if (!options.motion_bench_maker.empty()) {
+    if (command.count("--seeds") == 0) {
+      options.settings.seeds = 1;
+    }
+    return bench_motion_bench_maker(options, command);
+  }
   if (std::ranges::any_of(options.scenes, planning::is_campaign)) {
     return bench_campaign(options, command);
   }
-  refuse({"--resume", "--jobs"}, command, "applies to campaigns only");
+  refuse({"--resume", "--jobs", "--paths"}, command, "applies to campaigns only");
   if (options.variants.count == 0) {
     refuse({"--variant-seed", "--write", "--only-missed", "--others-limit"}, command,
            "needs --variants");
@@ -468,6 +500,11 @@ void add_bench_command(CLI::App& app, int& exit_code) {
                       "Recorded postures to compare hands with (default: those of the hand bases)");
   add_group_option(*command, options->group);
   add_variant_options(*command, *options);
+  command->add_option("--motionbenchmaker", options->motion_bench_maker,
+                      "Run all problems of MotionBenchMaker below this folder as a campaign");
+  command->add_option("--paths", options->paths,
+                      "Check paths of other planners on the problems of a campaign: a table "
+                      "(.csv), or a folder with a file for each path");
   command->add_flag("--resume", options->resume, "Continue the campaign whose runs are in --out");
   command
       ->add_option("--jobs", options->jobs,

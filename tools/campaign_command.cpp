@@ -7,6 +7,7 @@
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/campaigns/run_workers.h"
+#include "left_out.h"
 #include "printing.h"
 #include "terminal.h"
 #include "version.h"
@@ -35,31 +36,40 @@ int thread_count(const CampaignSession& session, const planning::Campaign& campa
   return std::max(1, cores / campaign.threads);
 }
 
-int run_campaign(const CampaignOptions& options, planning::ProcessTeam* team) {
+int run_file(const CampaignOptions& options, planning::ProcessTeam* team) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
-  const planning::Campaign campaign = planning::read_campaign(options.file, plugins.planners());
   CampaignSession session;
   session.folder = options.out.empty() ? fs::path(options.file.stem()) : options.out;
   session.resume = options.resume;
+  session.paths = options.paths;
   session.jobs = options.jobs;
+  return run_campaign(planning::read_campaign(options.file, plugins.planners()), plugins, session,
+                      team);
+}
+
+}  // namespace
+
+int run_campaign(const planning::Campaign& campaign, const planning::PluginManager& plugins,
+                 const CampaignSession& session, planning::ProcessTeam* team) {
   const std::optional<CampaignOutcome> outcome = conduct_campaign(campaign, plugins, session, team);
   if (!outcome) {
     return kDone;
   }
-  write_campaign_report(campaign, *outcome, session.folder);
+  write_campaign_report(outcome->campaign, *outcome, session.folder);
   const auto solved = std::ranges::count_if(outcome->records, &planning::RunRecord::solved);
   print_out("{}: {} of {} runs done, {} solved; report in {}\n", campaign.name,
-            outcome->records.size(), campaign.run_count(), solved,
+            outcome->records.size(), outcome->campaign.run_count(), solved,
             (session.folder / "report.html").string());
+  for (const LeftOut& group : grouped(outcome->left_out)) {
+    print_error("handway: {} left out: {}\n", group.problems, group.reason);
+  }
   if (!outcome->complete) {
     print_error("handway: interrupted; continue with --resume\n");
     return kNoPath;
   }
   return kDone;
 }
-
-}  // namespace
 
 std::optional<CampaignOutcome> conduct_campaign(const planning::Campaign& campaign,
                                                 const planning::PluginManager& plugins,
@@ -71,19 +81,23 @@ std::optional<CampaignOutcome> conduct_campaign(const planning::Campaign& campai
   }
   make_out_folder(session.folder);
   const planning::RunExecutor executor(campaign, plugins);
-  RunDatabase database(session.folder / "runs.sqlite", executor.campaign(), kVersion,
+  CampaignOutcome outcome;
+  if (!session.paths.empty()) {
+    outcome.others = read_other_paths(session.paths, executor);
+  }
+  const planning::Campaign& readable = executor.campaign();
+  RunDatabase database(session.folder / "runs.sqlite", readable, kVersion,
                        session.resume ? RunDatabase::Opening::kResume : RunDatabase::Opening::kNew);
   planning::ThreadWorkers threads(thread_count(session, campaign));
   planning::RunWorkers& workers =
       team != nullptr ? static_cast<planning::RunWorkers&>(*team) : threads;
   const std::vector<planning::RunSpec> pending = database.pending();
-  CampaignOutcome outcome;
   outcome.workers = workers.count();
   {
     std::stop_source stop;
     const StopsOnInterrupt guard(stop);
-    CampaignProgress progress(campaign.name, campaign.run_count() - pending.size(),
-                              campaign.run_count(), workers.count());
+    CampaignProgress progress(readable.name, readable.run_count() - pending.size(),
+                              readable.run_count(), workers.count());
     workers.carry_out(
         executor, pending,
         [&](std::span<const planning::RunRecord> records) {
@@ -98,7 +112,9 @@ std::optional<CampaignOutcome> conduct_campaign(const planning::Campaign& campai
   }
   outcome.records = database.records();
   outcome.versions = database.versions();
-  outcome.complete = outcome.records.size() == campaign.run_count();
+  outcome.complete = outcome.records.size() == readable.run_count();
+  outcome.campaign = readable;
+  outcome.left_out = executor.left_out();
   return outcome;
 }
 
@@ -126,7 +142,7 @@ int run_in_team(const std::function<int(planning::ProcessTeam*)>& work) {
 }
 
 int run_campaign_file(const CampaignOptions& options) {
-  return run_in_team([&](planning::ProcessTeam* team) { return run_campaign(options, team); });
+  return run_in_team([&](planning::ProcessTeam* team) { return run_file(options, team); });
 }
 
 }  // namespace handway::tools

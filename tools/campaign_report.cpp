@@ -2,11 +2,13 @@
 
 #include "campaign_command.h"
 #include "campaign_progress.h"
+#include "group_report.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/campaign_statistics.h"
 #include "handway/report/rendering/csv.h"
+#include "handway/report/rendering/markdown.h"
 #include "handway/report/rendering/report_files.h"
 #include "machine.h"
 
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <span>
 #include <string>
@@ -74,6 +77,14 @@ constexpr std::array kRunColumns = std::to_array<RunColumn>({
      [](const RunRecord& run) { return report::Cell(geometric::millimetres(run.min_clearance)); }},
     {"certificate_checks",
      [](const RunRecord& run) { return report::Cell(run.certificate_checks); }},
+    {"cpu_s", [](const RunRecord& run) { return report::Cell(report::seconds(run.cpu_s)); }},
+    {"l2_length", [](const RunRecord& run) { return report::Cell(run.l2_length); }},
+    {"fault", [](const RunRecord& run) { return report::Cell(run.fault); }},
+    {"to_subspace", [](const RunRecord& run) { return report::Cell(run.measures.to_subspace); }},
+    {"hand_sparc", [](const RunRecord& run) { return report::Cell(run.measures.hand_sparc); }},
+    {"palm_sparc", [](const RunRecord& run) { return report::Cell(run.measures.palm_sparc); }},
+    {"arm_deviation",
+     [](const RunRecord& run) { return report::Cell(run.measures.arm_deviation); }},
 });
 
 /// A row a run.
@@ -226,6 +237,16 @@ report::BoxPlot time_boxes(const Campaign& campaign, std::span<const CampaignCel
 namespace fs = std::filesystem;
 using planning::CampaignComparison;
 
+constexpr std::size_t kMostShown = 30;  // problems with tags, each in a section of its own
+constexpr const char* kGroupNote =
+    "In the tables of groups, the time is the processor time of planning, smoothing and "
+    "certifying; "
+    "its quantiles are over all runs, and a run without a path counts as infinite (∞). "
+    "\"Certified\": share of the paths with a certificate of clearance along their whole length. "
+    "\"L2\" (rad, m) and \"length\" (joints normalised to [0, 1]) and the columns to their right "
+    "are "
+    "medians over the runs that found a path. \"To first\": median of the path's length (L2) "
+    "divided by that of the group's first planner, for the same problem and seed.";
 constexpr std::size_t kMostCompared = 6;  // planners, for a table of pairs people can read
 constexpr std::size_t kMostDrawn = 14;    // planners, for curves people can tell apart
 
@@ -302,6 +323,18 @@ report::Table failures(const Campaign& campaign, std::span<const CampaignCell> c
   return table;
 }
 
+// Returns the runs of each planner on all problems.
+std::vector<CampaignCell> cells_of_planners(const Campaign& campaign,
+                                            std::span<const CampaignCell> cells) {
+  std::vector<CampaignCell> merged(campaign.planners.size());
+  for (const CampaignCell& cell : cells) {
+    CampaignCell& of_planner = merged[static_cast<std::size_t>(cell.planner)];
+    of_planner.planner = cell.planner;
+    of_planner.runs.insert(of_planner.runs.end(), cell.runs.begin(), cell.runs.end());
+  }
+  return merged;
+}
+
 // The cells for drawings of curves and boxes: if there are many, those that no heat map
 // shows.
 std::vector<CampaignCell> curves_of(std::span<const CampaignCell> cells,
@@ -373,6 +406,26 @@ report::Document campaign_document(const Campaign& campaign, const CampaignOutco
       "first planner is faster. p: two-sided Mann-Whitney test, then adjusted by Holm for all "
       "pairs of a problem.",
       campaign.threads, campaign.time_limit_s)});
+  const auto append = [&](report::Document parts) {
+    std::ranges::move(parts, std::back_inserter(document));
+  };
+  append(left_out_tables(outcome));
+  report::Document groups = group_tables(outcome);
+  const bool in_groups_only = !groups.empty() && campaign.problems.size() > kMostShown;
+  if (!groups.empty()) {
+    document.emplace_back(report::Paragraph{kGroupNote});
+    append(std::move(groups));
+  }
+  if (in_groups_only) {
+    document.emplace_back(report::Paragraph{
+        "The figures of each problem are in `summary.csv`, and each run in `runs.csv`."});
+    if (report::Table table = failures(campaign, cells_of_planners(campaign, cells));
+        !table.rows.empty()) {
+      document.emplace_back(report::Paragraph{"Runs without a path:"});
+      document.push_back(std::move(table));
+    }
+    cells = {};
+  }
   const std::vector<ParameterGrid> grids = parameter_grids(campaign);
   for (std::size_t begin = 0; begin < cells.size(); begin += campaign.planners.size()) {
     add_problem(document, campaign, cells.subspan(begin, campaign.planners.size()), comparisons,
@@ -447,6 +500,13 @@ void write_campaign_report(const Campaign& campaign, const CampaignOutcome& outc
     write("heatmaps.csv", report::to_csv(heat_map_table(campaign, grids, cells)));
   }
   write("comparisons.csv", report::to_csv(comparison_table(campaign, comparisons)));
+  if (const report::Document groups = group_tables(outcome); !groups.empty()) {
+    write("groups.csv", report::to_csv(group_table(outcome)));
+    write("groups.md", report::to_markdown(groups));
+  }
+  if (!outcome.others.records.empty()) {
+    write("other_paths.csv", report::to_csv(other_paths_table(outcome)));
+  }
   make_out_folder(folder / "ompl");
   for (std::size_t i = 0; i < campaign.problems.size(); ++i) {
     const std::size_t planners = campaign.planners.size();

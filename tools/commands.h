@@ -61,6 +61,9 @@ void add_pca_command(CLI::App& app, int& exit_code);
 /// `handway plan SCENE`: finds a path and writes it.
 void add_plan_command(CLI::App& app, int& exit_code);
 
+/// `handway problems --out DIR`: generates the open benchmark for hands on arms.
+void add_problems_command(CLI::App& app, int& exit_code);
+
 /// Adds `handway recording` and its commands `info` and `convert`.
 void add_recording_command(CLI::App& app, int& exit_code);
 

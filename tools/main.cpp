@@ -92,6 +92,7 @@ int run(int argc, char** argv) {
   add_ros_command(app, exit_code);
   add_haptic_command(app, exit_code);
   add_bench_command(app, exit_code);
+  add_problems_command(app, exit_code);
   add_glove_command(app, exit_code);
   add_recording_command(app, exit_code);
   add_tracker_command(app, exit_code);

@@ -27,6 +27,11 @@ void serialize(Archive& archive, handway::planning::RunSpec& spec, unsigned /*ve
 }
 
 template <typename Archive>
+void serialize(Archive& archive, handway::planning::PathMeasures& measures, unsigned /*version*/) {
+  archive& measures.to_subspace& measures.hand_sparc& measures.palm_sparc& measures.arm_deviation;
+}
+
+template <typename Archive>
 void serialize(Archive& archive, handway::planning::RunRecord& run, unsigned /*version*/) {
   archive& run.spec& run.solved& run.status& run.reason;
   archive& run.time_s& run.smoothing_s& run.sampling_s& run.connection_s;
@@ -34,6 +39,7 @@ void serialize(Archive& archive, handway::planning::RunRecord& run, unsigned /*v
   archive& run.nodes_per_pmds& run.node_checks& run.edge_checks& run.edges_tested;
   archive& run.path_nodes& run.path_length& run.resolution& run.min_clearance;
   archive& run.certificate_checks& run.path;
+  archive& run.cpu_s& run.l2_length& run.is_checked& run.fault& run.measures;
 }
 
 }  // namespace boost::serialization

@@ -73,30 +73,36 @@ TEST_F(HandwayUnderMpi, GoesOnWithWhatThreadsBegan) {
   EXPECT_THAT(rows("study"), SizeIs(40));
 }
 
-// Kills the process that leads, and alone writes the database, without warning.
-TEST_F(HandwayUnderMpi, LosesAndDoublesNothingWhenTheLeaderIsKilled) {
+// Kills one of three processes without warning: the one that leads, and alone writes the database,
+// or another one. mpirun then ends them all.
+class HandwayUnderMpiWithout : public HandwayUnderMpi, public testing::WithParamInterface<int> {};
+
+TEST_P(HandwayUnderMpiWithout, LosesAndDoublesNothing) {
   line_.replace("study.yaml", "seeds: 8", "seeds: 40");
   ASSERT_EQ(line_.run("bench study.yaml --out whole").exit_code, 0);
   ASSERT_THAT(rows("whole"), SizeIs(160));
   const fs::path database = line_.folder() / "killed" / "runs.sqlite";
   std::size_t kept = 0;
   for (int round = 0; round < 3; ++round) {
-    fs::remove(line_.folder() / "leader");
-    const std::future<Outcome> team = std::async(std::launch::async, [&] {
+    fs::remove(line_.folder() / "victim");
+    std::future<Outcome> team = std::async(std::launch::async, [&] {
       return line_.run(
           "--version >version.txt; timeout 200 mpirun --allow-run-as-root --oversubscribe -n 3 "
-          "sh -c 'if [ \"$OMPI_COMM_WORLD_RANK\" = 0 ]; then echo $$ >leader; fi; "
+          "sh -c 'if [ \"$OMPI_COMM_WORLD_RANK\" = " +
+          std::to_string(GetParam()) +
+          " ]; then echo $$ >victim; fi; "
           "exec \"" HANDWAY_PROGRAM "\" bench study.yaml --out killed --resume'");
     });
     while (run_count(database) <= kept + 2 &&
            team.wait_for(std::chrono::milliseconds(3)) != std::future_status::ready) {
     }
-    if (const pid_t leader = std::atoi(line_.read("leader").c_str()); leader > 0) {
-      kill(leader, SIGKILL);
+    if (const pid_t victim = std::atoi(line_.read("victim").c_str()); victim > 0) {
+      kill(victim, SIGKILL);
     }
-    team.wait();
+    const Outcome ended = team.get();
     EXPECT_GE(run_count(database), kept) << "runs that were there are gone";
     kept = run_count(database);
+    EXPECT_TRUE(kept == 160 || ended.exit_code != 0) << "an incomplete campaign looks complete";
   }
   ASSERT_GT(kept, 0U);
   const Outcome rest = mpirun(2, "bench study.yaml --out killed --resume");
@@ -104,6 +110,9 @@ TEST_F(HandwayUnderMpi, LosesAndDoublesNothingWhenTheLeaderIsKilled) {
   EXPECT_THAT(rest.err, HasSubstr("of them already done"));
   EXPECT_EQ(rows("killed"), rows("whole"));
 }
+
+INSTANTIATE_TEST_SUITE_P(ItsLeaderOrAnother, HandwayUnderMpiWithout, testing::Values(0, 1),
+                         [](const auto& test) { return "Rank" + std::to_string(test.param); });
 
 TEST_F(HandwayUnderMpi, TellsOnceWhatIsWrong) {
   line_.write("bad.yaml", "campaign: 1\nproblems: [open.yaml]\nplanners: [pmd-prn]\nseeds: 1\n");

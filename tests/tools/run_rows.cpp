@@ -8,7 +8,7 @@ namespace handway::test {
 
 std::vector<std::string> run_rows(const std::filesystem::path& database) {
   const std::set<std::string> times = {"time_s", "smoothing_s", "sampling_s", "connection_s",
-                                       "reason"};  // which tells the time too
+                                       "cpu_s",  "reason"};  // which tells the time too
   const SQLite::Database file(database.string());
   SQLite::Statement query(file, "SELECT * FROM runs ORDER BY problem, planner, seed");
   std::vector<std::string> rows;

@@ -79,11 +79,12 @@ void CampaignRunner::hand_over(std::vector<ArchivedRun> runs) {
 }
 
 void CampaignRunner::carry_out(const fs::path& file, const std::stop_token& stop) {
-  const planning::Campaign campaign = planning::read_campaign(file, plugins_->planners());
   const fs::path folder = file.parent_path() / file.stem();
+  const planning::RunExecutor executor(planning::read_campaign(file, plugins_->planners()),
+                                       *plugins_);
+  const planning::Campaign& campaign = executor.campaign();
   fs::create_directories(folder);
-  const planning::RunExecutor executor(campaign, *plugins_);
-  planning::RunDatabase database(folder / "runs.sqlite", executor.campaign(),
+  planning::RunDatabase database(folder / "runs.sqlite", campaign,
                                  QCoreApplication::applicationVersion().toStdString(),
                                  planning::RunDatabase::Opening::kResume);
   QMetaObject::invokeMethod(

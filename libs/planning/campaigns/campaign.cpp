@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -31,6 +32,19 @@ std::vector<RunSpec> Campaign::runs() const {
     }
   }
   return runs;
+}
+
+std::string CampaignProblem::tag(std::string_view key) const {
+  const auto found = std::ranges::find(tags, key, &ProblemTags::value_type::first);
+  return found == tags.end() ? std::string() : found->second;
+}
+
+CampaignPlanner default_entry(const std::string& planner, const PlannerRegistry& registry) {
+  CampaignPlanner entry{planner, planner, {}};
+  for (const geometric::Parameter& parameter : registry.create(planner)->parameters()) {
+    entry.parameters.emplace_back(parameter.key, to_text(parameter));
+  }
+  return entry;
 }
 
 std::unique_ptr<Planner> make_planner(const CampaignPlanner& entry,
@@ -180,15 +194,24 @@ Found find_problem(const std::string& text, const fs::path& folder) {
           fmt::format("Looked in {} and {}", folder.string(), scenes.string())};
 }
 
+ProblemTags tags_in(const YamlElement& map) {
+  ProblemTags tags;
+  for (const auto& [key, value] : map.entries()) {
+    tags.emplace_back(key, value.text());
+  }
+  return tags;
+}
+
 /// The problems under a campaign's key `problems`.
 /// @param folder of the campaign's file.
 /// @throws InputError naming the element of a missing problem.
 std::vector<CampaignProblem> campaign_problems(const YamlElement& list, const fs::path& folder) {
   std::vector<CampaignProblem> problems;
+  std::set<std::string> names;
   for (const YamlElement& item : list.items()) {
     const bool is_map = item.is_map();
     if (is_map) {
-      item.allow_keys({"name", "file", "optional"});
+      item.allow_keys({"name", "file", "optional", "tags"});
     }
     const YamlElement file = is_map ? item.need("file") : item;
     const Found found = find_problem(file.text(), folder);
@@ -201,11 +224,12 @@ std::vector<CampaignProblem> campaign_problems(const YamlElement& list, const fs
     }
     const std::optional<YamlElement> own_name = is_map ? item.find("name") : std::nullopt;
     const std::string name = own_name ? own_name->text() : found.file.stem().string();
-    if (std::ranges::count(problems, name, &CampaignProblem::name) != 0) {
+    if (!names.insert(name).second) {
       item.refuse(fmt::format("a second problem called \"{}\"", name), "different names",
                   "Give it a \"name\" of its own");
     }
-    problems.push_back({name, found.file});
+    const std::optional<YamlElement> tags = is_map ? item.find("tags") : std::nullopt;
+    problems.push_back({name, found.file, {}, tags ? tags_in(*tags) : ProblemTags{}});
   }
   if (problems.empty()) {
     list.refuse("no problem that exists", "at least one");
@@ -367,7 +391,7 @@ Campaign read_campaign(const fs::path& file, const PlannerRegistry& registry) {
   const YamlElement top = YamlElement::read(file, "a campaign file");
   const YamlElement version = top.need("campaign");
   top.allow_keys({"campaign", "name", "description", "problems", "planners", "seeds", "threads",
-                  "time_limit_s"});
+                  "time_limit_s", "check_paths", "measure_motions", "skip_unreadable"});
   if (version.text() != fmt::format("{}", kFormatVersion)) {
     version.refuse(version.found(), fmt::format("{}, the format's version", kFormatVersion));
   }
@@ -391,6 +415,12 @@ Campaign read_campaign(const fs::path& file, const PlannerRegistry& registry) {
   }
   if (const std::optional<YamlElement> limit = top.find("time_limit_s")) {
     campaign.time_limit_s = bounded_number(*limit, 1e-3, kLongestRun, false);
+  }
+  for (const auto& [key, flag] : {std::pair("check_paths", &campaign.check_paths),
+                                  std::pair("measure_motions", &campaign.measure_motions),
+                                  std::pair("skip_unreadable", &campaign.skip_unreadable)}) {
+    const std::optional<YamlElement> element = top.find(key);
+    *flag = element && element->flag();
   }
   return campaign;
 }

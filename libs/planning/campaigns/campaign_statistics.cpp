@@ -208,6 +208,16 @@ const std::vector<RunMeasure>& run_measures() {
       {"path_length", "Length of the path (normalised joints)", field(&RunRecord::path_length)},
       {"min_clearance_mm", "Smallest clearance [mm]",
        [](const RunRecord& run) { return geometric::millimetres(run.min_clearance); }},
+      {"cpu_s", "Processor time of the run [s]", field(&RunRecord::cpu_s)},
+      {"l2_length", "Length of the path (rad, m)", field(&RunRecord::l2_length)},
+      {"to_subspace", "Mean distance of the hand from the PMD subspace",
+       [](const RunRecord& run) { return run.measures.to_subspace; }},
+      {"hand_sparc", "Spectral arc length of the hand's speed",
+       [](const RunRecord& run) { return run.measures.hand_sparc; }},
+      {"palm_sparc", "Spectral arc length of the palm's speed",
+       [](const RunRecord& run) { return run.measures.palm_sparc; }},
+      {"arm_deviation", "Deviation of the arm from its straight motion",
+       [](const RunRecord& run) { return run.measures.arm_deviation; }},
   };
   return kMeasures;
 }
@@ -219,8 +229,8 @@ std::size_t CampaignCell::solved() const {
 std::vector<double> CampaignCell::of_solved(const RunMeasure& measure) const {
   std::vector<double> values;
   for (const RunRecord& run : runs) {
-    if (run.solved) {
-      values.push_back(measure.value(run));
+    if (const double value = measure.value(run); run.solved && !std::isnan(value)) {
+      values.push_back(value);
     }
   }
   return values;

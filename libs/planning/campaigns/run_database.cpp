@@ -17,6 +17,7 @@
 #include <cerrno>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -36,7 +37,7 @@ using SQLite::Statement;
 /// Marks the files of this program (SQLite's application_id): "HWAY".
 constexpr int kApplicationId = 0x48574159;
 /// SQLite's user_version; raised with every change of the tables.
-constexpr int kSchemaVersion = 1;
+constexpr int kSchemaVersion = 2;
 constexpr int kBusyTimeout = 2000;  // ms, while another program writes
 constexpr const char* kResumeAdvice =
     "Free disk space or correct the problem, and continue with --resume: finished runs are kept";
@@ -74,6 +75,14 @@ void for_each_field(Record& record, const Use& use) {
   use_in_millimetres("resolution_mm", record.resolution);
   use_in_millimetres("min_clearance_mm", record.min_clearance);
   use("certificate_checks", record.certificate_checks);
+  use("cpu_s", record.cpu_s);
+  use("l2_length", record.l2_length);
+  use("is_checked", record.is_checked);
+  use("fault", record.fault);
+  use("to_subspace", record.measures.to_subspace);
+  use("hand_sparc", record.measures.hand_sparc);
+  use("palm_sparc", record.measures.palm_sparc);
+  use("arm_deviation", record.measures.arm_deviation);
 }
 
 /// Returns `text` for each of them.
@@ -94,10 +103,10 @@ std::string run_schema() {
   const RunRecord record;
   for_each_field(record, [&](std::string_view name, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
-    columns += fmt::format("  {} {} NOT NULL,\n", name,
-                           std::is_same_v<Value, double>        ? "REAL"
-                           : std::is_same_v<Value, std::string> ? "TEXT"
-                                                                : "INTEGER");
+    columns += fmt::format("  {} {},\n", name,
+                           std::is_same_v<Value, double>        ? "REAL"  // NaN is NULL
+                           : std::is_same_v<Value, std::string> ? "TEXT NOT NULL"
+                                                                : "INTEGER NOT NULL");
   });
   return fmt::format(
       "PRAGMA application_id = {};\n"
@@ -105,7 +114,7 @@ std::string run_schema() {
       "CREATE TABLE setting (key TEXT PRIMARY KEY, value TEXT NOT NULL);\n"
       "CREATE TABLE problem (\n"
       "  id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, file TEXT NOT NULL,\n"
-      "  digest TEXT NOT NULL);\n"
+      "  digest TEXT NOT NULL, tags TEXT NOT NULL);\n"
       "CREATE TABLE planner (\n"
       "  id INTEGER PRIMARY KEY, label TEXT NOT NULL, planner TEXT NOT NULL,\n"
       "  parameters TEXT NOT NULL, UNIQUE (planner, parameters));\n"
@@ -153,7 +162,7 @@ RunRecord record_in(const Statement& row, int at) {
     using Value = std::decay_t<decltype(value)>;
     const SQLite::Column column = row.getColumn(at++);
     if constexpr (std::is_same_v<Value, double>) {
-      value = column.getDouble();
+      value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
     } else if constexpr (std::is_same_v<Value, std::string>) {
       value = column.getString();
     } else {
@@ -210,16 +219,30 @@ auto on_database(const fs::path& file, const Work& work) {
   }
 }
 
-// A line for each file of a problem: its digest and its path.
-std::string digests_of(const CampaignProblem& problem) {
-  std::string lines = fmt::format("{} {}\n", geometric::digest_of_file(problem.file),
-                                  fs::absolute(problem.file).lexically_normal().string());
-  for (const fs::path& file : problem.files) {
-    const std::string line = fmt::format("{} {}\n", geometric::digest_of_file(file), file.string());
-    lines += lines.starts_with(line) ? "" : line;
+/// Digests of files that many problems share, each computed once.
+class Digests {
+ public:
+  /// Returns a line for each file of a problem: its digest and its path.
+  std::string of(const CampaignProblem& problem) {
+    std::string lines = line(fs::absolute(problem.file).lexically_normal());
+    for (const fs::path& file : problem.files) {
+      const std::string& next = line(file);
+      lines += lines.starts_with(next) ? "" : next;
+    }
+    return lines;
   }
-  return lines;
-}
+
+ private:
+  const std::string& line(const fs::path& file) {
+    std::string& line = lines_[file];
+    if (line.empty()) {
+      line = fmt::format("{} {}\n", geometric::digest_of_file(file), file.string());
+    }
+    return line;
+  }
+
+  std::map<fs::path, std::string> lines_;
+};
 
 // Returns the first line that differs between two descriptions.
 std::string first_difference(const std::string& before, const std::string& now) {
@@ -235,9 +258,10 @@ std::string first_difference(const std::string& before, const std::string& now) 
   return old_line.substr(old_line.find(' ') + 1);
 }
 
-std::string json_of(const ParameterTexts& parameters) {
+// @param entries texts by keys.
+std::string json_of(const std::vector<std::pair<std::string, std::string>>& entries) {
   auto json = nlohmann::ordered_json::object();
-  for (const auto& [key, value] : parameters) {
+  for (const auto& [key, value] : entries) {
     json[key] = value;
   }
   return json.dump();
@@ -288,6 +312,7 @@ struct RunDatabase::Connection {
   FolderLock lock;
   fs::path file;
   SQLite::Database database;
+  Digests digests;
   std::vector<std::int64_t> problems;  ///< Ids, by the campaign's index.
   std::vector<std::int64_t> planners;
 };
@@ -306,7 +331,9 @@ void RunDatabase::Connection::prepare(Opening opening) {
     return;
   }
   if (id != kApplicationId || version != kSchemaVersion) {
-    throw InputError({file.string(), "", "a database of another program or version",
+    throw InputError({file.string(), "",
+                      id != kApplicationId ? "a database of another program"
+                                           : "runs of another version of Handway",
                       "a run database", "Choose another folder"});
   }
   const int runs = database.execAndGet("SELECT count(*) FROM run").getInt();
@@ -329,12 +356,12 @@ void RunDatabase::Connection::keep_setting(const char* key, const std::string& v
 }
 
 std::int64_t RunDatabase::Connection::problem_id(const CampaignProblem& problem) {
-  const std::string digest = digests_of(problem);
+  const std::string digest = digests.of(problem);
   Statement query(database, "SELECT id, digest FROM problem WHERE name = ?");
   query.bind(1, problem.name);
   if (!query.executeStep()) {
-    return insert("INSERT INTO problem (name, file, digest) VALUES (?, ?, ?)", problem.name,
-                  problem.file.string(), digest);
+    return insert("INSERT INTO problem (name, file, digest, tags) VALUES (?, ?, ?, ?)",
+                  problem.name, problem.file.string(), digest, json_of(problem.tags));
   }
   if (const std::string kept = query.getColumn(1).getString(); kept != digest) {
     throw InputError({file.string(), fmt::format("problem \"{}\"", problem.name),
@@ -365,6 +392,8 @@ RunDatabase::RunDatabase(const fs::path& file, const Campaign& campaign, std::st
     SQLite::Transaction transaction(connection_->database);
     connection_->keep_setting("time_limit_s", fmt::format("{}", campaign_.time_limit_s));
     connection_->keep_setting("threads", fmt::format("{}", campaign_.threads));
+    connection_->keep_setting("check_paths", fmt::format("{}", campaign_.check_paths));
+    connection_->keep_setting("measure_motions", fmt::format("{}", campaign_.measure_motions));
     for (const CampaignProblem& problem : campaign_.problems) {
       connection_->problems.push_back(connection_->problem_id(problem));
     }
@@ -448,6 +477,9 @@ std::vector<ArchivedRun> read_runs(const fs::path& file) {
     SQLite::Database database(file.string(), SQLite::OPEN_READONLY, kBusyTimeout);
     if (database.execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
       throw refuse("a database of another program");
+    }
+    if (database.execAndGet("PRAGMA user_version").getInt() != kSchemaVersion) {
+      throw refuse("runs of another version of Handway");
     }
     Statement rows(database,
                    fmt::format("SELECT problem.name, problem.file, planner.label, planner.planner, "

@@ -2,32 +2,42 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
+#include "handway/planning/core/objective.h"
 #include "handway/planning/extensions/load_scene.h"
+#include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/path_file.h"
+#include "handway/planning/queries/motion_likeness.h"
 
 #include <boost/dll/runtime_symbol_info.hpp>
 #include <boost/dll/shared_library.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
+#include <ctime>
+#include <deque>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
+#include <variant>
 
 namespace handway::planning {
 namespace {
 
-double length_of(const Path& path, const geometric::RobotModel& model) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
-    length += normalised_distance(model, path.waypoints[i - 1], path.waypoints[i]);
-  }
-  return length;
+namespace fs = std::filesystem;
+
+/// Processor time of the calling thread, s.
+double thread_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 RunRecord record_of(const RunSpec& spec, const PlanResult& result,
@@ -47,27 +57,124 @@ RunRecord record_of(const RunSpec& spec, const PlanResult& result,
   record.min_clearance = result.certificate.min_clearance;
   record.certificate_checks = result.certificate.checks;
   if (result.solved()) {
-    record.path_nodes = result.path.waypoints.size();
-    record.path_length = length_of(result.path, model);
     record.path = to_csv(result.path, model);
+    measure_lengths(result.path, model, record);
   }
   return record;
 }
 
+PathMeasures measures_of(const PlanningProblem& problem, const Path& path) {
+  PathMeasures measures;
+  if (const auto likeness = path_quality(problem, path).human_likeness) {
+    measures.to_subspace = likeness->mean;
+  }
+  const auto timed = likeness_trajectory(problem, path);
+  if (const auto* trajectory = std::get_if<Trajectory>(&timed)) {
+    const MotionLikeness likeness = motion_likeness(problem, *trajectory, nullptr);
+    const auto sparc = [](const std::optional<MovementSmoothness>& smoothness) {
+      return smoothness ? smoothness->spectral_arc_length : PathMeasures::kNone;
+    };
+    measures.hand_sparc = sparc(likeness.hand);
+    measures.palm_sparc = sparc(likeness.palm);
+    measures.arm_deviation = likeness.deviation ? likeness.deviation->arm : PathMeasures::kNone;
+  }
+  return measures;
+}
+
+PlanningProblem open_problem(const fs::path& file, const PluginManager& plugins) {
+  const SceneState loaded = load_scene(file, plugins);
+  return make_problem(loaded.scene, loaded.basis);
+}
+
 }  // namespace
 
-RunExecutor::RunExecutor(Campaign campaign, const PluginManager& plugins)
-    : campaign_(std::move(campaign)), plugins_(plugins) {
-  for (CampaignProblem& problem : campaign_.problems) {
-    const geometric::FilesRead notes;
-    const SceneState loaded = load_scene(problem.file, plugins);
-    problem.files = notes.files();
-    problems_.push_back(make_problem(loaded.scene, loaded.basis));
+void measure_lengths(const Path& path, const geometric::RobotModel& model, RunRecord& record) {
+  record.path_nodes = path.waypoints.size();
+  record.path_length = 0.0;
+  record.l2_length = 0.0;
+  for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
+    record.path_length += normalised_distance(model, path.waypoints[i - 1], path.waypoints[i]);
+    record.l2_length += (path.waypoints[i] - path.waypoints[i - 1]).norm();
   }
 }
 
+void check_again(const PlanningProblem& problem, const Path& path, RunRecord& record) {
+  const PathCheckResult check = check_path(problem, path, kCheckResolution);
+  record.is_checked = true;
+  record.fault = check.valid() ? std::string() : check.faults.front();
+}
+
+/// The problems that were used last.
+class RunExecutor::OpenProblems {
+ public:
+  [[nodiscard]] std::shared_ptr<const PlanningProblem> find(int index) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(problems_, index, &Entry::first);
+    if (found == problems_.end()) {
+      return nullptr;
+    }
+    std::rotate(problems_.begin(), found, std::next(found));
+    return problems_.front().second;
+  }
+
+  void add(int index, std::shared_ptr<const PlanningProblem> problem) {
+    constexpr std::size_t kMost = 64;
+    const std::lock_guard lock(mutex_);
+    problems_.emplace_front(index, std::move(problem));
+    if (problems_.size() > kMost) {
+      problems_.pop_back();
+    }
+  }
+
+ private:
+  using Entry = std::pair<int, std::shared_ptr<const PlanningProblem>>;
+
+  std::mutex mutex_;
+  std::deque<Entry> problems_;  ///< The one that was used last comes first.
+};
+
+RunExecutor::RunExecutor(Campaign campaign, const PluginManager& plugins)
+    : campaign_(std::move(campaign)), plugins_(plugins), open_(std::make_unique<OpenProblems>()) {
+  std::vector<CampaignProblem> problems;
+  for (CampaignProblem& problem : campaign_.problems) {
+    const geometric::FilesRead notes;
+    try {
+      auto opened = std::make_shared<const PlanningProblem>(open_problem(problem.file, plugins));
+      problem.files = notes.files();
+      open_->add(static_cast<int>(problems.size()), std::move(opened));
+      problems.push_back(std::move(problem));
+    } catch (const geometric::InputError& error) {
+      if (!campaign_.skip_unreadable) {
+        throw;
+      }
+      left_out_.push_back({std::move(problem), error.what()});
+    }
+  }
+  if (problems.empty() && !left_out_.empty()) {
+    throw geometric::InputError({left_out_.front().problem.file.string(), "",
+                                 fmt::format("none of {} problems that can be read, the first "
+                                             "because: {}",
+                                             left_out_.size(), left_out_.front().reason),
+                                 "at least one", ""});
+  }
+  campaign_.problems = std::move(problems);
+}
+
+RunExecutor::~RunExecutor() = default;
+
+std::shared_ptr<const PlanningProblem> RunExecutor::problem(int index) const {
+  if (auto known = open_->find(index)) {
+    return known;
+  }
+  auto opened = std::make_shared<const PlanningProblem>(
+      open_problem(campaign_.problems[static_cast<std::size_t>(index)].file, plugins_));
+  open_->add(index, opened);
+  return opened;
+}
+
 std::optional<RunRecord> RunExecutor::run(const RunSpec& spec, std::stop_token stop) const {
-  const PlanningProblem& problem = problems_[static_cast<std::size_t>(spec.problem)];
+  const std::shared_ptr<const PlanningProblem> opened = problem(spec.problem);
+  const PlanningProblem& problem = *opened;
   const std::unique_ptr<Planner> planner =
       make_planner(campaign_.planners[static_cast<std::size_t>(spec.planner)], plugins_.planners());
   PlanRequest request;
@@ -75,15 +182,27 @@ std::optional<RunRecord> RunExecutor::run(const RunSpec& spec, std::stop_token s
   request.threads = campaign_.threads;
   request.time_limit_s = campaign_.time_limit_s;
   try {
+    const double begin = thread_time();
     const PlanResult result = planner->plan(problem, request, std::move(stop));
+    const double cpu_s = thread_time() - begin;
     if (result.status == PlanStatus::kCancelled) {
       return std::nullopt;
     }
-    return record_of(spec, result, problem.model());
+    RunRecord record = record_of(spec, result, problem.model());
+    if (campaign_.threads == 1) {
+      record.cpu_s = cpu_s;
+    }
+    if (result.solved() && campaign_.check_paths) {
+      check_again(problem, result.path, record);
+    }
+    if (result.solved() && campaign_.measure_motions) {
+      record.measures = measures_of(problem, result.path);
+    }
+    return record;
   } catch (const geometric::InputError& error) {  // it needs what the problem has not
     RunRecord record;
     record.spec = spec;
-    record.status = "refused";
+    record.status = kRefused;
     record.reason = error.what();
     return record;
   }

@@ -62,6 +62,18 @@ TEST_F(CampaignReader, TakesPlainLists) {
   EXPECT_EQ(runs[5], (RunSpec{0, 1, 2}));
 }
 
+TEST_F(CampaignReader, TakesTagsAndWhatToMeasure) {
+  const Campaign campaign = read(
+      "campaign: 1\nplanners: [auto]\nseeds: 1\ncheck_paths: true\nmeasure_motions: true\n"
+      "problems:\n  - {name: p, file: can_on_table, tags: {set: shelf, level: 2}}\n  - t_shape\n");
+  EXPECT_EQ(campaign.problems[0].tags, (ProblemTags{{"set", "shelf"}, {"level", "2"}}));
+  EXPECT_EQ(campaign.problems[0].tag("level"), "2");
+  EXPECT_EQ(campaign.problems[1].tag("level"), "");
+  EXPECT_TRUE(campaign.check_paths);
+  EXPECT_TRUE(campaign.measure_motions);
+  EXPECT_FALSE(campaign.skip_unreadable);
+}
+
 TEST_F(CampaignReader, MakesAGridOfListsAndRanges) {
   const Campaign campaign = read(R"(
 campaign: 1

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 namespace handway::planning {
@@ -48,6 +49,9 @@ RunRecord record_of(const RunSpec& spec) {
   record.nodes_per_pmds = {0, 3, 5};
   record.path_nodes = 2;
   record.path = "time,a\n0,1\n";
+  record.l2_length = 2.5;
+  record.fault = "a fault";
+  record.measures.hand_sparc = -1.5;
   return record;
 }
 
@@ -63,6 +67,10 @@ TEST_F(RunDatabaseTest, GivesBackWhatWasAdded) {
   EXPECT_EQ(records[1].reason, added.reason);
   EXPECT_EQ(records[1].time_s, added.time_s);
   EXPECT_EQ(records[1].samples, added.samples);
+  EXPECT_EQ(records[1].l2_length, added.l2_length);
+  EXPECT_EQ(records[1].fault, added.fault);
+  EXPECT_EQ(records[1].measures.hand_sparc, added.measures.hand_sparc);
+  EXPECT_TRUE(std::isnan(records[1].cpu_s)) << "was not measured";
   EXPECT_EQ(records[1].nodes_per_pmds, added.nodes_per_pmds);
   EXPECT_THAT(database.pending(), SizeIs(6));
   EXPECT_THAT(database.versions(), ElementsAre("1.0"));

@@ -97,5 +97,48 @@ TEST_F(ThreadWorkersTest, RefuseProblemsThatCannotBeRead) {
   EXPECT_THROW(RunExecutor(campaign_, plugins_), geometric::InputError);
 }
 
+TEST_F(ThreadWorkersTest, LeaveOutProblemsThatCannotBeReadIfTheCampaignSaysSo) {
+  campaign_.problems.insert(campaign_.problems.begin(), {"gone", folder_.path() / "gone.yaml"});
+  campaign_.skip_unreadable = true;
+  const RunExecutor executor(campaign_, plugins_);
+  ASSERT_EQ(executor.left_out().size(), 1U);
+  EXPECT_EQ(executor.left_out().front().problem.name, "gone");
+  EXPECT_THAT(executor.left_out().front().reason, testing::HasSubstr("gone.yaml"));
+  ASSERT_EQ(executor.campaign().problems.size(), 2U);
+  EXPECT_EQ(executor.campaign().problems.front().name, "post");
+  const auto record = executor.run({0, 1, 1});
+  ASSERT_TRUE(record);
+  EXPECT_TRUE(record->solved) << record->reason;
+  campaign_.problems = {campaign_.problems.front()};
+  EXPECT_THROW(RunExecutor(campaign_, plugins_), geometric::InputError);
+}
+
+TEST_F(ThreadWorkersTest, OpenProblemsAgainThatAreNotInMemoryAnyMore) {
+  const CampaignProblem post = campaign_.problems.front();
+  for (int i = 0; i < 100; ++i) {
+    campaign_.problems.push_back({"copy " + std::to_string(i), post.file});
+  }
+  const RunExecutor executor(campaign_, plugins_);
+  const auto first = executor.run({0, 1, 1});
+  const auto last = executor.run({101, 1, 1});
+  ASSERT_TRUE(first && last);
+  EXPECT_EQ(first->path, last->path);
+}
+
+TEST_F(ThreadWorkersTest, MeasureTimeLengthAndMotion) {
+  campaign_.check_paths = true;
+  campaign_.measure_motions = true;
+  const RunExecutor executor(campaign_, plugins_);
+  const auto record = executor.run({0, 0, 1});
+  ASSERT_TRUE(record && record->solved);
+  EXPECT_GT(record->cpu_s, 0.0);
+  EXPECT_GE(record->l2_length, 0.8) << "the shoulder alone moves by 0.8 rad";
+  EXPECT_TRUE(record->is_checked);
+  EXPECT_EQ(record->fault, "");
+  EXPECT_GE(record->measures.to_subspace, 0.0);
+  EXPECT_GE(record->measures.arm_deviation, 0.0);
+  EXPECT_LT(record->measures.palm_sparc, 0.0);
+}
+
 }  // namespace
 }  // namespace handway::planning

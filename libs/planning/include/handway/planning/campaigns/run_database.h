@@ -14,9 +14,9 @@ namespace handway::planning {
 /// The runs of a campaign in an SQLite file: every run at most once. Once add() has returned they
 /// survive any failure of the program or the machine.
 ///
-/// Tables: `setting` (key, value), `problem` (name, file, digest), `planner` (label, planner,
-/// parameters as JSON) and `run`, one row per run with the fields of RunRecord, problem and planner
-/// by id; a view `runs` has names instead. docs/campaigns.md shows them.
+/// Tables: `setting` (key, value), `problem` (name, file, digest, tags as JSON), `planner` (label,
+/// planner, parameters as JSON) and `run`, one row per run with the fields of RunRecord, problem
+/// and planner by id; a view `runs` has names instead. docs/campaigns.md shows them.
 ///
 /// For one thread at a time, one object per file: a lock beside it keeps other programs out
 /// meanwhile.
@@ -32,7 +32,7 @@ class HANDWAY_PLANNING_EXPORT RunDatabase {
   /// @param campaign as RunExecutor::campaign() gives it, with all files of its problems.
   /// @param version of the program, kept with each run.
   /// @throws InputError if the file can't be written, is another program's, is in use, or
-  /// holds runs of problems of other files, threads or time limit under the same names.
+  /// holds runs of problems of other files, threads, time limit or measures under the same names.
   RunDatabase(const std::filesystem::path& file, const Campaign& campaign, std::string version,
               Opening opening);
   ~RunDatabase();

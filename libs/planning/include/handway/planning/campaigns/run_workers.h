@@ -6,33 +6,63 @@
 #include "handway/planning/extensions/plugin.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace handway::planning {
 
-/// Carries out single runs of a campaign; may be called by several threads at once.
+/// A problem that is not part of a campaign because it can't be read.
+struct LeftOutProblem {
+  CampaignProblem problem;
+  std::string reason;  ///< A sentence.
+};
+
+/// Carries out single runs of a campaign; may be called by several threads at once. Of many
+/// problems only the last ones that were used are kept in memory.
 class HANDWAY_PLANNING_EXPORT RunExecutor {
  public:
-  /// Opens all problems.
+  /// Opens all problems, to find their files.
   /// @param plugins must outlive it.
-  /// @throws InputError if one can't be read or has no start or goal.
+  /// @throws InputError if one can't be read or has no start or goal, or, with
+  /// Campaign::skip_unreadable, if all of them can't.
   RunExecutor(Campaign campaign, const PluginManager& plugins);
+  ~RunExecutor();
+  RunExecutor(const RunExecutor&) = delete;
+  RunExecutor& operator=(const RunExecutor&) = delete;
 
   /// Plans with checkers without caches from other runs.
   /// @returns nothing if it was cancelled.
   [[nodiscard]] std::optional<RunRecord> run(const RunSpec& spec, std::stop_token stop = {}) const;
 
-  /// The campaign, each problem with all files that it was read from.
+  /// The campaign without the problems that were left out, each with all files that it was read
+  /// from.
   [[nodiscard]] const Campaign& campaign() const { return campaign_; }
+  /// Problems left out because of Campaign::skip_unreadable.
+  [[nodiscard]] const std::vector<LeftOutProblem>& left_out() const { return left_out_; }
+
+  /// Returns a problem of campaign().
+  [[nodiscard]] std::shared_ptr<const PlanningProblem> problem(int index) const;
 
  private:
+  class OpenProblems;
+
   Campaign campaign_;
   const PluginManager& plugins_;
-  std::vector<PlanningProblem> problems_;
+  std::vector<LeftOutProblem> left_out_;
+  std::unique_ptr<OpenProblems> open_;
 };
+
+/// Sets the number of waypoints and the lengths of a run's path.
+HANDWAY_PLANNING_EXPORT void measure_lengths(const Path& path, const geometric::RobotModel& model,
+                                             RunRecord& record);
+
+/// Checks a run's path with check_path() at kCheckResolution, and records the first fault.
+HANDWAY_PLANNING_EXPORT void check_again(const PlanningProblem& problem, const Path& path,
+                                         RunRecord& record);
 
 /// Called with finished runs, a few at a time and now and then with none; on the thread that called
 /// carry_out(). Its exceptions end the work.
