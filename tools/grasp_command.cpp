@@ -55,7 +55,8 @@ int wanted(const GraspOptions& options) { return options.test.value_or(options.s
 /// Grasps of a search, simulated as far as that was asked for.
 struct TestedGrasps {
   std::vector<planning::TestedGrasp> ranked;
-  std::vector<planning::HoldMargins> margins;  ///< Of the first ones; none if not asked for.
+  std::vector<planning::HoldMargins>
+      margins;  ///< One for each of the first; none if not asked for.
   std::vector<std::string> assumptions;
 };
 

@@ -32,7 +32,7 @@ std::string content_of(const TriangleMesh& mesh, const ConvexPartsLimits& limits
   return bytes;
 }
 
-// Of each part its volume, the number of its corners, and the corners.
+// An entry has the volume of each part, the number of its corners, and the corners.
 std::string bytes_of(const std::vector<ConvexPart>& parts) {
   std::vector<double> numbers;
   for (const ConvexPart& part : parts) {

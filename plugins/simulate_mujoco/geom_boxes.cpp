@@ -41,7 +41,7 @@ Box box_of(const mjModel& model, int geom) {
   }
 }
 
-// What MuJoCo does without a filter of one's own.
+// MuJoCo's own rule, which a filter replaces.
 bool may_collide(const mjModel& model, int a, int b) {
   return (model.geom_contype[a] & model.geom_conaffinity[b]) != 0 ||
          (model.geom_contype[b] & model.geom_conaffinity[a]) != 0;
@@ -58,7 +58,7 @@ bool spheres_overlap(const mjModel& model, const mjData& data, int a, int b, dou
   return offset.squaredNorm() <= reach * reach;
 }
 
-// Whether no face of the two boxes is between them.
+// Returns true if no face of the two boxes is between them.
 bool boxes_overlap(const mjModel& model, const mjData& data, int a, int b, double margin) {
   const mjtNum* box_a = model.geom_user + kBoxNumbers * a;
   const mjtNum* box_b = model.geom_user + kBoxNumbers * b;

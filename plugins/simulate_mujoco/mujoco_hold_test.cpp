@@ -265,7 +265,7 @@ class Simulation {
     return X;
   }
 
-  // Of the object's frame; its centre of mass is what moves on straight.
+  // The turn is that of the object's frame, the shift that of its centre of mass.
   [[nodiscard]] HoldSlip moved_from(const Pose& before) const {
     const Pose now = object_pose();
     const Vector3d centre(model_->body_ipos + 3 * hand_.object_body);
@@ -278,7 +278,7 @@ class Simulation {
             turn};
   }
 
-  // Where the object is after some more time (s) at its present speed.
+  // The slip after some more time (s) at the object's present speed.
   [[nodiscard]] HoldSlip ahead(const HoldSlip& moved, double time) const {
     const mjtNum* v = data_->qvel + model_->body_dofadr[hand_.object_body];
     return {moved.held, moved.shift + time * Vector3d(v[0], v[1], v[2]).norm(),

@@ -87,7 +87,7 @@ class GraspSampler {
   /// Returns whether a check depends on the hand's place and posture alone.
   [[nodiscard]] bool is_of_hand(int pair) const;
 
-  /// How fingers open off the object.
+  /// Opens fingers off the object step by step.
   struct Opening {
     double gap = 0.0;   ///< m to the object from which on a finger is open.
     double step = 0.0;  ///< Normalised joints.

@@ -18,7 +18,7 @@ namespace handway::planning {
 struct GivenGrasp {
   std::string source;                                  ///< For messages, as "grasps.json:12".
   geometric::Pose X_OP = geometric::Pose::Identity();  ///< Pose of the palm in the object's frame.
-  Configuration q;  ///< Of the robot. Only the joints of the hand are used: in contact or near it.
+  Configuration q;  ///< Its joints of the hand are used alone: in contact or near it.
 };
 
 /// Reads grasps of an object from a YAML or JSON file: a grasp file of Handway's

@@ -24,7 +24,7 @@ struct HoldConditions {
   /// m, in the world: how far the object is from where the grasp expects it. If it is not 0, the
   /// hand starts opened and closes onto the object.
   Eigen::Vector3d misplacement = Eigen::Vector3d::Zero();
-  double mass = 0.1;            ///< Of the object, kg.
+  double mass = 0.1;            ///< kg, of the object.
   ContactModel contact = {};    ///< Friction between hand and object; `edges` is not used.
   double force = 1.0;           ///< N: the disturbance, along ±x, ±y and ±z of the world.
   double largest_shift = 0.05;  ///< m; beyond it the object has slipped.
@@ -39,7 +39,7 @@ struct HoldConditions {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<geometric::BoundParameter> parameters_of(
     HoldConditions& conditions);
 
-/// How far the object has moved in the hand at the end of a load.
+/// Motion of the object in the hand until the end of a load.
 struct HoldSlip {
   bool held = false;   ///< Within HoldConditions::largest_shift and largest_turn all the time.
   double shift = 0.0;  ///< m
@@ -69,10 +69,10 @@ struct HoldResult {
 /// Misplacements (m) that hold_margins() tries.
 inline constexpr std::array<double, 3> kMisplacements{0.0, 0.005, 0.01};
 
-/// How much worse each condition may get, the others as they are, while a grasp holds in all six
+/// The worst of each condition, the others as they are, with which a grasp holds in all six
 /// directions and the lift.
 struct HoldMargins {
-  std::optional<double> least_friction = {};  ///< Nothing: not held with the friction asked for.
+  std::optional<double> least_friction = {};  ///< Absent: not held with the friction asked for.
   std::optional<double> largest_mass = {};    ///< kg; nothing: not held with the mass asked for.
   /// m: the largest of kMisplacements by which the object may be off along x and y of the world,
   /// either way; nothing as before.
@@ -98,7 +98,7 @@ struct CarryResult {
   /// Between the end of the squeeze and the end of the motion, in the palm's frame.
   HoldSlip slip = {};
   double time = 0.0;                   ///< s: less than the motion's if the object is lost.
-  std::vector<LinkForce> forces = {};  ///< Of links that touch the object, in the hand's order.
+  std::vector<LinkForce> forces = {};  ///< Forces of links that touch it, in the hand's order.
   double torque_share = 0.0;           ///< Largest torque of a joint, as a share of its limit.
   std::string joint = {};              ///< The joint with that torque.
 
@@ -117,9 +117,9 @@ struct HoldFrame {
   /// motion.
   int load = 0;
   double time = 0.0;  ///< s since the load's begin.
-  Configuration q;    ///< Of the robot, its arm at rest: the lift is shown in the palm's frame.
-  geometric::Pose X_WO = geometric::Pose::Identity();  ///< Of the object.
-  std::vector<ContactForce> forces = {};               ///< Of the last step of the simulation.
+  Configuration q;    ///< The robot, its arm at rest: the lift is shown in the palm's frame.
+  geometric::Pose X_WO = geometric::Pose::Identity();  ///< Pose of the object.
+  std::vector<ContactForce> forces = {};  ///< Forces in the last step of the simulation.
 };
 /// Receives moments of a test in their order, one every 20 ms of simulated time.
 using HoldWatcher = std::function<void(const HoldFrame& frame)>;
