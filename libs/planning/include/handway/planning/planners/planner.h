@@ -87,7 +87,7 @@ class HANDWAY_PLANNING_EXPORT Planner {
   ObjectiveSettings objective_;
   int optimize_checks_ = 0;
   int sampler_ = 0;                              ///< A sampling::SamplerKind.
-  std::set<std::string, std::less<>> keys_set_;  ///< Which a preset leaves as they are.
+  std::set<std::string, std::less<>> keys_set_;  ///< A preset leaves these as they are.
 };
 
 /// Key of the parameter that chooses values for others.
