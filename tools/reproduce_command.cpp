@@ -138,9 +138,9 @@ int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
       });
   constexpr double kFigureLimit = 60.0;  // s, of each path
   constexpr double kQuickFigureLimit = 8.0;
-  const std::vector<ReproducedFigure> figures =
-      reproduce_figures(interrupted ? std::set<int>{} : asked_figures(options), plugins,
-                        options.quick ? kQuickFigureLimit : kFigureLimit, options.out);
+  const std::vector<ReproducedFigure> figures = reproduce_figures(
+      interrupted ? std::set<int>{} : asked_figures(options), plugins,
+      options.quick ? kQuickFigureLimit : kFigureLimit, options.quick, options.out);
   const double elapsed =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_reproduce_report(tables, done, figures,

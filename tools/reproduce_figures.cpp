@@ -53,11 +53,11 @@ std::string text_of(Normalisation normalisation) {
 }
 
 // People's recordings leave the hand's joint limits: scaling by these would hide most of them.
-std::vector<Studied> study_all(std::string& problem) {
+std::vector<Studied> study_all(bool shipped_only, std::string& problem) {
   const fs::path shipped = geometric::resource_dir() / "recordings" / "free_hand.csv";
   std::vector<Studied> all;
   all.push_back({"free_hand", study_postures(shipped, Normalisation::kLimits)});
-  const char* reference = std::getenv("HANDWAY_REFERENCE_DIR");
+  const char* reference = shipped_only ? nullptr : std::getenv("HANDWAY_REFERENCE_DIR");
   for (const char* name : {"calib-rad-su01", "grasp-rad-su01"}) {
     const fs::path file =
         fs::path(reference != nullptr ? reference : "") / "glove" / fmt::format("{}.txt", name);
@@ -169,13 +169,13 @@ report::Part drawing_of(const PostureFigure& figure, const Studied& one) {
 /// of `figures` that are figures of postures to `postures/RECORDING`. The numbers of 7 and 10 are
 /// in `figure_7.csv` and `figure_10.csv` beside it.
 /// @throws InputError if a file can't be written or the recording that ships can't be read.
-std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
+std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures, bool shipped_only,
                                                  const fs::path& folder) {
   if (std::ranges::none_of(figures, [](int f) { return posture_figures().contains(f); })) {
     return {};
   }
   std::string problem;
-  const std::vector<Studied> all = study_all(problem);
+  const std::vector<Studied> all = study_all(shipped_only, problem);
   for (const Studied& one : all) {
     write_basis_plots(folder / "postures" / one.name, one.study.basis, one.study.postures,
                       one.study.shares);
@@ -226,9 +226,9 @@ std::set<int> reproducible_figures() {
 
 std::vector<ReproducedFigure> reproduce_figures(const std::set<int>& figures,
                                                 const planning::PluginManager& plugins,
-                                                double time_limit_s,
+                                                double time_limit_s, bool shipped_only,
                                                 const std::filesystem::path& folder) {
-  std::vector<ReproducedFigure> made = reproduce_postures(figures, folder);
+  std::vector<ReproducedFigure> made = reproduce_postures(figures, shipped_only, folder);
   std::ranges::move(reproduce_planner_figures(figures, plugins, folder), std::back_inserter(made));
   std::ranges::move(reproduce_films(figures, plugins, time_limit_s, folder),
                     std::back_inserter(made));

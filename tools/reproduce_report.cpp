@@ -417,6 +417,7 @@ void add_what_is_reproduced(report::Document& document, const std::set<int>& tab
                        : part.table == 4                     ? reproduced_of_table_4(part)
                                                              : std::string();
     if (!text.empty()) {
+      text.pop_back();  // the space after the last sentence
       texts.push_back(std::move(text));
     }
   }
@@ -568,11 +569,13 @@ void add_table_3(report::Document& document, const planning::Campaign& campaign)
   document.emplace_back(report::Heading{2, "Table 3: parameters"});
   document.push_back(parameters_compared(campaign.planners[0], campaign.planners[1]));
   document.emplace_back(report::Paragraph{
-      "A run without a path ends after N samples. Table 3 has the initial values 100 "
-      "(10,000); section 6.2 says that N was \"chosen large enough to allow finding a "
-      "solution in all cases\", and the "
-      "samples "
-      "of Table 2 are more than 100. Here N is too large to end a run. rho_a is the initial value. "
+      "A run without a path ends after N samples. Table 3 has the initial values 100 (10,000); "
+      "section 6.2 says that N was \"chosen large enough to allow finding a solution in all "
+      "cases\", "
+      "and the samples of Table 2 are more than 100. \"Ours\" is the print, literally: N is "
+      "several "
+      "times the published samples; with linear growth it is too large to end a run. rho_a is the "
+      "initial value. "
       "The rows from its growth on are Algorithm 4's; the runs with linear growth differ in this "
       "one."});
 }
@@ -603,8 +606,8 @@ void write_reproduce_report(const std::set<int>& tables,
   add_what_is_reproduced(document, tables, campaigns);
   if (preview_s) {
     document.emplace_back(report::Paragraph{
-        fmt::format("Preview, made in {:.0f} s: few runs that ended early, on the scenes that ship "
-                    "alone. The numbers are not reliable.",
+        fmt::format("Preview, made in {:.0f} s: few runs that ended early, on the scenes and "
+                    "the recording that ship alone. The numbers are not reliable.",
                     *preview_s)});
   }
   document.emplace_back(report::Paragraph{

@@ -27,11 +27,11 @@ struct ReproducedFigure {
 [[nodiscard]] std::set<int> reproducible_figures();
 
 /// Makes `figures` in their order: see reproduce_planner_figures() and reproduce_films().
-/// @param time_limit_s of each plan.
+/// @param time_limit_s of each plan. @param shipped_only leaves out recordings of people.
 /// @throws InputError if a file can't be written or a scene can't be read.
 [[nodiscard]] std::vector<ReproducedFigure> reproduce_figures(
     const std::set<int>& figures, const planning::PluginManager& plugins, double time_limit_s,
-    const std::filesystem::path& folder);
+    bool shipped_only, const std::filesystem::path& folder);
 
 /// A campaign of the reproduction, carried out.
 struct ReproducedCampaign {
