@@ -1,5 +1,6 @@
 #include "arrays.h"
 #include "bindings.h"
+#include "handway/device/retargeting/workspace_overlap.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/queries/dynamic_time_warping.h"
@@ -14,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -140,6 +142,25 @@ double motion_distance(const Array& a, const Array& b) {
   return planning::warped_distance(first, second);
 }
 
+py::dict anthropomorphism(const SceneModel& scene) {
+  device::RetargetingSettings only_kinematics;
+  only_kinematics.self_collision = false;
+  const device::WorkspaceOverlap overlap = device::workspace_overlap(
+      device::FingertipRetargeter(scene.scene().robots.front().model, only_kinematics));
+  py::list fingers;
+  for (const device::FingertipOverlap& finger : overlap.fingers) {
+    py::dict entry;
+    entry["finger"] = device::name_of(finger.finger);
+    entry["coverage"] = finger.coverage();
+    entry["human_share"] = finger.human_share();
+    fingers.append(std::move(entry));
+  }
+  py::dict answer;
+  answer["coverage"] = overlap.coverage();
+  answer["fingers"] = std::move(fingers);
+  return answer;
+}
+
 }  // namespace
 
 void bind_likeness(py::module_& module) {
@@ -158,6 +179,14 @@ void bind_likeness(py::module_& module) {
       "motions, error_rad, and the same of recorded motions, recorded_median_rad and\n"
       "recorded_95_rad; no_components, a reason why there are none. None for what doesn't apply.\n"
       "motion: 50 points at even times, [50, joints], for motion_distance().");
+  scene.def(
+      "anthropomorphism", &anthropomorphism,
+      "Returns how far the fingertips of the first robot's hand reach where those of a human\n"
+      "hand do (in the manner of Liarokapis, Artemiadis and Kyriakopoulos, \"Quantifying\n"
+      "anthropomorphism of robot hands\", ICRA 2013).\n\n"
+      "Returns a dict of coverage, the mean share of the workspaces of a human hand's five\n"
+      "fingertips that the robot's reach, in [0, 1]; and fingers, a list of dicts of finger,\n"
+      "coverage and human_share, the share of the robot's workspace that is human.");
   module.def(
       "movement_smoothness", &smoothness, py::arg("speed"), py::arg("period"),
       "Returns the smoothness of a movement from rest to rest, or None without movement.\n\n"

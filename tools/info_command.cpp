@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "handway/device/retargeting/workspace_overlap.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/math/units.h"
@@ -229,10 +230,42 @@ std::vector<std::string> part_names(const geometric::RobotInstance& robot) {
   return names;
 }
 
+device::WorkspaceOverlap overlap_of(const geometric::Scene& scene) {
+  device::RetargetingSettings only_kinematics;
+  only_kinematics.self_collision = false;
+  return device::workspace_overlap(
+      device::FingertipRetargeter(scene.robots.front().model, only_kinematics));
+}
+
+void print_overlap(const device::WorkspaceOverlap& overlap) {
+  print_out("fingertips reach {:.0f} % of the workspaces of a human hand's five\n",
+            100.0 * overlap.coverage());
+  for (const device::FingertipOverlap& finger : overlap.fingers) {
+    print_out("  {:<8} {:>3.0f} % of the human workspace; {:.0f} % of its own is human\n",
+              device::name_of(finger.finger), 100.0 * finger.coverage(),
+              100.0 * finger.human_share());
+  }
+}
+
+Json json_of(const device::WorkspaceOverlap& overlap) {
+  Json fingers = Json::array();
+  for (const device::FingertipOverlap& finger : overlap.fingers) {
+    fingers.push_back({{"finger", device::name_of(finger.finger)},
+                       {"coverage", finger.coverage()},
+                       {"human_share", finger.human_share()}});
+  }
+  return {{"coverage", overlap.coverage()}, {"fingers", fingers}};
+}
+
+/// Findings that take more than reading the files.
+struct Examination {
+  std::optional<RobotReport> robot;
+  std::optional<device::WorkspaceOverlap> overlap;
+};
+
 void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
                 const std::optional<planning::PoseGoalSolutions>& solutions,
-                const std::optional<RobotReport>& examined,
-                const std::vector<std::string>& warnings) {
+                const Examination& examined, const std::vector<std::string>& warnings) {
   Json robots = Json::array();
   for (const geometric::RobotInstance& robot : scene.robots) {
     robots.push_back({{"name", robot.name},
@@ -262,8 +295,11 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
     report["goal_poses"] = json_of(scene, *solutions);
     report["goal_fault"] = solutions->fault;
   }
-  if (examined) {
-    report["findings"] = findings_json(*examined);
+  if (examined.robot) {
+    report["findings"] = findings_json(*examined.robot);
+  }
+  if (examined.overlap) {
+    report["anthropomorphism"] = json_of(*examined.overlap);
   }
   print_out("{}\n", report.dump(2));
 }
@@ -278,8 +314,7 @@ bool is_round(const geometric::Shape& shape) {
 void print_text(const std::filesystem::path& file, const planning::SceneState& loaded,
                 const std::vector<End>& ends,
                 const std::optional<planning::PoseGoalSolutions>& solutions,
-                const geometric::CollisionChecker* checker,
-                const std::optional<RobotReport>& examined,
+                const geometric::CollisionChecker* checker, const Examination& examined,
                 const std::vector<std::string>& warnings) {
   const geometric::Scene& scene = *loaded.scene;
   print_out("{}\n", scene.name.empty() ? file.string() : scene.name);
@@ -320,15 +355,18 @@ void print_text(const std::filesystem::path& file, const planning::SceneState& l
   if (solutions) {
     print_goal_poses(scene, *solutions);
   }
-  if (examined) {
-    print_findings(*examined);
+  if (examined.overlap) {
+    print_overlap(*examined.overlap);
+  }
+  if (examined.robot) {
+    print_findings(*examined.robot);
   }
   for (const std::string& warning : warnings) {
     print_out("warning: {}\n", warning);
   }
 }
 
-int info(const std::filesystem::path& file, bool as_json) {
+int info(const std::filesystem::path& file, bool as_json, bool with_overlap) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
   const planning::SceneState loaded = planning::load_scene(file, plugins);
@@ -350,10 +388,14 @@ int info(const std::filesystem::path& file, bool as_json) {
     warnings.push_back(
         fmt::format("plugin {} was not loaded: {}", plugin.file.string(), plugin.reason));
   }
-  std::optional<RobotReport> examined;
+  Examination examined;
   if (geometric::is_robot_file(file)) {
     const std::shared_ptr<const RobotModel>& model = scene.robots.front().model;
-    examined = robot_report(model, geometric::propose_groups(*model), kInfoSamples, kInfoSeed);
+    examined.robot =
+        robot_report(model, geometric::propose_groups(*model), kInfoSamples, kInfoSeed);
+  }
+  if (with_overlap && !scene.robots.empty()) {
+    examined.overlap = overlap_of(scene);
   }
   if (as_json) {
     print_json(scene, ends, solutions, examined, warnings);
@@ -374,7 +416,12 @@ void add_info_command(CLI::App& app, int& exit_code) {
       ->required();
   auto as_json = std::make_shared<bool>(false);
   command->add_flag("--json", *as_json, "Print JSON");
-  command->callback([file, as_json, &exit_code] { exit_code = info(*file, *as_json); });
+  auto with_overlap = std::make_shared<bool>(false);
+  command->add_flag("--anthropomorphism", *with_overlap,
+                    "Compare the fingertips' workspaces with those of a human hand");
+  command->callback([file, as_json, with_overlap, &exit_code] {
+    exit_code = info(*file, *as_json, *with_overlap);
+  });
 }
 
 }  // namespace handway::tools

@@ -161,6 +161,7 @@ PostureStudy study_postures(const fs::path& recording, Normalisation normalisati
     if (scaling == normalisation) {
       study.shares = analysis.components.shares;
       study.postures = joint_values(samples, mapper);
+      study.samples = samples;
       study.basis = sampling::make_pmd_basis(
           mapping.hand,
           fmt::format("{}: {} samples, joints normalised by {}", recording.filename().string(),

@@ -84,6 +84,7 @@ struct PostureStudy {
   Normalisation normalisation = Normalisation::kLimits;  ///< Scaling of basis and postures.
   sampling::PmdBasis basis;
   Eigen::MatrixXd postures;       ///< rad, shape [samples, joints of the basis].
+  Eigen::MatrixXd samples;        ///< The postures in normalised joints, same shape.
   Eigen::VectorXd shares;         ///< Shares of the variance, shape [directions].
   Eigen::VectorXd limits_shares;  ///< Shares with joints by their limits, …
   Eigen::VectorXd range_shares;   ///< … and by the range of their motion.

@@ -1,14 +1,12 @@
 #include "basis_figures.h"
-#include "campaign_command.h"
 #include "figures_program.h"
+#include "film_figures.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/planning/core/planning_problem.h"
-#include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
-#include "handway/planning/paths/path_file.h"
 #include "handway/report/rendering/csv.h"
+#include "planner_figures.h"
 #include "posture_study.h"
 #include "reproduce_report.h"
 
@@ -55,11 +53,11 @@ std::string text_of(Normalisation normalisation) {
 }
 
 // People's recordings leave the hand's joint limits: scaling by these would hide most of them.
-std::vector<Studied> study_all(std::string& problem) {
+std::vector<Studied> study_all(bool shipped_only, std::string& problem) {
   const fs::path shipped = geometric::resource_dir() / "recordings" / "free_hand.csv";
   std::vector<Studied> all;
   all.push_back({"free_hand", study_postures(shipped, Normalisation::kLimits)});
-  const char* reference = std::getenv("HANDWAY_REFERENCE_DIR");
+  const char* reference = shipped_only ? nullptr : std::getenv("HANDWAY_REFERENCE_DIR");
   for (const char* name : {"calib-rad-su01", "grasp-rad-su01"}) {
     const fs::path file =
         fs::path(reference != nullptr ? reference : "") / "glove" / fmt::format("{}.txt", name);
@@ -171,13 +169,13 @@ report::Part drawing_of(const PostureFigure& figure, const Studied& one) {
 /// of `figures` that are figures of postures to `postures/RECORDING`. The numbers of 7 and 10 are
 /// in `figure_7.csv` and `figure_10.csv` beside it.
 /// @throws InputError if a file can't be written or the recording that ships can't be read.
-std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
+std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures, bool shipped_only,
                                                  const fs::path& folder) {
   if (std::ranges::none_of(figures, [](int f) { return posture_figures().contains(f); })) {
     return {};
   }
   std::string problem;
-  const std::vector<Studied> all = study_all(problem);
+  const std::vector<Studied> all = study_all(shipped_only, problem);
   for (const Studied& one : all) {
     write_basis_plots(folder / "postures" / one.name, one.study.basis, one.study.postures,
                       one.study.shares);
@@ -217,138 +215,23 @@ std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
   return made;
 }
 
-struct Row {
-  const char* scene;
-  const char* planner;
-  const char* label;
-  const char* camera = "";  ///< Keys of the row that turn it, if a shelf hides the view.
-};
-
-struct Figure {
-  int number;
-  const char* caption;
-  const char* view;
-  std::vector<Row> rows;
-};
-
-const std::vector<Figure>& figures_there_are() {
-  static const std::vector<Figure> kFilms = {
-      {14,
-       "The hand along a path: planned in all joints of the hand, and with principal motion "
-       "directions",
-       "hand",
-       {{"two_cans_on_table", "full-prm", "All joints of the hand (full-prm)"},
-        {"two_cans_on_table", "pmd-prm", "Principal motion directions (pmd-prm)"}}},
-      {17,
-       "Paths of the four problems",
-       "task",
-       {{"cans_on_desk", "auto", "1: Cans on a desk"},
-        {"can_in_box", "auto", "2: Can in a box"},
-        {"cans_in_shelf", "auto", "3: Cans in a shelf", ", azimuth_deg: -125, elevation_deg: 14"},
-        {"t_shape", "auto", "4: T in a kitchen shelf", ", azimuth_deg: -122, elevation_deg: 14"}}}};
-  return kFilms;
-}
-
-class FilmMaker {
- public:
-  FilmMaker(const planning::PluginManager& plugins, double time_limit_s, const fs::path& folder)
-      : plugins_(plugins), time_limit_s_(time_limit_s), folder_(folder) {}
-
-  [[nodiscard]] ReproducedFigure make(const Figure& figure) const {
-    ReproducedFigure made{figure.number, figure.caption, "", {}, {}, ""};
-    const std::string name = fmt::format("figure_{}", figure.number);
-    make_out_folder(folder_ / name);
-    std::string rows;
-    for (const Row& row : figure.rows) {
-      rows += film_row(row, name, made);
-    }
-    if (rows.empty()) {
-      return made;
-    }
-    const fs::path file = folder_ / (name + ".yaml");
-    geometric::replace_file(file, fmt::format("title: \"{}\"\nframes: 6\nview: {}\nrows:\n{}",
-                                              figure.caption, figure.view, rows));
-    try {
-      draw_pictures(file);
-      made.drawings.push_back(report::Picture{figure.caption, name + ".png"});
-    } catch (const geometric::InputError& error) {
-      made.problem += error.what();
-    }
-    return made;
-  }
-
- private:
-  // Makes a row of the film; empty, with a sentence in `made`, without a path.
-  [[nodiscard]] std::string film_row(const Row& row, const std::string& name,
-                                     ReproducedFigure& made) const {
-    const fs::path scene =
-        geometric::resource_dir().parent_path() / "scenes" / fmt::format("{}.yaml", row.scene);
-    const planning::SceneState loaded = planning::load_scene(scene, plugins_);
-    const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-    const planning::PlanResult result =
-        plugins_.planners().create(row.planner)->plan(problem, {.time_limit_s = time_limit_s_});
-    if (!result.solved()) {
-      made.problem += fmt::format("{}: {} ", row.label, result.reason);
-      return "";
-    }
-    const std::string path = fmt::format("{}/{}_{}.csv", name, row.scene, row.planner);
-    planning::write_path_csv(result.path, problem.model(), folder_ / path);
-    return fmt::format("  - {{label: \"{}\", scene: \"{}\", path: {}{}}}\n", row.label,
-                       fs::absolute(scene).string(), path, row.camera);
-  }
-
-  const planning::PluginManager& plugins_;
-  double time_limit_s_;
-  const fs::path& folder_;
-};
-
-/// Figures of paths: 14, the hand along a path without principal motion directions and
-/// with them, and 17, the paths of the four problems.
-const std::set<int>& film_figures() {
-  static const std::set<int> kNumbers = [] {
-    std::set<int> numbers;
-    for (const Figure& figure : figures_there_are()) {
-      numbers.insert(figure.number);
-    }
-    return numbers;
-  }();
-  return kNumbers;
-}
-
-/// Plans the paths of those of `figures` that are films on the scenes that ship, each with seed 1,
-/// and draws them as film strips: `figure_N.png` and `.svg`, made of `figure_N.yaml` and paths as
-/// CSV in the folder `figure_N`.
-/// @param time_limit_s of each plan; a row without a path has a note.
-/// @throws InputError if a file can't be written or a scene can't be read.
-std::vector<ReproducedFigure> reproduce_films(const std::set<int>& figures,
-                                              const planning::PluginManager& plugins,
-                                              double time_limit_s, const fs::path& folder) {
-  const FilmMaker maker(plugins, time_limit_s, folder);
-  std::vector<ReproducedFigure> made;
-  for (const Figure& figure : figures_there_are()) {
-    if (figures.contains(figure.number)) {
-      made.push_back(maker.make(figure));
-    }
-  }
-  return made;
-}
-
 }  // namespace
 
 std::set<int> reproducible_figures() {
   std::set<int> all = posture_figures();
+  all.insert(planner_figures().begin(), planner_figures().end());
   all.insert(film_figures().begin(), film_figures().end());
   return all;
 }
 
 std::vector<ReproducedFigure> reproduce_figures(const std::set<int>& figures,
                                                 const planning::PluginManager& plugins,
-                                                double time_limit_s,
+                                                double time_limit_s, bool shipped_only,
                                                 const std::filesystem::path& folder) {
-  std::vector<ReproducedFigure> made = reproduce_postures(figures, folder);
-  std::vector<ReproducedFigure> films = reproduce_films(figures, plugins, time_limit_s, folder);
-  made.insert(made.end(), std::make_move_iterator(films.begin()),
-              std::make_move_iterator(films.end()));
+  std::vector<ReproducedFigure> made = reproduce_postures(figures, shipped_only, folder);
+  std::ranges::move(reproduce_planner_figures(figures, plugins, folder), std::back_inserter(made));
+  std::ranges::move(reproduce_films(figures, plugins, time_limit_s, folder),
+                    std::back_inserter(made));
   return made;
 }
 

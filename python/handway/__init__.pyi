@@ -286,6 +286,7 @@ class Scene:
     def measure_motion(
         self, path: npt.ArrayLike, *, postures: Union[_File, None] = None
     ) -> dict[str, Any]: ...
+    def anthropomorphism(self) -> dict[str, Any]: ...
     def grasps(
         self,
         object: str,

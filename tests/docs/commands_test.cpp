@@ -98,6 +98,30 @@ TEST(CommandLineManual, NamesTheOptionsOfEveryCommand) {
   }
 }
 
+// Items P1 to P69 of the paper, each once and in order, with a command that shows it.
+TEST(PaperManual, NamesACommandForEachItem) {
+  const std::vector<std::string> known = commands();
+  const std::regex item(R"(\| P(\d+) \| .*)");
+  const std::regex command(
+      "`(handway ([a-z]+)|\\./run|\\./check|mpirun -n 8 handway|build/release/tests/|ls |cat )");
+  std::istringstream lines(read_text(source_dir() / "docs" / "paper.md"));
+  int last = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch number;
+    if (!std::regex_match(line, number, item)) {
+      continue;
+    }
+    EXPECT_EQ(std::stoi(number[1]), ++last);
+    std::smatch found;
+    const bool names_one = std::regex_search(line, found, command);
+    EXPECT_TRUE(names_one) << line;
+    if (names_one && found[2].matched) {
+      EXPECT_THAT(known, Contains(found[2].str())) << line;
+    }
+  }
+  EXPECT_EQ(last, 69);
+}
+
 TEST(WorkbenchManual, NamesTheOptionsOfTheWorkbench) {
   if (std::string(HANDWAY_WORKBENCH).empty()) {
     GTEST_SKIP() << "built without the workbench";

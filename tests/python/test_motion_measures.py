@@ -37,6 +37,18 @@ class Distance(unittest.TestCase):
             handway.motion_distance(np.zeros((5, 2)), np.zeros((5, 3)))
 
 
+class Anthropomorphism(unittest.TestCase):
+    def test_is_of_the_hand_of_a_scene(self):
+        overlap = can_on_table().anthropomorphism()
+        fingers = overlap["fingers"]
+        self.assertEqual(
+            [f["finger"] for f in fingers], ["thumb", "index", "middle", "ring"]
+        )
+        mean = sum(f["coverage"] for f in fingers) / 5  # there is no little finger
+        self.assertAlmostEqual(overlap["coverage"], mean)
+        self.assertTrue(all(0 < f["human_share"] <= 1 for f in fingers))
+
+
 class Motions(unittest.TestCase):
     def test_are_measured(self):
         scene = can_on_table()

@@ -39,9 +39,12 @@ FilmView view_of(const YamlElement& element) {
 }
 
 int frames_of(const YamlElement& element) {
+  if (element.text() == "waypoints") {
+    return 0;
+  }
   const double frames = element.number();
   if (frames < 2.0 || frames > kMostFrames || frames != static_cast<int>(frames)) {
-    element.refuse(element.found(), "a whole number from 2 to 20");
+    element.refuse(element.found(), "a whole number from 2 to 20, or waypoints");
   }
   return static_cast<int>(frames);
 }
@@ -82,6 +85,9 @@ FilmData read_film_data(const fs::path& file) {
   plugins.load_plugins(planning::plugin_directory());
   for (const YamlElement& row : top.need("rows").items()) {
     data.rows.push_back(row_of(row, file.parent_path(), plugins));
+    if (data.frames == 0 && data.rows.back().path.waypoints.size() > kMostFrames) {
+      row.need("path").refuse("a path of more than 20 waypoints", "at most 20, one a picture");
+    }
   }
   if (data.rows.empty()) {
     top.need("rows").refuse("an empty list", "at least one row");
@@ -132,8 +138,10 @@ std::vector<QImage> pictures_of(const FilmRow& row, int frames, FilmView view) {
                static_cast<double>(kStripFrame.width()) / kStripFrame.height());
   }
   std::vector<QImage> strip;
-  for (int frame = 0; frame < frames; ++frame) {
-    const double fraction = static_cast<double>(frame) / (frames - 1);
+  const int count = frames > 0 ? frames : static_cast<int>(row.path.waypoints.size());
+  for (int frame = 0; frame < count; ++frame) {
+    const double fraction = frames > 0 ? static_cast<double>(frame) / (frames - 1)
+                                       : timeline.fraction_of(static_cast<std::size_t>(frame));
     if (view == FilmView::kHand) {
       OrbitCamera::Placement placement = camera.placement();
       placement.target =
