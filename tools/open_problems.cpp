@@ -76,7 +76,7 @@ struct HandChoice {
 
 constexpr std::array<HandChoice, 4> kHands = {{{"allegro_class_right", "allegro_free_hand"},
                                                {"leap_class_right", "leap_free_hand"},
-                                               {"sah_right", "sah_auro"},
+                                               {"sah_right", "sah_free_hand"},
                                                {"shadow_class_right", "shadow_free_hand"}}};
 
 constexpr std::array kTasks = {"reach", "grasp", "place"};
@@ -125,7 +125,7 @@ Choice choice_of(const RandomStream& random, std::uint64_t number) {
 }
 
 // Rounded to 1e-5 rad, within the limits.
-Configuration rounded(const geometric::RobotModel& model, Configuration q) {
+Configuration rounded(const geometric::RobotModel& model, const Configuration& q) {
   return model.clamped(q.unaryExpr([](double value) { return std::round(value * 1e5) / 1e5; }));
 }
 
@@ -334,6 +334,31 @@ bool straight_is_free(const SceneState& state) {
   return true;
 }
 
+// Returns a place of the target on the table, with x away from the robot.
+Pose place_of_target(const ArmChoice& arm, RandomStream& random) {
+  const double azimuth = between(random, -0.6, 0.6);
+  const double distance = between(random, arm.nearest, arm.farthest);
+  const double turn = azimuth + between(random, -0.2, 0.2);
+  return Pose(Eigen::Translation3d(distance * std::cos(azimuth), distance * std::sin(azimuth),
+                                   kTableHeight) *
+              Eigen::AngleAxisd(turn, Vector3d::UnitZ()));
+}
+
+// Draws a scene, and start and goal in it; no scene if none are free.
+// @param robot scene of the robot alone.
+SceneState find_problem(const Choice& choice, const SceneState& robot, RandomStream& random) {
+  const Pose X_WF = place_of_target(kArms.at(choice.arm), random);
+  Surroundings around = draw_surroundings(choice.family, choice.level, X_WF, random);
+  auto scene = std::make_shared<geometric::Scene>(*robot.scene);
+  std::ranges::move(around.objects, std::back_inserter(scene->objects));
+  const char* task = kTasks.at(choice.task);
+  scene->description = fmt::format("The task is to {} the object \"target\": {}.", task,
+                                   scene_families()[choice.family].description);
+  return ProblemSearch({std::move(scene), robot.basis}, around.target, around.supports,
+                       random.fork(0))
+      .find(task);
+}
+
 }  // namespace
 
 /// Every hand on every arm, at home.
@@ -417,7 +442,7 @@ OpenProblem OpenProblemGenerator::make(int number) const {
   RandomStream others = random.fork(kOtherRobots).fork(index);
   OpenProblem problem;
   problem.number = number;
-  while (problem.draws < kMostDraws) {
+  while (!problem.state.scene && problem.draws < kMostDraws) {
     if (problem.draws > 0 && problem.draws % kSameRobot == 0) {
       choice.arm = others.below(kArms.size());
       choice.hand = others.below(kHands.size());
@@ -425,28 +450,10 @@ OpenProblem OpenProblemGenerator::make(int number) const {
     RandomStream draw =
         random.fork(kScenes).fork(index).fork(static_cast<std::uint64_t>(problem.draws));
     ++problem.draws;
-    const ArmChoice& arm = kArms.at(choice.arm);
-    const double azimuth = between(draw, -0.6, 0.6);
-    const double distance = between(draw, arm.nearest, arm.farthest);
-    const double turn = azimuth + between(draw, -0.2, 0.2);
-    const Pose X_WF(Eigen::Translation3d(distance * std::cos(azimuth), distance * std::sin(azimuth),
-                                         kTableHeight) *
-                    Eigen::AngleAxisd(turn, Vector3d::UnitZ()));
-    Surroundings around = draw_surroundings(choice.family, choice.level, X_WF, draw);
-    SceneState state = robots_->of(choice);
-    auto scene = std::make_shared<geometric::Scene>(*state.scene);
-    std::ranges::move(around.objects, std::back_inserter(scene->objects));
-    scene->description =
-        fmt::format("The task is to {} the object \"target\": {}.", kTasks.at(choice.task),
-                    scene_families()[choice.family].description);
-    state.scene = std::move(scene);
-    ProblemSearch search(state, around.target, around.supports, draw.fork(0));
-    SceneState found = search.find(kTasks.at(choice.task));
-    const bool blocked_only = choice.level > 1 && problem.draws < kBlockedDraws;
-    if (found.scene && !(blocked_only && straight_is_free(found))) {
+    SceneState found = find_problem(choice, robots_->of(choice), draw);
+    const bool is_to_be_blocked = choice.level > 1 && problem.draws < kBlockedDraws;
+    if (found.scene && !(is_to_be_blocked && straight_is_free(found))) {
       problem.state = std::move(found);
-      problem.tags = choice.tags();
-      return problem;
     }
   }
   problem.tags = choice.tags();

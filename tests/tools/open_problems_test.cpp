@@ -24,6 +24,10 @@ TEST(HandwayProblems, AreTheSameForASeedAndHaveFreeEnds) {
   EXPECT_THAT(campaign,
               AllOf(HasSubstr("seed 3"), HasSubstr("file: problem0004.yaml, tags: {task: ")));
   EXPECT_EQ(std::ranges::count(campaign, '{'), 8) << campaign;
+  for (const char* model : {"tx90", "iiwa14_class", "panda_class", "ur5e_class", "sah_right",
+                            "allegro_class_right", "leap_class_right", "shadow_class_right"}) {
+    EXPECT_THAT(campaign, HasSubstr(model)) << "each arm and hand once";
+  }
 
   // More problems of the seed begin with these; what is there is kept.
   ASSERT_EQ(line.run("problems --out b --count 2 --seed 3").exit_code, 0);
