@@ -48,6 +48,18 @@ int run_file(const CampaignOptions& options, planning::ProcessTeam* team) {
                       team);
 }
 
+void print_other_paths(const OtherPaths& others) {
+  if (!others.records.empty()) {
+    const auto valid = std::ranges::count_if(
+        others.records, [](const planning::RunRecord& record) { return record.fault.empty(); });
+    print_out("Paths of other planners: {} checked, {} valid\n", others.records.size(), valid);
+  }
+  if (!others.skipped.empty()) {
+    print_error("handway: {} paths not checked, the first because: {}\n", others.skipped.size(),
+                others.skipped.front());
+  }
+}
+
 }  // namespace
 
 int run_campaign(const planning::Campaign& campaign, const planning::PluginManager& plugins,
@@ -61,6 +73,7 @@ int run_campaign(const planning::Campaign& campaign, const planning::PluginManag
   print_out("{}: {} of {} runs done, {} solved; report in {}\n", campaign.name,
             outcome->records.size(), outcome->campaign.run_count(), solved,
             (session.folder / "report.html").string());
+  print_other_paths(outcome->others);
   for (const LeftOut& group : grouped(outcome->left_out)) {
     print_error("handway: {} left out: {}\n", group.problems, group.reason);
   }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -280,17 +281,18 @@ constexpr std::array<Builder, 10> kBuilders = {{
     {{"clutter", "among many objects"}, build_clutter},
 }};
 
-constexpr auto kFamilies = [] {
+std::array<SceneFamily, kBuilders.size()> families() {
   std::array<SceneFamily, kBuilders.size()> families{};
-  for (std::size_t i = 0; i < families.size(); ++i) {
-    families[i] = kBuilders[i].family;
-  }
+  std::ranges::transform(kBuilders, families.begin(), &Builder::family);
   return families;
-}();
+}
 
 }  // namespace
 
-std::span<const SceneFamily> scene_families() { return kFamilies; }
+std::span<const SceneFamily> scene_families() {
+  static const auto kFamilies = families();
+  return kFamilies;
+}
 
 Surroundings draw_surroundings(std::size_t family, int level, const Pose& X_WF,
                                RandomStream& random) {

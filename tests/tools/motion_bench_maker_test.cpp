@@ -102,6 +102,8 @@ TEST_F(MotionBenchMaker, ChecksPathsOfOtherPlanners) {
               "straight,far_arm/0009,0.004,0,-0.5\n");
   const Outcome run = line_.run(std::string(kOneRun) + "--paths paths.csv");
   ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("Paths of other planners: 2 checked, 1 valid"));
+  EXPECT_THAT(run.err, HasSubstr("1 paths not checked, the first because: paths.csv:6: "));
   EXPECT_THAT(line_.read("o/other_paths.csv"),
               AllOf(HasSubstr("\nfar_arm/0001,straight,1,true,,0.004,2,1,"),
                     HasSubstr("\nnear_arm/0001,straight,1,false,"), HasSubstr("post")));

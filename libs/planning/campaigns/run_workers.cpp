@@ -142,12 +142,12 @@ RunExecutor::RunExecutor(Campaign campaign, const PluginManager& plugins)
       auto opened = std::make_shared<const PlanningProblem>(open_problem(problem.file, plugins));
       problem.files = notes.files();
       open_->add(static_cast<int>(problems.size()), std::move(opened));
-      problems.push_back(std::move(problem));
+      problems.push_back(problem);
     } catch (const geometric::InputError& error) {
       if (!campaign_.skip_unreadable) {
         throw;
       }
-      left_out_.push_back({std::move(problem), error.what()});
+      left_out_.push_back({problem, error.what()});
     }
   }
   if (problems.empty() && !left_out_.empty()) {
