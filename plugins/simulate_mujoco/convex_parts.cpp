@@ -4,7 +4,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <meshoptimizer.h>
 
 #include <algorithm>
 #include <array>
@@ -403,33 +402,9 @@ Halves cut_before_the_next(const Part& part) {
   return best;
 }
 
-// Returns a mesh of many triangles with fewer, at most 0.05 mm off; any other as it is.
-TriangleMesh simplified(TriangleMesh mesh) {
-  constexpr std::size_t kMany = 4000;
-  constexpr float kOff = 5e-5F;  // m
-  if (mesh.triangles.size() <= kMany) {
-    return mesh;
-  }
-  std::vector<Eigen::Vector3f> places;
-  places.reserve(mesh.vertices.size());
-  for (const Vector3d& vertex : mesh.vertices) {
-    places.emplace_back(vertex.cast<float>());
-  }
-  const float* first = places.front().data();
-  constexpr std::size_t kStride = sizeof(Eigen::Vector3f);
-  const float scale = meshopt_simplifyScale(first, places.size(), kStride);
-  std::vector<std::array<std::uint32_t, 3>> triangles = mesh.triangles;
-  const std::size_t indices = meshopt_simplify(
-      triangles.data()->data(), mesh.triangles.data()->data(), 3 * mesh.triangles.size(), first,
-      places.size(), kStride, 3 * kMany, kOff / scale, 0, nullptr);
-  triangles.resize(indices / 3);
-  mesh.triangles = std::move(triangles);
-  return mesh;
-}
-
 // The connected pieces of a mesh.
 std::vector<Part> pieces(const TriangleMesh& mesh) {
-  const TriangleMesh joined = simplified(geometric::distinct_triangles(geometric::welded(mesh)));
+  const TriangleMesh joined = geometric::distinct_triangles(geometric::welded(mesh));
   const std::vector<std::uint32_t> numbers = geometric::piece_numbers(joined);
   std::map<std::uint32_t, TriangleMesh> by_number;
   for (const auto& corners : joined.triangles) {

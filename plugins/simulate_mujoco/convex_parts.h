@@ -25,8 +25,7 @@ struct ConvexPartsLimits {
 /// whose hull has the most volume beyond its own. Of planes through the part's middle and of those
 /// in which many of its corners lie, the one is taken that leaves the least. A cut solid is closed
 /// by the cut's face, so that volumes stay true. Of an open surface, which has no volume, the parts
-/// cover the triangles. A mesh of more than 4,000 triangles is simplified first, by at most 0.05
-/// mm.
+/// cover the triangles.
 [[nodiscard]] std::vector<ConvexPart> convex_parts(const geometric::TriangleMesh& mesh,
                                                    const ConvexPartsLimits& limits = {});
 

@@ -16,7 +16,7 @@ namespace {
 using geometric::TriangleMesh;
 
 // To change with the bytes of an entry, and with what convex_parts() makes of a mesh.
-constexpr std::string_view kLayout = "convex parts 2";
+constexpr std::string_view kLayout = "convex parts 1";
 
 template <typename Value>
 void append(std::span<const Value> values, std::string& bytes) {

@@ -47,28 +47,6 @@ TriangleMesh prism(const std::vector<Vector2d>& outline) {
   return mesh;
 }
 
-// A ball with 2 n² triangles.
-TriangleMesh ball_of(double radius, std::uint32_t n) {
-  TriangleMesh mesh;
-  for (std::uint32_t ring = 0; ring <= n; ++ring) {
-    const double tilt = std::numbers::pi * ring / n;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const double turn = 2.0 * std::numbers::pi * i / n;
-      mesh.vertices.emplace_back(radius * std::sin(tilt) * std::cos(turn),
-                                 radius * std::sin(tilt) * std::sin(turn), radius * std::cos(tilt));
-    }
-  }
-  for (std::uint32_t ring = 0; ring < n; ++ring) {
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t a = ring * n + i;
-      const std::uint32_t b = ring * n + (i + 1) % n;
-      mesh.triangles.push_back({a, a + n, b});
-      mesh.triangles.push_back({b, a + n, b + n});
-    }
-  }
-  return mesh;
-}
-
 TriangleMesh angle_iron() { return prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}); }
 
 // A pipe of square section along z: 4 wide outside, 2 inside, 1 long.
@@ -241,17 +219,6 @@ TEST(ConvexParts, OfNothingAreNone) {
   flat.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   flat.triangles = {{0, 1, 2}};
   EXPECT_TRUE(convex_parts(flat).empty()) << "without a volume";
-}
-
-TEST(ConvexParts, SimplifiesFineMeshes) {
-  constexpr double kRadius = 0.04;
-  const geometric::TriangleMesh fine = ball_of(kRadius, 150);
-  ASSERT_GT(fine.triangles.size(), 40000U);
-  const std::vector<ConvexPart> parts = convex_parts(fine);
-  ASSERT_EQ(parts.size(), 1U);
-  EXPECT_LT(parts.front().corners.size(), 10000U);
-  const double volume = 4.0 / 3.0 * std::numbers::pi * kRadius * kRadius * kRadius;
-  EXPECT_NEAR(parts.front().volume, volume, 0.005 * volume);
 }
 
 }  // namespace
