@@ -22,6 +22,7 @@ MeasuredGrasps measure_given_grasps(const PlanningProblem& problem, std::string_
   const PlanningProblem of_hand = with_nearest_hand(problem, needed);
   ThreadPool threads(std::max(options.threads, 1));
   std::vector<std::unique_ptr<GraspSampler>> samplers;
+  samplers.reserve(static_cast<std::size_t>(threads.size()));
   for (int thread = 0; thread < threads.size(); ++thread) {
     samplers.push_back(std::make_unique<GraspSampler>(of_hand, needed, options, stop));
   }

@@ -78,6 +78,7 @@ Configuration with_joints(const YamlElement& element, const geometric::RobotMode
     const std::optional<int> variable = model.find_variable(name);
     if (!variable) {
       std::vector<std::string> names;
+      names.reserve(static_cast<std::size_t>(model.variable_count()));
       for (int v = 0; v < model.variable_count(); ++v) {
         names.push_back(model.variable(v).name);
       }
@@ -109,6 +110,7 @@ int link_of(const std::optional<YamlElement>& element, const geometric::RobotMod
   const std::optional<int> link = model.find_link(element->text());
   if (!link) {
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(model.link_count()));
     for (int i = 0; i < model.link_count(); ++i) {
       names.push_back(model.link(i).name);
     }

@@ -133,6 +133,7 @@ std::vector<TestedGrasp> rank_by_tests(const HoldTest& test, std::vector<Pregras
                                        int threads, const std::stop_token& stop) {
   constexpr std::size_t kLeastTests = 2;  // at a time, whatever the number of threads
   std::vector<TestedGrasp> tested;
+  tested.reserve(grasps.size());
   for (Pregrasp& grasp : grasps) {
     tested.push_back({std::move(grasp)});
   }
