@@ -446,8 +446,7 @@ void add_table_2(report::Document& document, report::Table& csv, const Reproduce
       "\"Print, literal\": rho_a is multiplied by 1, 2, 3, … with the passes, as Algorithm 4 is "
       "printed. \"Print, linear growth\": rho_a grows by its initial value with each pass, as in "
       "the authors' program and logs. Edges are certified along their whole length in both; all "
-      "else "
-      "is as printed."});
+      "else is as printed."});
   const std::vector<PaperRow> rows = paper_table_2();
   const auto samples_all_joints = [&](const MeasuredColumn& column) {
     return part.campaign.planners[static_cast<std::size_t>(column.cell.planner)].planner ==

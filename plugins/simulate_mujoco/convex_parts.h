@@ -29,6 +29,11 @@ struct ConvexPartsLimits {
 [[nodiscard]] std::vector<ConvexPart> convex_parts(const geometric::TriangleMesh& mesh,
                                                    const ConvexPartsLimits& limits = {});
 
+/// convex_parts(), from the user's cache if this mesh was divided before: it takes up to a second
+/// for the links of a hand. For any thread.
+[[nodiscard]] std::vector<ConvexPart> cached_convex_parts(const geometric::TriangleMesh& mesh,
+                                                          const ConvexPartsLimits& limits = {});
+
 /// Returns the volume (m³) inside a closed mesh, whichever way its triangles are wound.
 [[nodiscard]] double enclosed_volume(const geometric::TriangleMesh& mesh);
 

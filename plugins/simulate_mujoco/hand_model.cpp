@@ -1,6 +1,6 @@
 #include "hand_model.h"
 
-#include "convex_parts_cache.h"
+#include "convex_parts.h"
 #include "geom_boxes.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/pose.h"

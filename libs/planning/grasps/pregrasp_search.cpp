@@ -1,14 +1,12 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 
-#include "core/thread_pool.h"
 #include "grasps/grasp_sampler.h"
 #include "grasps/grasping_hand.h"
 #include "grasps/pregrasp_candidates.h"
+#include "grasps/sampler_pool.h"
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <algorithm>
-#include <atomic>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -75,29 +73,22 @@ class SampleRunner {
         measurements_left_(static_cast<std::size_t>(kMostMeasured * results_.pool_size())),
         wanted_(options.most),
         random_(options.seed),
-        threads_(std::max(options.threads, 1)) {
-    for (int thread = 0; thread < threads_.size(); ++thread) {
-      samplers_.push_back(std::make_unique<GraspSampler>(problem, object, options, stop));
-    }
-  }
+        samplers_(problem, object, options, stop) {}
 
-  [[nodiscard]] const GraspSampler& sampler() const { return *samplers_.front(); }
+  [[nodiscard]] const GraspSampler& sampler() const { return samplers_.front(); }
   [[nodiscard]] const SampleResults& results() const { return results_; }
 
   /// Runs samples first, first + 1, …, last - 1.
   /// @returns false, and adds none of them, if a stop was requested.
   [[nodiscard]] bool run(int first, int last) {
     std::vector<SampleResult> batch(static_cast<std::size_t>(last - first));
-    std::atomic<int> next = first;
-    threads_.run(0, threads_.size(), [&, asks_why = results_.asks_why()](int thread) {
-      GraspSampler& sampler = *samplers_[static_cast<std::size_t>(thread)];
-      for (int i = next++; i < last && !stop_.stop_requested(); i = next++) {
-        const sampling::RandomStream random = random_.fork(static_cast<std::uint64_t>(i));
-        const Candidate* parent = improvable(i);
-        batch[static_cast<std::size_t>(i - first)] =
-            parent ? sampler.neighbour(*parent, random) : sampler.sample(random, asks_why);
-      }
-    });
+    samplers_.run(
+        batch.size(), [&, asks_why = results_.asks_why()](GraspSampler& sampler, std::size_t k) {
+          const int i = first + static_cast<int>(k);
+          const sampling::RandomStream random = random_.fork(static_cast<std::uint64_t>(i));
+          const Candidate* parent = improvable(i);
+          batch[k] = parent ? sampler.neighbour(*parent, random) : sampler.sample(random, asks_why);
+        });
     if (stop_.stop_requested()) {
       return false;
     }
@@ -144,12 +135,8 @@ class SampleRunner {
     CandidateIndices next = results_.to_be_measured();
     next.resize(std::min<std::size_t>({next.size(), kMeasuredEach, measurements_left_}));
     measurements_left_ -= next.size();
-    std::atomic<std::size_t> begun = 0;
-    threads_.run(0, threads_.size(), [&](int thread) {
-      for (std::size_t i = begun++; i < next.size() && !stop_.stop_requested(); i = begun++) {
-        Candidate& candidate = results_.candidate(next[i]);
-        samplers_[static_cast<std::size_t>(thread)]->measure(candidate);
-      }
+    samplers_.run(next.size(), [&](GraspSampler& sampler, std::size_t i) {
+      sampler.measure(results_.candidate(next[i]));
     });
   }
 
@@ -158,8 +145,7 @@ class SampleRunner {
   std::size_t measurements_left_;
   int wanted_;
   sampling::RandomStream random_;
-  ThreadPool threads_;
-  std::vector<std::unique_ptr<GraspSampler>> samplers_;
+  SamplerPool samplers_;
   CandidateIndices best_;        ///< Indices of candidates, …
   CandidateIndices improvable_;  ///< … and of those that more epsilon makes better.
 };

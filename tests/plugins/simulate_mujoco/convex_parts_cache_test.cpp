@@ -1,5 +1,4 @@
-#include "convex_parts_cache.h"
-
+#include "convex_parts.h"
 #include "handway/geometric/mesh/shape.h"
 
 #include <gtest/gtest.h>
