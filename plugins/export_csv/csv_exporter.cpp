@@ -1,6 +1,7 @@
 #include "csv_exporter.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/table_text.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
 
@@ -31,13 +32,20 @@ class CsvTable {
   std::string text_;
 };
 
-CsvTable::CsvTable(const std::vector<std::string>& columns)
-    : text_(fmt::format("{}\n", fmt::join(columns, ","))) {}
+CsvTable::CsvTable(const std::vector<std::string>& columns) {
+  for (const std::string& column : columns) {
+    text_.append(text_.empty() ? "" : ",").append(geometric::csv_cell(column));
+  }
+  text_ += '\n';
+}
 
 void CsvTable::add_row(double time, const std::vector<double>& values,
                        const planning::MotionStage* stage) {
   text_ += fmt::format("{},{}", planning::csv_time(time), fmt::join(values, ","));
-  text_ += stage == nullptr ? "\n" : "," + stage->name + "\n";
+  if (stage != nullptr) {
+    text_.append(",").append(geometric::csv_cell(stage->name));
+  }
+  text_ += '\n';
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "collision_matrix.h"
 
-#include "problem_files.h"
+#include "handway/geometric/io/plural.h"
 
 #include <fmt/format.h>
 
@@ -65,14 +65,15 @@ Matrix matrix_of(const YamlElement& element) {
   const std::vector<YamlElement> names = element.items_of("entry_names");
   const std::vector<YamlElement> rows = element.items_of("entry_values");
   if (rows.size() != names.size()) {
-    element.refuse(fmt::format("{} rows for {} names", rows.size(), names.size()),
+    element.refuse(fmt::format("{} for {}", geometric::plural(rows.size(), "row"),
+                               geometric::plural(names.size(), "name")),
                    "a row for each name");
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<YamlElement> row =
         (rows[i].is_map() ? rows[i].need("enabled") : rows[i]).items();
     if (row.size() != names.size()) {
-      rows[i].refuse(fmt::format("{} values", row.size()),
+      rows[i].refuse(geometric::plural(row.size(), "value"),
                      fmt::format("{}, one for each name", names.size()));
     }
     for (std::size_t j = 0; j <= i; ++j) {

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
-#include "problem_files.h"
+#include "ros_messages.h"
 
 #include <fmt/format.h>
 

@@ -10,6 +10,7 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/planning/extensions/plugin.h"
 #include "problem_files.h"
+#include "ros_messages.h"
 #include "scene_text.h"
 #include "world_objects.h"
 
@@ -37,6 +38,11 @@ using geometric::RobotModel;
 using geometric::YamlElement;
 
 constexpr double kSmallestQuaternion = 1e-6;
+
+// Frames of tf had a slash in front.
+std::string without_slash(const std::string& frame) {
+  return frame.starts_with('/') ? frame.substr(1) : frame;
+}
 
 // The motion of a joint by `value`.
 Pose moved(const Joint& joint, double value) {
@@ -165,7 +171,6 @@ class ProblemReader {
     scene_->name = name && !name->text().empty() ? name->text() : scene_->file.stem().string();
     add_robot();
     const Frames frames = frames_of(scene_->robots.front());
-    add_pose_goals(frames);
     World world{frames, folder_, reach_of(scene_->robots.front()), *scene_};
     if (const auto message = top_.find("world")) {
       add_world(*message, world);
@@ -182,7 +187,9 @@ class ProblemReader {
       read_collision_matrix(*matrix, world.names, *scene_);
     }
     read_paddings(top_, *scene_);
-    add_path_constraints(frames);
+    const Frames all_frames = import_moveit::frames_of(world);
+    add_pose_goals(all_frames);
+    add_path_constraints(all_frames);
     note_unknown_joints();
     std::ranges::move(remarks_.warnings(), std::back_inserter(scene_->warnings));
     return {scene_, nullptr};
@@ -374,12 +381,33 @@ class ProblemReader {
     for (int link = 0; link < model.link_count(); ++link) {
       frames[model.link(link).name] = robot.X_WB * X_BL[static_cast<std::size_t>(link)];
     }
-    if (const auto transforms = top_.find("fixed_frame_transforms")) {
-      for (const YamlElement& one : transforms->items()) {
-        frames.emplace(one.need("child_frame_id").text(), read_transform(one.need("transform")));
-      }
-    }
+    add_fixed_frames(frames);
     return frames;
+  }
+
+  // Adds the frames of the scene. Each is in the world, in a link or in another of these frames,
+  // which may be later in the list. A frame that nothing defines is the world under another name,
+  // such as "odom".
+  void add_fixed_frames(Frames& frames) const {
+    std::map<std::string, std::pair<std::string, Pose>> given;  // parent and pose in it
+    for (const YamlElement& one : top_.items_of("fixed_frame_transforms")) {
+      given.emplace(
+          without_slash(one.need("child_frame_id").text()),
+          std::pair(frame_name(one).value_or("world"), read_transform(one.need("transform"))));
+    }
+    for (const auto& [name, frame] : given) {
+      auto [parent, X_WF] = frame;
+      for (std::size_t steps = 0; steps < given.size() && !frames.contains(parent); ++steps) {
+        const auto above = given.find(parent);
+        if (above == given.end()) {
+          break;
+        }
+        X_WF = above->second.second * X_WF;
+        parent = above->second.first;
+      }
+      const auto known = frames.find(parent);
+      frames.emplace(name, known == frames.end() ? X_WF : known->second * X_WF);
+    }
   }
 
   void add_path_constraints(const Frames& frames) {

@@ -7,6 +7,7 @@
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "octomap_mesh.h"
 #include "problem_files.h"
+#include "ros_messages.h"
 
 #include <fmt/format.h>
 #include <octomap/ColorOcTree.h>
@@ -50,8 +51,10 @@ Shape read_primitive(const YamlElement& primitive) {
   const YamlElement type = primitive.need("type");
   const YamlElement list = primitive.need("dimensions");
   const std::string kind = kind_of(type);
+  // The message has room for three sizes; those behind the ones of the shape have no meaning.
   const auto sizes = [&](int count) {
-    const Eigen::VectorXd values = list.numbers(count);
+    const int written = list.is_list() ? static_cast<int>(list.items().size()) : count;
+    const Eigen::VectorXd values = list.numbers(written == 3 ? written : count).head(count);
     if ((values.array() <= 0.0).any()) {
       list.refuse("a size that is not above 0", "sizes in metres");
     }
@@ -239,14 +242,65 @@ void remove_objects(const std::string& id, World& world) {
   world.objects.erase(id);
 }
 
-geometric::SceneObject& object_called(const std::string& name, World& world) {
+geometric::SceneObject& object_called(const std::string& name, const World& world) {
   return *std::ranges::find(world.scene.objects, name, &geometric::SceneObject::name);
 }
 
-bool is_attached(const std::string& id, World& world) {
+// The link that carries an object; nothing for an object of the world.
+std::optional<std::string> carrier_of(const std::string& id, const World& world) {
   const auto names = world.names.find(id);
-  return names != world.names.end() && !names->second.empty() &&
-         object_called(names->second.front(), world).attachment.has_value();
+  if (names == world.names.end() || names->second.empty()) {
+    return std::nullopt;
+  }
+  const auto& attachment = object_called(names->second.front(), world).attachment;
+  return attachment ? std::optional(attachment->link) : std::nullopt;
+}
+
+bool is_attached(const std::string& id, const World& world) {
+  return carrier_of(id, world).has_value();
+}
+
+// The pose of an object in the world.
+Pose object_pose(const std::string& id, const WorldObject& whole, const World& world) {
+  const std::optional<std::string> carrier = carrier_of(id, world);
+  return carrier ? world.frames.at(*carrier) * whole.X_PO : whole.X_PO;
+}
+
+// The pose in the world of the frame of this name: that of an object, or a subframe of one.
+std::optional<Pose> object_frame(const std::string& name, const World& world) {
+  for (const auto& [id, whole] : world.objects) {
+    if (name == id) {
+      return object_pose(id, whole, world);
+    }
+    const auto subframe = name.starts_with(id + "/")
+                              ? whole.subframes.find(name.substr(id.size() + 1))
+                              : whole.subframes.end();
+    if (subframe != whole.subframes.end()) {
+      return object_pose(id, whole, world) * subframe->second;
+    }
+  }
+  return std::nullopt;
+}
+
+// The pose in the world of the frame in a message's header. @throws InputError if it is unknown.
+Pose header_frame(const YamlElement& message, const World& world) {
+  const std::optional<std::string> name = frame_name(message);
+  const std::optional<Pose> X_WF =
+      name && !world.frames.contains(*name) ? object_frame(*name, world) : std::nullopt;
+  return X_WF ? *X_WF : frame_of(message, world.frames);
+}
+
+void read_subframes(const YamlElement& object, WorldObject& whole) {
+  const std::vector<YamlElement> names = object.items_of("subframe_names");
+  const std::vector<YamlElement> poses = object.items_of("subframe_poses");
+  if (names.size() != poses.size()) {
+    object.need("subframe_names")
+        .refuse(fmt::format("{} names", names.size()),
+                fmt::format("{}, one for each of subframe_poses", poses.size()));
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    whole.subframes[names[i].text()] = read_pose(poses[i]);
+  }
 }
 
 // The pose of a message in the frame to which its object is fixed.
@@ -262,6 +316,7 @@ void add_object(const YamlElement& object, const Pose& X_PF, const Pose& X_WP,
   const Pose X_PO = pose_of(object, X_PF);
   const std::string id = object.need("id").text();
   WorldObject& whole = world.objects.try_emplace(id, WorldObject{X_PO, {}}).first->second;
+  read_subframes(object, whole);
   for (auto& [shape, X_OS] : shapes_of(object, X_WP * X_PO, world)) {
     const std::string name = unique_name(world.scene, id);
     world.names[id].push_back(name);
@@ -338,7 +393,7 @@ void take_world_object(const YamlElement& object, World& world) {
     remove_from_world(object, world);
     return;
   }
-  const Pose X_WF = frame_of(object, world.frames);
+  const Pose X_WF = header_frame(object, world);
   if (operation == Operation::kMove) {
     move_object(object, X_WF, world);
     return;
@@ -366,7 +421,7 @@ void add_octomap(const YamlElement& message, World& world) {
     const std::string name = unique_name(world.scene, "octomap");
     world.names["<octomap>"].push_back(name);
     const Pose X_WM =
-        frame_of(message, world.frames) * (origin ? read_pose(*origin) : Pose::Identity());
+        header_frame(message, world) * (origin ? read_pose(*origin) : Pose::Identity());
     world.scene.objects.push_back(
         {name, geometric::Mesh{{}, Eigen::Vector3d::Ones(), std::move(triangles)}, X_WM, kColor,
          std::nullopt});
@@ -417,11 +472,9 @@ void detach(const YamlElement& attached, const YamlElement& object, World& world
   const std::string of_link = link ? link->text() : "";
   std::vector<std::string> ids;
   for (const auto& [one, whole] : world.objects) {
-    if ((id.empty() || one == id) && is_attached(one, world)) {
-      const std::string& carrier = object_called(world.names[one].front(), world).attachment->link;
-      if (of_link.empty() || carrier == of_link) {
-        ids.push_back(one);
-      }
+    const std::optional<std::string> carrier = carrier_of(one, world);
+    if ((id.empty() || one == id) && carrier && (of_link.empty() || *carrier == of_link)) {
+      ids.push_back(one);
     }
   }
   if (ids.empty()) {
@@ -430,8 +483,7 @@ void detach(const YamlElement& attached, const YamlElement& object, World& world
                                                id.empty() ? "" : " called \"" + id + '"'));
   }
   for (const std::string& one : ids) {
-    const std::string& carrier = object_called(world.names[one].front(), world).attachment->link;
-    fix_to(one, world.frames.at(carrier), std::nullopt, world);
+    fix_to(one, world.frames.at(*carrier_of(one, world)), std::nullopt, world);
   }
 }
 
@@ -455,8 +507,10 @@ Pose frame_of(const YamlElement& message, const Frames& frames) {
   if (frame == frames.end()) {
     message.need("header")
         .need("frame_id")
-        .refuse(fmt::format("the frame \"{}\"", *name),
-                "\"world\", a link of the robot or one of fixed_frame_transforms");
+        .refuse(
+            fmt::format("the frame \"{}\"", *name),
+            "\"world\", a link of the robot, one of fixed_frame_transforms, or an object that is "
+            "there already");
   }
   return frame->second;
 }
@@ -512,7 +566,7 @@ void add_attached(const YamlElement& attached, World& world) {
   }
   const geometric::Attachment attachment = attachment_of(attached, world.scene);
   const Pose& X_WL = world.frames.at(attachment.link);
-  const Pose X_LF = X_WL.inverse() * frame_of(object, world.frames);
+  const Pose X_LF = X_WL.inverse() * header_frame(object, world);
   const std::string id = object.need("id").text();
   const bool is_known = world.objects.contains(id);
   if (operation == Operation::kMove) {
@@ -529,6 +583,20 @@ void add_attached(const YamlElement& attached, World& world) {
     remove_objects(id, world);
   }
   add_object(object, X_LF, X_WL, attachment, world);
+}
+
+Frames frames_of(const World& world) {
+  Frames frames = world.frames;
+  for (const auto& [id, whole] : world.objects) {
+    if (is_attached(id, world)) {
+      continue;
+    }
+    frames.emplace(id, whole.X_PO);
+    for (const auto& [name, X_OF] : whole.subframes) {
+      frames.emplace(fmt::format("{}/{}", id, name), whole.X_PO * X_OF);
+    }
+  }
+  return frames;
 }
 
 bool remove_attached(World& world) {

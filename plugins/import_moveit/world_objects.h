@@ -42,6 +42,7 @@ struct Reach {
 struct WorldObject {
   geometric::Pose X_PO = geometric::Pose::Identity();  ///< In the world, or in the link.
   std::vector<geometric::Pose> X_OS;                   ///< Poses of its shapes, see World::names.
+  Frames subframes = {};                               ///< Poses of its subframes in it.
 };
 
 /// World into which objects are read.
@@ -57,7 +58,8 @@ struct World {
 /// Adds the collision objects of `message` (moveit_msgs/PlanningSceneWorld): an object of the scene
 /// for each primitive, mesh and plane. Each message is applied by its `operation`, in their order:
 /// ADD replaces an object of the same id, APPEND gives it more shapes, MOVE moves it, and REMOVE
-/// removes it, or all without an id. A plane is the half space opposite to the robot's base, up to
+/// removes it, or all without an id. Headers may name objects that are there already, and their
+/// subframes, as "OBJECT/SUBFRAME". A plane is the half space opposite to the robot's base, up to
 /// the ends of the reach; if the base is on it, the one below. An octomap is one mesh
 /// (octomap_mesh()), "<octomap>" for the collision matrix.
 /// @throws InputError for anything that can't be read.
@@ -67,6 +69,9 @@ void add_world(const geometric::YamlElement& message, World& world);
 /// operation: ADD without shapes attaches an object of the world, REMOVE detaches it.
 /// @throws InputError as add_world().
 void add_attached(const geometric::YamlElement& attached, World& world);
+
+/// Returns all frames of a world: also its objects that no link carries, and their subframes.
+[[nodiscard]] Frames frames_of(const World& world);
 
 /// Removes all attached objects. @returns whether there were any.
 bool remove_attached(World& world);

@@ -1,8 +1,10 @@
 #include "sdf_reader.h"
 
 #include "handway/geometric/formats/mesh_reader.h"
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/package_path.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/base_joint.h"
 

@@ -36,6 +36,24 @@ Eigen::VectorXd MotionTolerances::distances(const Eigen::VectorXd& measured,
   return give.size() == 0 ? away : (away - give).cwiseMax(0.0);
 }
 
+std::vector<geometric::BoundParameter> parameters_of(MotionTolerances& tolerances) {
+  const geometric::BoundParameter start{"start_tolerance",
+                                        "Start tolerance",
+                                        "rad",
+                                        "Largest distance of a joint from the motion's start",
+                                        &tolerances.start,
+                                        1e-5,
+                                        1.0};
+  const geometric::BoundParameter following{"following_tolerance",
+                                            "Following tolerance",
+                                            "rad",
+                                            "Largest following error of a joint during a motion",
+                                            &tolerances.following,
+                                            1e-5,
+                                            1.0};
+  return {start, following};
+}
+
 TrajectoryClient::TrajectoryClient(std::string name, JointRanges joints)
     : name_(std::move(name)), joints_(std::move(joints)) {
   const Eigen::Index count = joints_.count();

@@ -1,63 +1,17 @@
 #include "handway/device/glove/calibration_fit.h"
 
-#include "glove/sensor_names.h"
-#include "glove/text_files.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording_quality.h"
-#include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <string_view>
 
 namespace handway::device {
-namespace {
-
-using geometric::YamlElement;
-
-PoseInstruction read_pose(const YamlElement& item) {
-  item.allow_keys({"name", "instruction", "degrees", "motion"});
-  PoseInstruction pose;
-  pose.name = item.need("name").text();
-  pose.instruction = item.text_or("instruction", "");
-  pose.angles.fill(std::numeric_limits<double>::quiet_NaN());
-  if (const auto motion = item.find("motion")) {
-    pose.motion = motion->number();
-    if (!(pose.motion > 0.0)) {
-      motion->refuse(motion->found(), "seconds above 0");
-    }
-  }
-  const YamlElement degrees = item.need("degrees");
-  for (const auto& [name, angle] : degrees.entries()) {
-    pose.angles.at(static_cast<std::size_t>(named_sensor(angle, name))) =
-        angle.number() * geometric::kDegree;
-  }
-  return pose;
-}
-
-}  // namespace
-
-std::vector<PoseInstruction> read_guided_poses(const std::filesystem::path& file) {
-  const YamlElement top = YamlElement::read(file, "poses to calibrate a glove with");
-  top.allow_keys({"poses"});
-  std::vector<PoseInstruction> poses;
-  for (const YamlElement& item : top.need("poses").items()) {
-    poses.push_back(read_pose(item));
-    if (std::ranges::count(poses, poses.back().name, &PoseInstruction::name) > 1) {
-      item.refuse("pose " + poses.back().name + " for the second time", "every name once");
-    }
-  }
-  if (poses.empty()) {
-    top.need("poses").refuse("no poses", "at least one");
-  }
-  return poses;
-}
-
 namespace {
 
 using geometric::InputError;
@@ -168,22 +122,6 @@ CalibrationFit calibrate_from_poses(const std::vector<GuidedPose>& poses, const 
   return fit;
 }
 
-const AngleRanges& typical_angle_ranges() {
-  static const AngleRanges kRanges = [] {
-    // Degrees; KINE-ADL BE-UJI medians and textbook limits, rounded.
-    constexpr std::array<std::pair<double, double>, kGloveSensors> kDegrees{
-        {{0, 90},  {-20, 35}, {-30, 75}, {0, 35},   {-15, 75}, {0, 105}, {0, 70},   {-20, 80},
-         {0, 102}, {0, 70},   {-15, 15}, {-20, 75}, {0, 105},  {0, 70},  {-15, 15}, {-25, 70},
-         {0, 98},  {0, 65},   {-15, 20}, {0, 35},   {-70, 50}, {-15, 30}}};
-    AngleRanges radians;
-    std::ranges::transform(kDegrees, radians.begin(), [](const auto& range) {
-      return std::pair(range.first * geometric::kDegree, range.second * geometric::kDegree);
-    });
-    return radians;
-  }();
-  return kRanges;
-}
-
 CalibrationFit calibrate_from_range(const Recording& counts, const AngleRanges& ranges,
                                     const GloveCalibration& signs, const std::string& person,
                                     const std::string& date) {
@@ -212,38 +150,6 @@ CalibrationFit calibrate_from_range(const Recording& counts, const AngleRanges& 
     fit.calibration.sensors.at(sensor) = line;
   }
   return fit;
-}
-
-namespace {
-
-constexpr double kLeastRange = 5.0 * geometric::kDegree;
-
-}  // namespace
-
-PersonRanges measured_ranges(const Recording& angles) {
-  if (angles.header.kind != RecordingKind::kAngles) {
-    throw InputError({"calibration", "", "a recording of raw counts", "one of angles", ""});
-  }
-  PersonRanges ranges;
-  for (const SensorQuality& quality : assess(angles).sensors) {
-    if (quality.last_percentile - quality.first_percentile >= kLeastRange) {
-      ranges.at(static_cast<std::size_t>(quality.sensor)) =
-          std::pair(quality.first_percentile, quality.last_percentile);
-    }
-  }
-  return ranges;
-}
-
-double typical_angle(const PersonRanges& ranges, int sensor, double angle) {
-  const auto& own = ranges.at(static_cast<std::size_t>(sensor));
-  if (!own) {
-    return angle;
-  }
-  const auto& typical = typical_angle_ranges().at(static_cast<std::size_t>(sensor));
-  const double own_side = angle < 0.0 ? -own->first : own->second;
-  const double typical_side = angle < 0.0 ? -typical.first : typical.second;
-  return own_side < kLeastRange || typical_side < kLeastRange ? angle
-                                                              : angle * typical_side / own_side;
 }
 
 }  // namespace handway::device

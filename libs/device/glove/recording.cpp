@@ -145,8 +145,8 @@ namespace {
 constexpr int kReadableByAll = 0666;  // less the umask
 
 [[noreturn]] void fail(const std::filesystem::path& file, int error) {
-  throw geometric::InputError({file.string(), "", std::strerror(error), "a file to write to",
-                               "Check the folder, its permissions and the room on the disk"});
+  throw geometric::OutputError({file.string(), "", std::strerror(error), "a file to write to",
+                                "Check the folder, its permissions and the room on the disk"});
 }
 
 int open_anew(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #include "glove/text_files.h"
 #include "handway/geometric/formats/joint_table.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/io/table_times.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
@@ -94,7 +95,7 @@ void keep_whole_rows(JointTable& rows, std::vector<std::string>& warnings) {
     }
   }
   if (gaps > 0) {
-    warnings.push_back(fmt::format("{} rows that lack a value are left out", gaps));
+    warnings.push_back(geometric::plural(gaps, "row") + " left out, as a value is missing");
   }
   if (has_times) {
     std::ranges::move(
@@ -142,8 +143,8 @@ void leave_out_absurd_rows(const RobotModel& hand, JointTable& rows,
   }
   const std::string where = rows.lines.empty() ? fmt::format("message {}", absurd.front() + 1)
                                                : fmt::format("line {}", rows.lines[absurd.front()]);
-  warnings.push_back(fmt::format("{} row{} left out, with values that are no angles: {} {}{}",
-                                 absurd.size(), absurd.size() == 1 ? "" : "s", where, first,
+  warnings.push_back(fmt::format("{} left out, with values that are no angles: {} {}{}",
+                                 geometric::plural(absurd.size(), "row"), where, first,
                                  absurd.size() > 1 ? ", …" : ""));
   for (const std::size_t row : absurd) {
     rows.values[row].setConstant(kUnknown);
@@ -247,8 +248,8 @@ bool is_joint_recording(const fs::path& file, const RobotModel& hand) {
   std::set<int> named;
   for (const TextLine& line : text_lines(head)) {
     const std::string_view header = trimmed(line.text);
-    for (const std::string_view cell : cells(header, separator_of(header))) {
-      if (const auto variable = geometric::joint_of_column(variables_of(hand), cell)) {
+    for (const std::string& name : geometric::cell_names(line.text, separator_of(header))) {
+      if (const auto variable = geometric::joint_of_column(variables_of(hand), name)) {
         named.insert(*variable);
       }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/recordings/recording_contents.h"
+#include "handway/geometric/io/table_times.h"
 
 #include <Eigen/Core>
 
@@ -23,10 +24,10 @@ inline constexpr std::size_t kMostNumbers = std::size_t{1} << 27;
 /// Rows of an array, with their times and the names of its columns if the file has them.
 struct Series {
   RecordingVariable variable;
-  Eigen::MatrixXd values;          ///< Further dimensions in one row; NaN: missing.
-  std::vector<std::string> names;  ///< Names of the columns; may be empty.
-  std::vector<double> times;       ///< Times of the rows as in the file; may be empty.
-  std::optional<double> time_unit = std::nullopt;  ///< The named one, s.
+  Eigen::MatrixXd values;              ///< Further dimensions in one row; NaN: missing.
+  std::vector<std::string> names;      ///< Names of the columns; may be empty.
+  std::vector<double> times;           ///< Times of the rows as in the file; may be empty.
+  geometric::TimeUnit time_unit = {};  ///< The named one.
   std::vector<std::string> warnings = {};
 };
 

@@ -4,9 +4,10 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/table_times.h"
-#include "recordings/landmark_dump.h"
+#include "recordings/landmark_recording.h"
 #include "recordings/series_table.h"
 #include "recordings/table_layout.h"
+#include "recordings/table_recording.h"
 
 #include <fmt/format.h>
 
@@ -64,7 +65,7 @@ Recording recording_of_landmarks(const std::filesystem::path& file, const Series
       hand.time = times[index];
     }
   }
-  Recording recording = recording_of_hands(file, hands);
+  Recording recording = recording_of_hands(file, hands, {1.0});
   recording.warnings.insert(recording.warnings.begin(), warnings.begin(), warnings.end());
   return recording;
 }

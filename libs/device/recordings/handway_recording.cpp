@@ -2,6 +2,7 @@
 #include "glove/sensor_names.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/plural.h"
 #include "recordings/recorded_rows.h"
 #include "recordings/recording_formats.h"
 
@@ -116,7 +117,7 @@ class CsvReader {
       return;
     }
     if (parts.size() != columns) {
-      throw InputError({at_line(file_, line), "", fmt::format("{} values", parts.size()),
+      throw InputError({at_line(file_, line), "", geometric::plural(parts.size(), "value"),
                         fmt::format("{} as in the header", columns), ""});
     }
     double time = 0.0;

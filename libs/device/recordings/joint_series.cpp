@@ -1,6 +1,7 @@
 #include "recordings/joint_series.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/plural.h"
 #include "recordings/array_recording.h"
 
 #include <fmt/format.h>
@@ -87,7 +88,7 @@ std::vector<std::optional<int>> joints_of_columns(const ArrayFile& arrays, const
     if (columns != joints.count) {
       throw InputError(
           {arrays.path().string(), "variable " + series.variable.name,
-           fmt::format("{} columns without names", columns),
+           geometric::plural(columns, "column") + " without names",
            fmt::format("{}, in the order of the joints of {}", joints.count, joints.robot),
            fmt::format("Choose columns by FILE#{}[0:{}].", series.variable.name, joints.count)});
     }
@@ -144,8 +145,13 @@ JointTable read_joint_series(const ArrayFile& arrays, const std::string& variabl
   JointTable table;
   table.time_unit = series.time_unit;
   table.columns.assign(static_cast<std::size_t>(joints.count), 0);
+  std::vector<geometric::PositionUnit> units(columns.size());
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c]) {
+      if (!series.names.empty()) {
+        units[c] = geometric::position_unit(joints.lookup, series.names[c], arrays.path().string());
+        table.units_are_named |= units[c].is_angle;
+      }
       ++table.columns[static_cast<std::size_t>(*columns[c])];
     } else {
       table.others.insert(series.names[c]);
@@ -159,7 +165,7 @@ JointTable read_joint_series(const ArrayFile& arrays, const std::string& variabl
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const double value = series.values(row, static_cast<Eigen::Index>(c));
       if (columns[c] && std::isnan(values[*columns[c]]) && std::isfinite(value)) {
-        values[*columns[c]] = value;
+        values[*columns[c]] = value * units[c].factor;
       }
     }
   }

@@ -3,7 +3,7 @@
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/landmark_line.h"
 #include "handway/geometric/io/input_error.h"
-#include "recordings/landmark_dump.h"
+#include "recordings/landmark_recording.h"
 #include "recordings/recorded_rows.h"
 #include "recordings/recording_formats.h"
 

@@ -190,7 +190,7 @@ class LeRobotArrays final : public ArrayFile {
       if (!time_column_ && column.problem.empty() && !column.has_lists() && time && time->plain &&
           time->kind == geometric::TimeName::Kind::kTime) {
         time_column_ = column.name;
-        time_unit_ = has_episodes ? 1.0 : time->unit;
+        time_unit_ = has_episodes ? geometric::TimeUnit{1.0} : time->unit;
       }
     }
   }
@@ -383,7 +383,7 @@ class LeRobotArrays final : public ArrayFile {
   std::vector<FrameColumn> columns_;
   std::map<std::string, Source> sources_;
   std::optional<std::string> time_column_;
-  std::optional<double> time_unit_;
+  geometric::TimeUnit time_unit_;
   mutable std::unique_ptr<OpenTable> open_;
 };
 

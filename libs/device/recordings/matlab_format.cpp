@@ -5,6 +5,7 @@
 #include "recordings/recording_formats.h"
 #include "recordings/series_table.h"
 #include "recordings/table_layout.h"
+#include "recordings/table_recording.h"
 
 #include <fmt/format.h>
 

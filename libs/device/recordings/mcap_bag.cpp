@@ -3,6 +3,7 @@
 #include "recordings/bag_storage.h"
 #include "recordings/decompression.h"
 #include "recordings/file_bytes.h"
+#include "recordings/mcap_records.h"
 
 #include <boost/crc.hpp>
 #include <fmt/format.h>
@@ -26,20 +27,9 @@ namespace fs = std::filesystem;
 using geometric::InputError;
 
 constexpr const char* kWhatMcap = "a bag of ROS 2 in MCAP";
-constexpr std::uint64_t kMagicSize = 8;                            // bytes
 constexpr std::uint64_t kRecordHead = 9;                           // bytes: the kind and the size
 constexpr std::uint64_t kLargestRecord = std::uint64_t{64} << 20;  // bytes, but of chunks
 constexpr std::uint64_t kLargestMcapChunk = std::uint64_t{256} << 20;  // bytes, in memory
-
-/// Kinds of records.
-enum class Opcode : std::uint8_t {
-  kFooter = 0x02,
-  kSchema = 0x03,
-  kChannel = 0x04,
-  kMessage = 0x05,
-  kChunk = 0x06,
-  kMessageIndex = 0x07,
-};
 
 /// Thrown for a record that is damaged.
 class McapError : public std::runtime_error {
@@ -78,7 +68,7 @@ class FieldReader {
 
 /// A record in the file, without its content.
 struct RecordPlace {
-  Opcode opcode{};
+  McapOpcode opcode{};
   std::uint64_t offset = 0;  ///< Place of its content in the file.
   std::uint64_t size = 0;    ///< Size of its content, bytes.
 };
@@ -104,12 +94,12 @@ struct TimedMessage {
 class McapBag final : public BagStorage {
  public:
   explicit McapBag(const fs::path& file) : bytes_(file, kWhatMcap) {
-    const std::string magic = bytes_.read(0, kMagicSize);
+    const std::string magic = bytes_.read(0, kMcapMagic.size());
     if (!magic.starts_with(kMcapMark)) {
       throw InputError(
           {file.string(), "", "a file without the mark of MCAP at its beginning", kWhatMcap, ""});
     }
-    if (magic != std::string(kMcapMark) + "0\r\n") {
+    if (magic != kMcapMagic) {
       throw InputError({file.string(), "", "another version of MCAP, or a damaged beginning",
                         "MCAP of version 0", ""});
     }
@@ -183,17 +173,18 @@ class McapBag final : public BagStorage {
 
   /// Finds all records in the file without reading messages.
   void find_records() {
-    std::uint64_t offset = kMagicSize;
+    std::uint64_t offset = kMcapMagic.size();
     bool has_footer = false;
     while (!has_footer && bytes_.has(offset, kRecordHead)) {
       FieldReader head(head_at(offset));
-      RecordPlace place{static_cast<Opcode>(head.number<std::uint8_t>()), offset + kRecordHead, 0};
+      RecordPlace place{static_cast<McapOpcode>(head.number<std::uint8_t>()), offset + kRecordHead,
+                        0};
       place.size = head.number<std::uint64_t>();
       if (!bytes_.has(place.offset, place.size)) {
         break;
       }
       at_record(place, [&] { note_record(place, head.rest()); });
-      has_footer = place.opcode == Opcode::kFooter;
+      has_footer = place.opcode == McapOpcode::kFooter;
       offset = place.offset + place.size;
     }
     if (!has_footer) {
@@ -215,17 +206,17 @@ class McapBag final : public BagStorage {
     FieldReader fields(beginning.substr(
         0, static_cast<std::size_t>(std::min<std::uint64_t>(place.size, beginning.size()))));
     switch (place.opcode) {
-      case Opcode::kSchema:
-      case Opcode::kChannel:
+      case McapOpcode::kSchema:
+      case McapOpcode::kChannel:
         note_definition(place.opcode, FieldReader(read_record(place)));
         break;
-      case Opcode::kMessage:
+      case McapOpcode::kMessage:
         parts_.push_back({place, {{fields.number<std::uint16_t>(), 1}}, true});
         break;
-      case Opcode::kChunk:
+      case McapOpcode::kChunk:
         parts_.push_back({place, {}, false});
         break;
-      case Opcode::kMessageIndex:
+      case McapOpcode::kMessageIndex:
         note_index(fields);
         break;
       default:
@@ -236,7 +227,7 @@ class McapBag final : public BagStorage {
   /// Reads the record behind a chunk that names the messages of a channel in it.
   void note_index(FieldReader& fields) {
     constexpr std::uint64_t kEntry = 16;  // bytes: time and place of a message
-    if (parts_.empty() || parts_.back().place.opcode != Opcode::kChunk) {
+    if (parts_.empty() || parts_.back().place.opcode != McapOpcode::kChunk) {
       return;
     }
     const auto channel = fields.number<std::uint16_t>();
@@ -247,9 +238,9 @@ class McapBag final : public BagStorage {
   }
 
   /// Reads a schema or a channel.
-  void note_definition(Opcode opcode, FieldReader fields) {
+  void note_definition(McapOpcode opcode, FieldReader fields) {
     const auto id = fields.number<std::uint16_t>();
-    if (opcode == Opcode::kSchema) {
+    if (opcode == McapOpcode::kSchema) {
       schemas_.emplace(id, geometric::printable(fields.text()));
       return;
     }
@@ -271,15 +262,15 @@ class McapBag final : public BagStorage {
 
   /// Finds schemas, channels and messages in a chunk.
   void look_into(MessagePart& part) {
-    if (part.place.opcode != Opcode::kChunk) {
+    if (part.place.opcode != McapOpcode::kChunk) {
       return;
     }
     part.counts.clear();
     const std::string records = records_of(part.place);
-    for_records(part.place, records, [&](Opcode opcode, FieldReader fields) {
-      if (opcode == Opcode::kSchema || opcode == Opcode::kChannel) {
+    for_records(part.place, records, [&](McapOpcode opcode, FieldReader fields) {
+      if (opcode == McapOpcode::kSchema || opcode == McapOpcode::kChannel) {
         note_definition(opcode, fields);
-      } else if (opcode == Opcode::kMessage) {
+      } else if (opcode == McapOpcode::kMessage) {
         ++part.counts[fields.number<std::uint16_t>()];
       }
     });
@@ -312,7 +303,7 @@ class McapBag final : public BagStorage {
         throw McapError(
             fmt::format("a record of {} bytes, which are more than can be read", place.size));
       }
-      return place.opcode == Opcode::kChunk
+      return place.opcode == McapOpcode::kChunk
                  ? decompressed(bytes_.read(place.offset, place.size))
                  : bytes_.read(place.offset - kRecordHead, place.size + kRecordHead);
     });
@@ -358,7 +349,7 @@ class McapBag final : public BagStorage {
     at_record(place, [&] {
       FieldReader all(records);
       while (!all.rest().empty()) {
-        const auto opcode = static_cast<Opcode>(all.number<std::uint8_t>());
+        const auto opcode = static_cast<McapOpcode>(all.number<std::uint8_t>());
         pass(opcode, FieldReader(all.take(all.number<std::uint64_t>())));
       }
     });
@@ -369,8 +360,8 @@ class McapBag final : public BagStorage {
       const RecordPlace& place, std::string_view records,
       const std::set<std::uint16_t>& channels) const {
     std::vector<TimedMessage> messages;
-    for_records(place, records, [&](Opcode opcode, FieldReader fields) {
-      if (opcode != Opcode::kMessage || !channels.contains(fields.number<std::uint16_t>())) {
+    for_records(place, records, [&](McapOpcode opcode, FieldReader fields) {
+      if (opcode != McapOpcode::kMessage || !channels.contains(fields.number<std::uint16_t>())) {
         return;
       }
       static_cast<void>(fields.number<std::uint32_t>());  // the sequence

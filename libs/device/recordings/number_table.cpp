@@ -1,6 +1,7 @@
 #include "recordings/number_table.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/table_text.h"
 #include "recordings/recorded_rows.h"
 
 #include <fmt/format.h>
@@ -91,9 +92,13 @@ NumberTable read_text_table(const std::filesystem::path& file, std::span<const T
     if (columns == 0) {
       columns = parts.size();
       if (is_header(parts)) {
-        table.names.assign(parts.begin(), parts.end());
+        table.names = geometric::cell_names(line.text, *separator);
+        table.names.resize(columns);
         continue;
       }
+    }
+    if (rows.empty() && geometric::append_units(table.names, parts)) {
+      continue;
     }
     if (parts.size() < columns && !line.ended) {
       table.warnings.push_back(at_line(file, line) + ": left out, the row is cut off");

@@ -38,7 +38,7 @@ void RecordedRows::move_to(Recording& recording) {
   if (times_.empty()) {
     throw geometric::InputError({file_.string(), "", "no rows", "at least one", ""});
   }
-  for (const std::string& warning : geometric::settle_times(times_, 1.0, false, lines_)) {
+  for (const std::string& warning : geometric::settle_times(times_, {1.0}, false, lines_)) {
     recording.warnings.push_back(fmt::format("{}: {}", file_.string(), warning));
   }
   const auto rows = static_cast<Eigen::Index>(times_.size());

@@ -5,7 +5,9 @@
 #include "handway/geometric/formats/joint_table.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/table_text.h"
 #include "handway/geometric/io/table_times.h"
 #include "recordings/array_recording.h"
 #include "recordings/joint_series.h"
@@ -13,6 +15,7 @@
 #include "recordings/table_bytes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +54,7 @@ struct RawRows {
   std::vector<std::string> names;
   Eigen::MatrixXd values;     ///< NaN: missing.
   std::vector<double> times;  ///< Empty, or one for each row; NaN: missing.
-  std::optional<double> time_unit = std::nullopt;
+  geometric::TimeUnit time_unit = {};
   bool times_are_spelled = false;
   std::vector<std::string> warnings = {};
 };
@@ -87,7 +90,7 @@ RecordedTable table_of_rows(const fs::path& file, RawRows rows) {
     throw InputError({file.string(), "", "no row of numbers without gaps", "at least one", ""});
   }
   if (const auto gaps = rows.values.rows() - std::ssize(kept); gaps > 0) {
-    rows.warnings.push_back(fmt::format("{} rows that lack a value are left out", gaps));
+    rows.warnings.push_back(geometric::plural(gaps, "row") + " left out, as a value is missing");
   }
   if (rows.times.empty()) {
     rows.warnings.push_back(
@@ -201,20 +204,10 @@ RecordedTable read_other_recording(const RecordingFile& file, const std::excepti
   std::rethrow_exception(reason);
 }
 
-std::string csv_cell(const std::string& name) {
-  if (name.find_first_of(",;\t\"\n\r") == std::string::npos) {
-    return name;
-  }
-  std::string cell = name;
-  std::ranges::replace_if(
-      cell, [](char c) { return c == '"' || c == '\n' || c == '\r'; }, ' ');
-  return '"' + cell + '"';
-}
-
 std::string csv_text(const RecordedTable& table) {
   std::string text = "time";
   for (const std::string& name : table.names) {
-    text += ',' + csv_cell(name);
+    text += ',' + geometric::csv_cell(name);
   }
   text += '\n';
   for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
@@ -264,10 +257,12 @@ RecordedTable joined_tables(std::span<const RecordedTable> tables,
     const bool alike = next.glove.has_value() == joined.glove.has_value() &&
                        (!next.glove || next.glove->kind == joined.glove->kind);
     if (next.names != joined.names || !alike) {
-      throw InputError({files[i].string(), "",
-                        fmt::format("{} columns with other names or units", next.names.size()),
-                        fmt::format("the {} columns of {}", joined.names.size(), files[0].string()),
-                        "Convert the files one by one."});
+      throw InputError(
+          {files[i].string(), "",
+           geometric::plural(next.names.size(), "column") + " with other names or units",
+           fmt::format("the {} of {}", geometric::plural(joined.names.size(), "column"),
+                       files[0].string()),
+           "Convert the files one by one."});
     }
     const Eigen::Index before = joined.times.size();
     const double begin = joined.times[before - 1] + usual_step(joined.times) - next.times[0];
@@ -280,22 +275,45 @@ RecordedTable joined_tables(std::span<const RecordedTable> tables,
   return joined;
 }
 
-const std::vector<std::string>& recorded_table_endings() {
-  static const std::vector<std::string> kEndings{".csv", ".npz", ".h5", ".hdf5"};
-  return kEndings;
+namespace {
+
+struct WrittenFormat {
+  std::string ending;
+  void (*write)(const RecordedTable& table, const fs::path& file);
+};
+
+template <std::string (*kBytes)(const RecordedTable& table)>
+void write_bytes(const RecordedTable& table, const fs::path& file) {
+  geometric::replace_file(file, kBytes(table));
+}
+
+const std::vector<WrittenFormat>& written_formats() {
+  static const std::vector<WrittenFormat> kFormats{{".csv", write_csv},
+                                                   {".npz", write_bytes<npz_bytes>},
+                                                   {".h5", write_bytes<hdf5_bytes>},
+                                                   {".hdf5", write_bytes<hdf5_bytes>},
+                                                   {".mcap", write_bytes<mcap_bytes>}};
+  return kFormats;
+}
+
+}  // namespace
+
+std::vector<std::string> recorded_table_endings() {
+  std::vector<std::string> endings;
+  std::ranges::transform(written_formats(), std::back_inserter(endings), &WrittenFormat::ending);
+  return endings;
 }
 
 void write_recorded_table(const RecordedTable& table, const fs::path& file) {
-  if (geometric::has_extension(file, ".csv")) {
-    write_csv(table, file);
-  } else if (geometric::has_extension(file, ".npz")) {
-    geometric::replace_file(file, npz_bytes(table));
-  } else if (geometric::has_extension(file, ".h5") || geometric::has_extension(file, ".hdf5")) {
-    geometric::replace_file(file, hdf5_bytes(table));
-  } else {
+  const auto format = std::ranges::find_if(written_formats(), [&](const WrittenFormat& one) {
+    return geometric::has_extension(file, one.ending);
+  });
+  if (format == written_formats().end()) {
     throw geometric::OutputError(
-        {file.string(), "", "another ending", ".csv, .npz, .h5 or .hdf5", ""});
+        {file.string(), "", "another ending",
+         fmt::format("one of {}", fmt::join(recorded_table_endings(), ", ")), ""});
   }
+  format->write(table, file);
 }
 
 }  // namespace handway::device

@@ -10,6 +10,11 @@ namespace handway::device {
 
 [[nodiscard]] std::string npz_bytes(const RecordedTable& table);
 
+/// A bag of ROS 2 with a message for each row and topic: `NAME.x`, `.y`, `.z`, `.qx`, `.qy`, `.qz`,
+/// `.qw` become a geometry_msgs/PoseStamped `/NAME` in the frame `world`, all other columns the
+/// positions of a sensor_msgs/JointState `/joint_states`. Times that no stamp can hold begin at 0.
+[[nodiscard]] std::string mcap_bytes(const RecordedTable& table);
+
 /// From any thread.
 [[nodiscard]] std::string hdf5_bytes(const RecordedTable& table);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/glove/recording.h"
+#include "handway/geometric/io/table_times.h"
 #include "recordings/number_table.h"
 
 #include <Eigen/Core>
@@ -9,8 +10,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-/// Layout of a table of postures, and the recording made from it.
 
 namespace handway::device {
 
@@ -22,11 +21,12 @@ struct ColumnUse {
   double offset = 0.0;
 };
 
+/// Layout of a table of postures.
 struct TableLayout {
   RecordingKind kind = RecordingKind::kAngles;
   std::vector<ColumnUse> columns;
   std::vector<ColumnUse> times;        ///< Their sum is the time; may be empty.
-  std::optional<double> time_unit;     ///< The named one, s.
+  geometric::TimeUnit time_unit;       ///< The named one.
   double rate = 1.0;                   ///< Hz, without times.
   std::string order;                   ///< Order of columns without names; may be empty.
   std::vector<std::string> left_over;  ///< Names of columns that don't belong to the glove.
@@ -47,15 +47,6 @@ struct MeasuredColumns {
 /// Finds the columns of times by their names.
 void find_times(const NumberTable& table, TableLayout& layout);
 
-/// The times of those rows of a table, made by settle_times(), with its warnings.
-[[nodiscard]] std::vector<double> times_of(const std::filesystem::path& file,
-                                           const NumberTable& table, const TableLayout& layout,
-                                           const std::vector<Eigen::Index>& rows,
-                                           std::vector<std::string>& warnings);
-
-/// A non-gap cell of a column.
-[[nodiscard]] double cell_of(const NumberTable& table, Eigen::Index row, const ColumnUse& use);
-
 /// Columns in the order of a glove's records, from column `first` on.
 /// @param sensors 18 or 22.
 [[nodiscard]] std::vector<ColumnUse> glove_columns(int sensors, Eigen::Index first);
@@ -70,15 +61,5 @@ void find_times(const NumberTable& table, TableLayout& layout);
 /// VirtualHand's.
 /// @throws InputError if they are neither.
 [[nodiscard]] TableLayout layout_of(const std::filesystem::path& file, const NumberTable& table);
-
-/// Rows with gaps are left out, with a warning.
-/// @throws InputError naming row and column of a bad value, or if no row is complete.
-[[nodiscard]] Recording recording_of(const std::filesystem::path& file, const NumberTable& table,
-                                     const TableLayout& layout);
-
-/// Makes a recording whose unit (counts, rad or degrees) and sign of bending are inferred from the
-/// numbers; a warning reports the inference.
-[[nodiscard]] Recording recording_by_numbers(const std::filesystem::path& file,
-                                             const NumberTable& table, TableLayout layout);
 
 }  // namespace handway::device

@@ -8,6 +8,7 @@
 #include "recordings/recording_formats.h"
 #include "recordings/series_table.h"
 #include "recordings/table_layout.h"
+#include "recordings/table_recording.h"
 
 #include <fmt/format.h>
 
@@ -98,7 +99,7 @@ Series read_variable(const YamlElement& top, const ArrayFile& arrays) {
 struct MappedTable {
   NumberTable table;
   std::vector<ColumnUse> times;  ///< Times that the file itself has.
-  std::optional<double> time_unit;
+  geometric::TimeUnit time_unit;
 };
 
 MappedTable read_table(const YamlElement& top, const std::filesystem::path& file) {
@@ -156,7 +157,7 @@ Recording read_mapped_table(const std::filesystem::path& map) {
   }
   if (const std::optional<YamlElement> time = top.find("time")) {
     layout.times = {column_use(*time, table)};
-    layout.time_unit = 1.0;
+    layout.time_unit.seconds = 1.0;
   }
   const std::optional<YamlElement> rate = top.find("rate");
   if (rate) {

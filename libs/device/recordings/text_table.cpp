@@ -1,8 +1,10 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
-#include "recordings/landmark_dump.h"
+#include "recordings/landmark_columns.h"
+#include "recordings/landmark_recording.h"
 #include "recordings/recording_formats.h"
 #include "recordings/table_layout.h"
+#include "recordings/table_recording.h"
 
 #include <fmt/format.h>
 
@@ -62,7 +64,7 @@ Recording read_other_table(const std::filesystem::path& file, const std::vector<
   const NumberTable table = read_text_table(file, lines);
   std::vector<std::string> warnings;
   if (const std::vector<SeenHand> hands = hands_in(file, table, warnings); !hands.empty()) {
-    Recording recording = recording_of_hands(file, hands);
+    Recording recording = recording_of_hands(file, hands, {1.0});
     recording.warnings.insert(recording.warnings.begin(), warnings.begin(), warnings.end());
     return recording;
   }

@@ -31,7 +31,7 @@ class JointRows : public TopicRows {
   [[nodiscard]] Series series() const final {
     Series series;
     series.times = times_;
-    series.time_unit = 1.0;
+    series.time_unit.seconds = 1.0;
     const auto columns = static_cast<Eigen::Index>(names_.size());
     series.values.setConstant(std::ssize(rows_), columns, kNotReceived);
     for (Eigen::Index row = 0; row < series.values.rows(); ++row) {
@@ -149,7 +149,7 @@ class PoseArrays final : public TopicRows {
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Series series;
     series.times = times_;
-    series.time_unit = 1.0;
+    series.time_unit.seconds = 1.0;
     series.values = Eigen::Map<const RowMajor>(positions_.data(), std::ssize(times_),
                                                Eigen::Index{3 * kLandmarkPoses});
     return series;

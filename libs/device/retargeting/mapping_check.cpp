@@ -1,6 +1,7 @@
 #include "handway/device/retargeting/mapping_check.h"
 
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/retargeting/robot_fingers.h"
 #include "handway/geometric/math/units.h"

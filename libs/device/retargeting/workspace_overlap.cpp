@@ -1,7 +1,7 @@
 #include "handway/device/retargeting/workspace_overlap.h"
 
 #include "core/random_moves.h"
-#include "handway/device/glove/calibration_fit.h"
+#include "handway/device/glove/angle_ranges.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,7 @@
 #include "handway/device/tracker/tool_follower.h"
 
+#include "handway/geometric/math/units.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -81,6 +83,19 @@ void check(const ToolFollowerSettings& settings) {
 }
 
 }  // namespace
+
+std::vector<geometric::BoundParameter> parameters_of(ToolFollowerSettings& settings) {
+  constexpr double kSlowest = geometric::radians(1.0);
+  constexpr double kFastest = geometric::radians(360.0);
+  return {{"scale", "Scale", "", "Motion of the tool per motion of the wrist",
+           &settings.translation_scale, 0.05, 10.0},
+          {"turn", "Turn with the wrist", "", "Turn the tool with the wrist", &settings.rotate},
+          geometric::in_thousandths({"smoothing_ms", "Smoothing", "ms",
+                                     "Time constant of the low-pass filter that reduces tremor",
+                                     &settings.smoothing, 0.0, 2000.0}),
+          {"top_speed", "Top speed", "rad/s", "Velocity limit of each joint", &settings.top_speed,
+           kSlowest, kFastest}};
+}
 
 ToolFollower::ToolFollower(std::shared_ptr<const geometric::InverseKinematics> ik, Configuration q,
                            const ToolFollowerSettings& settings)

@@ -44,6 +44,11 @@ namespace handway::geometric {
                                const std::string& found, const std::string& expected,
                                const std::string& advice = "Export the point cloud again");
 
+/// Returns the number of a word in a text; NaN if it stands for none, such as "nan" or "-inf".
+/// Refuses other words: a point without its place would be missing in the world.
+[[nodiscard]] double cloud_number(std::string_view word, const std::string& source,
+                                  const std::string& element);
+
 /// Takes points while a file is read: leaves out those that are not finite, and refuses too many
 /// and those that are too far away.
 class PointCollector {

@@ -4,6 +4,7 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/file_contents.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
 
@@ -11,9 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -80,6 +83,18 @@ std::string cloud_file_content(const fs::path& file, const std::string& source) 
 void refuse_cloud(const std::string& source, const std::string& element, const std::string& found,
                   const std::string& expected, const std::string& advice) {
   throw InputError({source, element, found, expected, advice});
+}
+
+double cloud_number(std::string_view word, const std::string& source, const std::string& element) {
+  const std::optional<double> number = parse_number(word);
+  std::string small(word);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto has = [&](std::string_view part) { return small.find(part) != std::string::npos; };
+  if (!number && !has("nan") && !has("inf") && !has("#")) {  // "1.#QNAN" of Windows
+    refuse_cloud(source, element, fmt::format("\"{:.40}\"", word), "a number");
+  }
+  return number.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 std::array<std::uint8_t, 3> color_from(const Eigen::Vector3d& parts, double most) {

@@ -9,12 +9,24 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <system_error>
 
 namespace handway::geometric {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Names of the joints that a file should have: those that move on their own.
+std::vector<std::string> independent_joints(const RobotDescription& robot) {
+  std::vector<std::string> names;
+  for (const Joint& joint : robot.joints) {
+    if (joint.type != JointType::kFixed && !joint.mimic) {
+      names.push_back(joint.name);
+    }
+  }
+  return names;
+}
 
 // A file may have joints of other robots, such as the gripper on it. But a name that is almost that
 // of a missing joint is refused as a misspelling.
@@ -90,30 +102,21 @@ FiledJointLimits limits_of(const YamlElement& joint, const std::string& name) {
 }  // namespace
 
 std::vector<FiledJointLimits> read_joint_limits(const fs::path& file,
-                                                std::span<const std::string> joints) {
+                                                const RobotDescription& robot) {
   YamlElement top = YamlElement::read(file, "a file of joint limits (YAML)");
   for (const char* around : {"/**", "ros__parameters", "robot_description_planning"}) {
     top = top.find(around).value_or(top);
   }
   const YamlElement limits = top.need("joint_limits");
+  const std::vector<std::string> joints = independent_joints(robot);
   std::vector<FiledJointLimits> all;
   for (const auto& [name, joint] : limits.entries()) {
-    if (std::ranges::count(joints, name) == 0) {
+    if (std::ranges::count(robot.joints, name, &Joint::name) == 0) {
       refuse_slip(limits, joint, name, joints);
     }
     all.push_back(limits_of(joint, name));
   }
   return all;
-}
-
-std::vector<std::string> independent_joints(const RobotDescription& robot) {
-  std::vector<std::string> names;
-  for (const Joint& joint : robot.joints) {
-    if (joint.type != JointType::kFixed && !joint.mimic) {
-      names.push_back(joint.name);
-    }
-  }
-  return names;
 }
 
 fs::path joint_limits_beside(const RobotDescription& robot) {
@@ -129,7 +132,7 @@ void narrow_joint_limits(RobotDescription& robot) {
   }
   std::vector<FiledJointLimits> all;
   try {
-    all = read_joint_limits(file, independent_joints(robot));
+    all = read_joint_limits(file, robot);
   } catch (const InputError& error) {
     robot.warnings.push_back(
         fmt::format("limits of positions in joint_limits.yaml are not kept: {}", error.what()));

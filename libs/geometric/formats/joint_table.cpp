@@ -2,8 +2,9 @@
 
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/lower_case.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/io/table_text.h"
-#include "handway/geometric/io/table_times.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
 
@@ -11,11 +12,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <regex>
 #include <span>
 #include <utility>
@@ -40,20 +41,17 @@ std::vector<std::string_view> parts(std::string_view name, std::string_view sepa
   return list;
 }
 
-std::string small_letters(std::string_view text) {
-  std::string small(text);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
-}
-
-// "/joint_states/index_joint_1/velocity"
+// "/joint_states/index_joint_1/velocity", "pan [rad/s]"
 bool is_no_position(std::string_view column) {
   constexpr std::array<std::string_view, 9> kOthers = {
       "velocity", "acceleration", "effort", "vel", "acc", "torque", "current", "jerk", "load"};
-  return std::ranges::any_of(parts(column, "/.[]"), [&](std::string_view part) {
-    return std::ranges::count(kOthers, part) > 0;
-  });
+  constexpr std::array<std::string_view, 14> kUnits = {
+      "rpm", "dps", "nm", "n m", "n\u00B7m", "n", "a", "ma", "v", "mv", "w", "hz", "\u00B0c", "c"};
+  const std::string unit = unit_in_brackets(column);
+  return unit.find("/s") != std::string::npos || std::ranges::count(kUnits, unit) > 0 ||
+         std::ranges::any_of(parts(column, "/.[]"), [&](std::string_view part) {
+           return std::ranges::count(kOthers, part) > 0;
+         });
 }
 
 // Removes a unit in brackets at the end: "pan [deg]".
@@ -79,21 +77,54 @@ std::optional<int> joint_called(const JointLookup& lookup, std::string_view name
   return found;
 }
 
-enum class AngleUnit { kUnnamed, kRadians, kDegrees };
-
-// Returns the unit that a column's name has after the joint's own name.
-AngleUnit unit_of_column(std::string_view column) {
-  const std::vector<std::string> words = words_of_column(column);
-  const std::string last = words.empty() ? "" : words.back();
-  constexpr std::array<const char*, 5> kDegrees = {"deg", "degs", "degree", "degrees", "\u00B0"};
-  if (std::ranges::count(kDegrees, last) > 0) {
-    return AngleUnit::kDegrees;
-  }
-  const bool radians = last == "rad" || last == "rads" || last == "radian" || last == "radians";
-  return radians ? AngleUnit::kRadians : AngleUnit::kUnnamed;
+// Returns whether a text in brackets names a joint or a kind of value, but no unit: "pan [actual]",
+// "position[pan]", "position[0]".
+bool is_no_unit(const JointLookup& lookup, std::string_view column, const std::string& text) {
+  constexpr std::array<std::string_view, 18> kWords = {
+      "actual",    "measured",  "feedback", "state", "desired", "command",
+      "target",    "reference", "joint",    "angle", "angles",  "position",
+      "positions", "pos",       "q",        "value", "left",    "right"};
+  const std::size_t begin = column.find_last_of("[(") + 1;
+  const std::string_view name = trimmed(column.substr(begin, column.size() - begin - 1));
+  return std::ranges::count(kWords, text) > 0 || parse_number(text) || lookup(name);
 }
 
 }  // namespace
+
+PositionUnit position_unit(const JointLookup& lookup, std::string_view column,
+                           const std::string& where) {
+  if (lookup(column)) {
+    return {};  // the joint's own name
+  }
+  const std::vector<std::string> words = words_of_column(column);
+  const std::string last = words.empty() ? "" : words.back();
+  constexpr std::array<const char*, 5> kDegrees = {"deg", "degs", "degree", "degrees", "\u00B0"};
+  constexpr std::array<const char*, 4> kRadians = {"rad", "rads", "radian", "radians"};
+  constexpr std::array<const char*, 6> kTurns = {"turn", "turns",      "rev",
+                                                 "revs", "revolution", "revolutions"};
+  const std::string unit = unit_in_brackets(column);
+  if (std::ranges::count(kDegrees, last) > 0) {
+    return {kDegree, true};
+  }
+  if (std::ranges::count(kRadians, last) > 0) {
+    return {1.0, true};
+  }
+  if (unit == "mrad") {
+    return {1e-3, true};
+  }
+  if (std::ranges::count(kTurns, unit) > 0) {
+    return {2.0 * std::numbers::pi, true};
+  }
+  if (unit == "mm" || unit == "cm") {
+    return {unit == "mm" ? 1e-3 : 1e-2, false};
+  }
+  if (!unit.empty() && unit != "m" && !is_no_unit(lookup, column, unit)) {
+    throw InputError(
+        {where, fmt::format("column \"{}\"", column), fmt::format("the unit \"{}\"", unit),
+         "rad, mrad, deg or turns, or m, cm or mm", "Convert its values to one of them."});
+  }
+  return {};
+}
 
 std::optional<int> joint_of_column(const JointLookup& lookup, std::string_view column) {
   std::optional<int> found = lookup(column);
@@ -170,7 +201,7 @@ class TableOfJoints {
     for (const TextLine& line : text_lines(text)) {
       const std::string_view content = trimmed(line.text);
       if (content.empty() || content.front() == '#') {
-        take_comment(content);
+        take_comment(content, line.number);
         continue;
       }
       if (kind_ == Kind::kOpen) {
@@ -191,7 +222,7 @@ class TableOfJoints {
   enum class Kind { kOpen, kColumns, kLists, kNamedRows };
 
   // NumPy writes a header as a comment.
-  void take_comment(std::string_view line) {
+  void take_comment(std::string_view line, std::size_t number) {
     if (line.starts_with("# handway postures")) {
       throw InputError({file_.string() + ":1", "", "normalised postures", "joints in rad",
                         "Give what they were made from"});
@@ -201,7 +232,7 @@ class TableOfJoints {
         std::ranges::any_of(cells(line, separator_of(line)), [&](auto cell) {
           return joint_of_column(lookup_, cell).has_value();
         })) {
-      read_header(trimmed(line));
+      read_header(line, number);
     }
   }
 
@@ -219,15 +250,14 @@ class TableOfJoints {
       append_named_row(line);
       return;
     }
-    read_header(line.text);
+    read_header(line.text, line.number);
   }
 
-  void read_header(std::string_view line) {
+  void read_header(std::string_view line, std::size_t number) {
     kind_ = Kind::kColumns;
+    header_place_ = fmt::format("{}:{}", file_.string(), number);
     separator_ = separator_of(line);
-    for (const std::string_view name : cells(line, separator_)) {
-      header_.emplace_back(name);
-    }
+    header_ = cell_names(line, separator_);
     if (header_.size() > 1 && header_.back().empty()) {  // a separator at the end
       header_.pop_back();
       ends_in_separator_ = true;
@@ -239,13 +269,16 @@ class TableOfJoints {
     if (row.size() == header_.size() + 1 && row.back().empty() && ends_in_separator_) {
       row.pop_back();
     }
+    if (!is_begun_ && append_units(header_, row)) {
+      return;
+    }
     if (!is_begun_) {
       is_begun_ = true;
       begin_rows(row);
     }
     if (row.size() != header_.size() && line.ended) {
       throw InputError({fmt::format("{}:{}", file_.string(), line.number), "",
-                        fmt::format("{} values", row.size()),
+                        plural(row.size(), "value"),
                         fmt::format("{} as in the header", header_.size()), ""});
     }
     if (row.size() != header_.size()) {
@@ -281,7 +314,7 @@ class TableOfJoints {
       std::initializer_list<std::string_view> names,
       const std::vector<std::string_view>& row) const {
     for (std::size_t c = 0; c < std::min(row.size(), header_.size()); ++c) {
-      const std::string name = small_letters(header_[c]);
+      const std::string name = lower_case(header_[c]);
       const std::vector<std::string_view> ends = parts(name, "/.");
       if (!ends.empty() && std::ranges::count(names, ends.back()) > 0 &&
           !items_of_cell(row[c]).empty()) {
@@ -299,8 +332,8 @@ class TableOfJoints {
       const std::optional<int> joint =
           time_.has(c) ? std::nullopt : joint_of_column(lookup_, column);
       columns_.push_back(joint);
-      units_.push_back(joint ? unit_of_column(column) : AngleUnit::kUnnamed);
-      table_.units_are_named |= units_.back() != AngleUnit::kUnnamed;
+      units_.push_back(joint ? position_unit(lookup_, column, header_place_) : PositionUnit());
+      table_.units_are_named |= units_.back().is_angle;
       if (joint) {
         ++table_.columns[static_cast<std::size_t>(*joint)];
       } else if (named.empty() && !column.empty() && !time_.has(c) && !time_name(column) &&
@@ -340,8 +373,7 @@ class TableOfJoints {
     Eigen::VectorXd& values = add_row(time_of_row(row), line);
     for (std::size_t c = 0; c < row.size(); ++c) {
       if (columns_[c] && std::isnan(values[*columns_[c]])) {
-        values[*columns_[c]] = number_of(row[c], header_[c], line) *
-                               (units_[c] == AngleUnit::kDegrees ? kDegree : 1.0);
+        values[*columns_[c]] = number_of(row[c], header_[c], line) * units_[c].factor;
       }
     }
   }
@@ -351,7 +383,7 @@ class TableOfJoints {
               double time, std::size_t line) {
     if (names.size() != positions.size()) {
       throw InputError({fmt::format("{}:{}", file_.string(), line), "",
-                        fmt::format("{} positions", positions.size()),
+                        plural(positions.size(), "position"),
                         fmt::format("{}, one a name", names.size()), ""});
     }
     Eigen::VectorXd& values = add_row(time, line);
@@ -386,7 +418,7 @@ class TableOfJoints {
     double time = kUnknown;
     if (first == 2) {
       time = *parse_cell(row[0]) + 1e-9 * *parse_cell(row[1]);
-      table_.time_unit = 1.0;
+      table_.time_unit.seconds = 1.0;
       ++first;  // the frame, which may be empty
     } else if (first == 1) {
       time = *parse_cell(row[0]);
@@ -415,10 +447,11 @@ class TableOfJoints {
   Kind kind_ = Kind::kOpen;
   char separator_ = ',';
   std::vector<std::string> header_;
+  std::string header_place_;  ///< File and line.
   bool ends_in_separator_ = false;
   bool is_begun_ = false;
   std::vector<std::optional<int>> columns_;  ///< The joint of each.
-  std::vector<AngleUnit> units_;             ///< Unit of each column.
+  std::vector<PositionUnit> units_;          ///< Unit of each column.
   TimeColumns time_;
   std::optional<std::size_t> name_list_;
   std::optional<std::size_t> position_list_;
@@ -512,7 +545,7 @@ class Messages {
     if (!stamp.is_map()) {
       return parse_number(stamp.text()).value_or(kUnknown);
     }
-    table_.time_unit = 1.0;
+    table_.time_unit.seconds = 1.0;
     const auto whole = part("sec") ? part("sec") : part("secs");
     const auto nanoseconds = part("nanosec") ? part("nanosec") : part("nsecs");
     return whole ? *whole + 1e-9 * nanoseconds.value_or(0.0) : kUnknown;
@@ -522,7 +555,7 @@ class Messages {
     const std::vector<YamlElement> joints = names.items();
     const std::vector<YamlElement> numbers = positions.items();
     if (joints.size() != numbers.size()) {
-      positions.refuse(fmt::format("{} positions", numbers.size()),
+      positions.refuse(plural(numbers.size(), "position"),
                        fmt::format("{}, one a joint", joints.size()));
     }
     Eigen::VectorXd values = Eigen::VectorXd::Constant(count_, kUnknown);

@@ -45,8 +45,8 @@ std::filesystem::path SavedMeshes::new_file(const std::string& name, const char*
   std::error_code error;
   std::filesystem::create_directories(beside_ / folder_, error);
   if (error) {
-    throw InputError({(beside_ / folder_).string(), "", error.message(), "a folder for meshes",
-                      "Save where you may write"});
+    throw OutputError({(beside_ / folder_).string(), "", error.message(), "a folder for meshes",
+                       "Save where you may write"});
   }
   return folder_ / (unique + extension);
 }

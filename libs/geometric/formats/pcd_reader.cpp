@@ -1,6 +1,7 @@
 #include "formats/binary_number.h"
 #include "formats/cloud_formats.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/io/table_text.h"
 
 #include <fmt/format.h>
@@ -121,7 +122,7 @@ class PcdHeaderReader {
 
   void take_property(const std::string& key, const Words& words) {
     if (words.size() != header_.fields.size()) {
-      refuse_cloud(source_, key, fmt::format("{} values", words.size()),
+      refuse_cloud(source_, key, plural(words.size(), "value"),
                    fmt::format("one for each of {} fields", header_.fields.size()));
     }
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -139,7 +140,7 @@ class PcdHeaderReader {
 
   void take_size(const std::string& key, const Words& words) {
     if (words.size() != 1) {
-      refuse_cloud(source_, key, fmt::format("{} values", words.size()), "one");
+      refuse_cloud(source_, key, plural(words.size(), "value"), "one");
     }
     const std::size_t value = whole_number(key, words.front(), 1e9);
     (key == "WIDTH" ? width_ : key == "HEIGHT" ? height_ : points_) = value;
@@ -255,7 +256,7 @@ class PcdPoints {
     if (column >= words.size()) {
       refuse_cloud(source_, "point", fmt::format("{} numbers", words.size()), "one for each field");
     }
-    return parse_number(words[column]).value_or(kMissing);
+    return cloud_number(words[column], source_, "point");
   }
 
   // A colour in a text is a whole number, or that number's bits as a float.

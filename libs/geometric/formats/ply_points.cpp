@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -179,7 +178,7 @@ class PlyVertices {
         check_count(count);
       }
       for (std::size_t i = 0; i < row_.size(); ++i) {
-        row_[i] = parse_number(words[i]).value_or(std::numeric_limits<double>::quiet_NaN());
+        row_[i] = cloud_number(words[i], source_, "vertex");
       }
       take(row_);
       ++count;

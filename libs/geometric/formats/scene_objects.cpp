@@ -176,6 +176,19 @@ Attachment attachment_of(const YamlElement& element, const Scene& scene) {
   return attachment;
 }
 
+// A missing file is a warning: only picking the object needs it, which finds grasps without it,
+// too.
+std::filesystem::path grasps_of(const YamlElement& element, Scene& scene,
+                                const std::filesystem::path& folder) {
+  try {
+    return find_noted(ResourceKind::kObject, element, folder, scene);
+  } catch (const InputError&) {
+    const std::filesystem::path file = std::filesystem::absolute(folder) / element.text();
+    scene.warnings.push_back(element.where() + ": there is no file of grasps " + file.string());
+    return file;
+  }
+}
+
 }  // namespace
 
 Pose pose_of(const YamlElement& element) {
@@ -196,10 +209,22 @@ std::filesystem::path find_noted(ResourceKind kind, const YamlElement& reference
   return file;
 }
 
+const SceneObject& named_object_of(const YamlElement& element, const Scene& scene) {
+  const std::string name = element.text();
+  std::vector<std::string> names;
+  for (const SceneObject& object : scene.objects) {
+    if (object.name == name) {
+      return object;
+    }
+    names.push_back(object.name);
+  }
+  element.refuse(element.found(), "an object of the scene", advise_name(name, names));
+}
+
 SceneObject object_of(const YamlElement& element, Scene& scene,
                       const std::filesystem::path& folder) {
   element.allow_keys({"name", "box", "sphere", "cylinder", "cone", "mesh", "cloud", "pose", "color",
-                      "attach", "group", "hidden", "locked", "solid"});
+                      "attach", "grasps", "group", "hidden", "locked", "solid"});
   SceneObject object;
   object.name = element.need("name").text();
   object.shape = only_shape_of(element, folder, scene);
@@ -213,6 +238,9 @@ SceneObject object_of(const YamlElement& element, Scene& scene,
     object.attachment = attachment_of(*attach, scene);
   }
   object.solid = element.flag_or("solid", true);
+  if (const std::optional<YamlElement> grasps = element.find("grasps")) {
+    object.grasps = grasps_of(*grasps, scene, folder);
+  }
   return object;
 }
 

@@ -5,10 +5,13 @@
 #include "yaml_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace handway::geometric {
 namespace {
@@ -19,34 +22,63 @@ class StepReader {
       : scene_(scene), warnings_(warnings) {}
 
   [[nodiscard]] ProgramStep read(const YamlElement& element) const {
-    element.allow_keys({"pick", "place", "move"});
+    element.allow_keys({"pick", "place", "move", "line", "first_of"});
     const auto entries = element.entries();
     if (entries.size() != 1) {
       element.refuse(fmt::format("a map of {} keys", entries.size()),
-                     "a map with one key: pick, place or move");
+                     "a map with one key: pick, place, move, line or first_of");
     }
     const auto& [kind, value] = entries.front();
     if (kind == "pick") {
       return pick_of(value);
     }
-    return kind == "place" ? ProgramStep(place_of(value)) : PostureStep{value.text()};
+    if (kind == "place") {
+      return place_of(value);
+    }
+    if (kind == "line") {
+      return line_of(value);
+    }
+    if (kind == "first_of") {
+      return alternatives_of(value);
+    }
+    if (value.is_map()) {
+      return PoseStep{relative_goal_of(value, scene_, warnings_)};
+    }
+    return PostureStep{value.text()};
   }
 
  private:
   // The name of an object of the scene.
   [[nodiscard]] std::string object_name(const YamlElement& element) const {
+    if (warnings_ == nullptr) {
+      return named_object_of(element, scene_).name;
+    }
     std::string name = element.text();
     if (find_object(scene_, name) == nullptr) {
-      if (warnings_ != nullptr) {
-        warnings_->push_back(
-            fmt::format("{}: the scene has no object \"{}\"", element.where(), name));
-        return name;
-      }
-      std::vector<std::string> names;
-      std::ranges::transform(scene_.objects, std::back_inserter(names), &SceneObject::name);
-      element.refuse(element.found(), "an object of the scene", advise_name(name, names));
+      warnings_->push_back(
+          fmt::format("{}: the scene has no object \"{}\"", element.where(), name));
     }
     return name;
+  }
+
+  // The name of an object or frame to place something on.
+  [[nodiscard]] std::string support_name(const YamlElement& element) const {
+    return find_frame(scene_, element.text()) ? standing_name_of(element, scene_, warnings_)
+                                              : object_name(element);
+  }
+
+  // One name, or a list of names.
+  [[nodiscard]] std::vector<std::string> support_names(const YamlElement& element) const {
+    if (!element.is_list()) {
+      return {support_name(element)};
+    }
+    std::vector<std::string> names;
+    std::ranges::transform(element.items(), std::back_inserter(names),
+                           [this](const YamlElement& item) { return support_name(item); });
+    if (names.empty()) {
+      element.refuse("an empty list", "at least one object or frame");
+    }
+    return names;
   }
 
   [[nodiscard]] PickStep pick_of(const YamlElement& element) const {
@@ -64,25 +96,61 @@ class StepReader {
 
   [[nodiscard]] PlaceStep place_of(const YamlElement& element) const {
     PlaceStep place;
-    if (element.is_scalar()) {
-      place.support = object_name(element);
+    if (!element.is_map()) {
+      place.supports = support_names(element);
       return place;
     }
     element.allow_keys({"on", "pose", "lower", "retreat"});
     const auto on = element.find("on");
     const auto pose = element.find("pose");
-    if (on.has_value() == pose.has_value()) {
-      element.refuse(on ? "both on and pose" : "neither on nor pose", "one of them");
+    if (!on && !pose) {
+      element.refuse("neither on nor pose", "one of them, or both");
     }
     if (on) {
-      place.support = object_name(*on);
-    } else {
+      place.supports = support_names(*on);
+    }
+    if (pose) {
       static_cast<void>(pose->need("xyz"));
       place.pose = pose_of(*pose);
     }
     place.lower = length_or(element, "lower", place.lower);
     place.retreat = length_or(element, "retreat", place.retreat);
     return place;
+  }
+
+  [[nodiscard]] LineStep line_of(const YamlElement& element) const {
+    element.allow_keys({"xyz", "in"});
+    LineStep line;
+    const YamlElement shift = element.need("xyz");
+    line.shift = shift.numbers(3);
+    if (!(line.shift.norm() > 0.0 && line.shift.norm() <= kLongestStraightMotion)) {
+      shift.refuse(shift.found(), fmt::format("a vector of a length above 0, up to {:g} m",
+                                              kLongestStraightMotion));
+    }
+    if (const auto in = element.find("in")) {
+      line.reference =
+          in->text() == kPalmAxes ? kPalmAxes : standing_name_of(*in, scene_, warnings_);
+    }
+    return line;
+  }
+
+  // A list of lists of steps, or a map from names to lists of steps.
+  [[nodiscard]] AlternativesStep alternatives_of(const YamlElement& element) const {
+    AlternativesStep step;
+    if (element.is_list()) {
+      for (const YamlElement& steps : element.items()) {
+        step.programs.push_back({"", program_steps_of(steps, scene_, warnings_)});
+      }
+    } else {
+      for (const auto& [name, steps] : element.entries()) {
+        step.programs.push_back({name, program_steps_of(steps, scene_, warnings_)});
+      }
+    }
+    if (step.programs.size() < 2) {
+      element.refuse(fmt::format("{} of them", step.programs.size()),
+                     "at least two lists of steps, the first that is possible is done");
+    }
+    return step;
   }
 
   // A length in m.
@@ -106,13 +174,40 @@ struct StepText {
                        number_text(pick.approach), number_text(pick.lift));
   }
   std::string operator()(const PlaceStep& place) const {
-    return fmt::format("place: {{{}, lower: {}, retreat: {}}}",
-                       place.support.empty() ? "pose: " + yaml_pose(place.pose)
-                                             : "on: " + yaml_scalar(place.support),
-                       number_text(place.lower), number_text(place.retreat));
+    std::vector<std::string> names;
+    std::ranges::transform(place.supports, std::back_inserter(names), yaml_scalar);
+    std::string on = fmt::format("{}", fmt::join(names, ", "));
+    on = names.empty() ? "" : names.size() == 1 ? "on: " + on + ", " : "on: [" + on + "], ";
+    const std::string pose = place.pose ? "pose: " + yaml_pose(*place.pose) + ", " : "";
+    return fmt::format("place: {{{}{}lower: {}, retreat: {}}}", on, pose, number_text(place.lower),
+                       number_text(place.retreat));
   }
   std::string operator()(const PostureStep& move) const {
     return "move: " + yaml_scalar(move.posture);
+  }
+  std::string operator()(const PoseStep& move) const {
+    return fmt::format("move: {{{}}}", fmt::join(goal_entries(move.goal, move.goal.X_WG), ", "));
+  }
+  std::string operator()(const LineStep& line) const {
+    const std::string in =
+        line.reference.empty() ? "" : fmt::format("in: {}, ", yaml_scalar(line.reference));
+    return fmt::format("line: {{{}xyz: {}}}", in, yaml_list(line.shift));
+  }
+  std::string operator()(const AlternativesStep& step) const {
+    const bool has_names = std::ranges::none_of(
+        step.programs, [](const Program& program) { return program.name.empty(); });
+    std::vector<std::string> lists;
+    for (const Program& program : step.programs) {
+      std::vector<std::string> steps;
+      for (const ProgramStep& one : program.steps) {
+        steps.push_back(fmt::format("{{{}}}", std::visit(*this, one)));
+      }
+      const std::string name =
+          has_names ? fmt::format("{}: ", yaml_scalar(program.name)) : std::string();
+      lists.push_back(fmt::format("{}[{}]", name, fmt::join(steps, ", ")));
+    }
+    const char* brackets = has_names ? "{}" : "[]";
+    return fmt::format("first_of: {}{}{}", brackets[0], fmt::join(lists, ", "), brackets[1]);
   }
 };
 

@@ -126,7 +126,7 @@ void check_new_name(const YamlElement& element, const Scene& scene, const std::s
   if (name.empty()) {
     element.refuse("an empty name", "a name");
   }
-  if (find_robot_with_part(scene, name) || find_object(scene, name)) {
+  if (find_robot_with_part(scene, name) || find_object(scene, name) || find_frame(scene, name)) {
     refuse_second_name(element, name);
   }
 }
@@ -259,7 +259,7 @@ Scene read_scene(const fs::path& file) {
   const YamlElement top = YamlElement::read(file, "a scene file");
   top.allow_keys({"handway", "name", "description", "robots", "objects", "constraints", "start",
                   "goal", "goal_pose", "postures", "views", "hand_basis", "planner", "collisions",
-                  "group", "program"});
+                  "group", "program", "frames"});
   check_version(top);
   const fs::path folder = fs::absolute(file).parent_path();
   Scene scene;
@@ -273,6 +273,14 @@ Scene read_scene(const fs::path& file) {
   if (const std::optional<YamlElement> objects = top.find("objects")) {
     add_objects(*objects, folder, scene);
   }
+  for (const YamlElement& element : top.items_of("frames")) {
+    NamedFrame frame = frame_of(element, scene);
+    check_new_name(element, scene, frame.name);
+    if (scene.robots.front().model->find_link(frame.name)) {
+      refuse_second_name(element, frame.name);
+    }
+    scene.frames.push_back(std::move(frame));
+  }
   if (const std::optional<YamlElement> constraints = top.find("constraints")) {
     for (const YamlElement& element : constraints->items()) {
       scene.constraints.push_back(constraint_of(element, scene));
@@ -285,7 +293,7 @@ Scene read_scene(const fs::path& file) {
   scene.start = query_of(top, "start", *robot.model, robot.configuration);
   scene.goal = query_of(top, "goal", *robot.model, goal_defaults(scene));
   if (const std::optional<YamlElement> goals = top.find("goal_pose")) {
-    scene.goal_poses = pose_goals_of(*goals, *scene.robots.front().model);
+    scene.goal_poses = pose_goals_of(*goals, scene);
   }
   bound_bases(robots, scene);
   if (const std::optional<YamlElement> postures = top.find("postures")) {

@@ -23,12 +23,33 @@ namespace handway::geometric {
 void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 
 /// A scene file's `goal_pose`: one goal, or a list of them.
-/// @param model the planned robot, whose links they name.
-[[nodiscard]] std::vector<PoseGoal> pose_goals_of(const YamlElement& element,
-                                                  const RobotModel& model);
+/// @param scene has the robots and objects that they name.
+[[nodiscard]] std::vector<PoseGoal> pose_goals_of(const YamlElement& element, const Scene& scene);
 
-/// Returns the goals as text; empty without goals.
-[[nodiscard]] std::string pose_goals_text(const std::vector<PoseGoal>& goals);
+/// Reads a pose of a link. @returns a goal whose X_WG is in the frame of its reference.
+/// @param warnings receives references and tools that the scene does not have; nullptr: they are
+/// errors.
+[[nodiscard]] PoseGoal relative_goal_of(const YamlElement& element, const Scene& scene,
+                                        std::vector<std::string>* warnings);
+
+/// Returns the entries of a goal's map, such as "link: palm".
+/// @param X its pose in the frame of its reference.
+[[nodiscard]] std::vector<std::string> goal_entries(const PoseGoal& goal, const Pose& X);
+
+/// Reads the name of an object or frame that stands in the world.
+/// @param warnings as for relative_goal_of().
+[[nodiscard]] std::string standing_name_of(const YamlElement& element, const Scene& scene,
+                                           std::vector<std::string>* warnings);
+
+/// Reads one entry of a scene file's `frames`.
+/// @param scene with the robots and objects to which the frame may be fixed.
+[[nodiscard]] NamedFrame frame_of(const YamlElement& element, const Scene& scene);
+
+/// Returns the frames as text; empty without frames.
+[[nodiscard]] std::string frames_text(const std::vector<NamedFrame>& frames);
+
+/// Returns the scene's goal poses as text; empty without goals.
+[[nodiscard]] std::string pose_goals_text(const Scene& scene);
 
 /// A scene file's `program`: a list of steps, or a map from names to such lists. Adds a warning for
 /// each object that the scene does not have.
@@ -43,6 +64,9 @@ void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 /// Calls find_resource(), and warns if the file's name differs in case from the scene's.
 [[nodiscard]] std::filesystem::path find_noted(ResourceKind kind, const YamlElement& reference,
                                                const std::filesystem::path& folder, Scene& scene);
+
+/// The object that an element names. @throws InputError if the scene has none of that name.
+[[nodiscard]] const SceneObject& named_object_of(const YamlElement& element, const Scene& scene);
 
 /// One entry of a scene file's `objects`.
 /// @param scene with its robots, to which the object may be attached; warnings are added to it.

@@ -37,6 +37,7 @@ struct SceneReferences {
   std::vector<std::vector<RobotReference>> robots;  ///< References of each robot's parts, in order.
   std::vector<std::filesystem::path> meshes;        ///< Empty for objects of other shapes.
   std::vector<bool> is_scaled;                      ///< False: the mesh file already has the scale.
+  std::vector<std::filesystem::path> grasps;        ///< Empty for objects without a file of grasps.
   std::filesystem::path hand_basis;
 };
 
@@ -212,12 +213,15 @@ std::string attachment_text(const Attachment& attachment) {
 }
 
 std::string object_text(const SceneObject& object, const ObjectDisplay& display,
-                        const ShapeText& shape) {
+                        const ShapeText& shape, const std::filesystem::path& grasps) {
   std::string text = fmt::format("  - name: {}\n    {}\n    pose: {}\n    color: {}\n",
                                  yaml_scalar(object.name), std::visit(shape, object.shape),
                                  yaml_pose(object.X_PO), color_text(object.color));
   if (object.attachment) {
     text += "    attach: " + attachment_text(*object.attachment) + '\n';
+  }
+  if (!grasps.empty()) {
+    text += "    grasps: " + yaml_scalar(grasps.generic_string()) + '\n';
   }
   if (!display.group.empty()) {
     text += "    group: " + yaml_scalar(display.group) + '\n';
@@ -276,9 +280,11 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   text += scene.objects.empty() ? "" : "objects:\n";
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
-    text += object_text(object, scene.display.of(object.name),
-                        ShapeText(references.meshes[i], references.is_scaled[i]));
+    text +=
+        object_text(object, scene.display.of(object.name),
+                    ShapeText(references.meshes[i], references.is_scaled[i]), references.grasps[i]);
   }
+  text += frames_text(scene.frames);
   text += scene.constraints.empty() ? "" : "constraints:\n";
   for (const PathConstraint& constraint : scene.constraints) {
     text += constraint_text(constraint);
@@ -295,7 +301,7 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   if (scene.goal) {
     text += "goal:" + configuration_text(*scene.robots[0].model, *scene.goal, "  ");
   }
-  text += pose_goals_text(scene.goal_poses);
+  text += pose_goals_text(scene);
   text += scene.postures.empty() ? "" : "postures:\n";
   for (const NamedPosture& posture : scene.postures) {
     text += posture_text(posture);
@@ -377,6 +383,9 @@ class SceneFileWriter {
     }
     for (const SceneObject& object : scene_.objects) {
       add_mesh_reference(object);
+      references_.grasps.push_back(
+          object.grasps.empty() ? object.grasps
+                                : resource_reference(ResourceKind::kObject, object.grasps, to_));
     }
     replace_file(file_, leading_comments() + scene_text(scene_, references_));
   }
@@ -452,7 +461,8 @@ std::string objects_text(const Scene& scene, const fs::path& meshes_beside) {
     const fs::path known = file_of(object.shape);
     const fs::path saved = known.empty() ? save_shape(meshes, object.name, object.shape) : known;
     const fs::path file = saved.empty() ? saved : folder_of(meshes_beside) / saved;
-    text += object_text(object, scene.display.of(object.name), ShapeText(file, !known.empty()));
+    text += object_text(object, scene.display.of(object.name), ShapeText(file, !known.empty()),
+                        object.grasps);
   }
   return text;
 }

@@ -1,6 +1,7 @@
 #include "handway/geometric/formats/srdf.h"
 
 #include "formats/xml_document.h"
+#include "formats/xml_vocabulary.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/robot/base_joint.h"
@@ -286,6 +287,7 @@ class SrdfReader {
   SrdfReader(const XmlDocument& document, const RobotDescription& robot)
       : document_(document),
         top_(document.root("robot")),
+        robot_(robot),
         links_(names_of(robot.links)),
         joints_(names_of(robot.joints)) {
     semantics_.groups = srdf_groups(document, robot, unknown_);
@@ -307,6 +309,7 @@ class SrdfReader {
     for (const pugi::xml_node& node : top_.children("disable_collisions")) {
       add_allowed(node);
     }
+    note_passive_joints();
     const auto unread =
         unread_elements(document_, top_, vocabulary(), {"group", "chain", "disable_collisions"});
     if (!unread.empty()) {
@@ -355,6 +358,24 @@ class SrdfReader {
     semantics_.postures.push_back(std::move(posture));
   }
 
+  // Reports joints without a motor, such as casters, which MoveIt does not plan for.
+  void note_passive_joints() {
+    std::vector<std::string> passive;
+    for (const pugi::xml_node& node : top_.children("passive_joint")) {
+      const auto joint = std::ranges::find(
+          robot_.joints, std::string(node.attribute("name").value()), &Joint::name);
+      if (joint != robot_.joints.end() && joint->type != JointType::kFixed && !joint->mimic) {
+        passive.push_back(joint->name);
+      }
+    }
+    if (!passive.empty()) {
+      semantics_.warnings.push_back(
+          fmt::format("passive joints of the SRDF move like other joints: {}; leave them out by "
+                      "the scene's group",
+                      fmt::join(passive, ", ")));
+    }
+  }
+
   // Allows all collisions of a link but those in `enable_collisions`, as of MoveIt's coarse shapes.
   void allow_all_of(const pugi::xml_node& node) {
     const std::string link = document_.need(node, "link");
@@ -379,6 +400,7 @@ class SrdfReader {
 
   const XmlDocument& document_;
   pugi::xml_node top_;
+  const RobotDescription& robot_;
   std::vector<std::string> links_;
   std::vector<std::string> joints_;
   UnknownNames unknown_;

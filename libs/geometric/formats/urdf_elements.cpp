@@ -1,5 +1,6 @@
 #include "formats/urdf_elements.h"
 
+#include "formats/xml_vocabulary.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 

@@ -120,6 +120,38 @@ void keep_soft_limits(const XmlDocument& document, RobotDescription& robot) {
   }
 }
 
+// Returns the link that a <parent> or <child> names.
+std::string link_at(const UrdfElements& elements, const pugi::xml_node& joint,
+                    const std::string& element, const char* end,
+                    const std::vector<std::string>& links) {
+  const pugi::xml_node link = elements.only(joint, element, end);
+  if (!link) {
+    elements.refuse(joint, element, fmt::format("no <{}>", end),
+                    fmt::format("<{} link=\"…\"/>", end));
+  }
+  std::string name = elements.document().need(link, "link");
+  if (std::ranges::count(links, name) == 0) {
+    elements.refuse(link, element, fmt::format("the unknown {} link \"{}\"", end, name),
+                    "a link of the robot", advise_name(name, links));
+  }
+  return name;
+}
+
+// Refuses a joint without one of its links, which leaves several roots.
+void refuse_unknown_ends(const UrdfElements& elements) {
+  const pugi::xml_node robot = elements.document().root("robot");
+  std::vector<std::string> links;
+  for (const pugi::xml_node& link : robot.children("link")) {
+    links.emplace_back(link.attribute("name").value());
+  }
+  for (const pugi::xml_node& joint : robot.children("joint")) {
+    const std::string element = fmt::format("joint {}", joint.attribute("name").value());
+    for (const char* end : {"parent", "child"}) {
+      static_cast<void>(link_at(elements, joint, element, end, links));
+    }
+  }
+}
+
 }  // namespace
 
 std::set<std::string> links_on_their_own(const UrdfElements& elements) {
@@ -149,6 +181,7 @@ std::set<std::string> links_on_their_own(const UrdfElements& elements) {
     second = roots.size() == 2 ? link : second;
   }
   if (second) {
+    refuse_unknown_ends(elements);
     elements.refuse(
         second, "robot",
         fmt::format("several links that no joint carries: \"{}\"", fmt::join(roots, "\", \"")),
@@ -219,20 +252,9 @@ void UrdfJoints::read(const pugi::xml_node& node, RobotDescription& robot) {
   robot.joints.push_back(std::move(joint));
 }
 
-// Returns the link that a <parent> or <child> names.
 std::string UrdfJoints::read_end(const pugi::xml_node& joint, const std::string& element,
                                  const char* end) const {
-  const pugi::xml_node link = elements_.only(joint, element, end);
-  if (!link) {
-    elements_.refuse(joint, element, fmt::format("no <{}>", end),
-                     fmt::format("<{} link=\"…\"/>", end));
-  }
-  std::string name = elements_.document().need(link, "link");
-  if (std::ranges::count(link_names_, name) == 0) {
-    elements_.refuse(link, element, fmt::format("the unknown {} link \"{}\"", end, name),
-                     "a link of the robot", advise_name(name, link_names_));
-  }
-  return name;
+  return link_at(elements_, joint, element, end, link_names_);
 }
 
 Eigen::Vector3d UrdfJoints::read_axis(const pugi::xml_node& joint, const std::string& element,
@@ -282,12 +304,19 @@ JointLimits UrdfJoints::read_limits(const pugi::xml_node& joint, const std::stri
   if (is_endless && type != "continuous") {
     (type == "revolute" ? endless_ : endless_slides_).emplace_back(joint.attribute("name").value());
   }
-  if (limits.lower > limits.upper) {
+  if (limits.lower > limits.upper && limit.attribute("lower") && limit.attribute("upper")) {
     elements_.refuse(
         limit, element,
         fmt::format("a lower limit of {} above the upper one of {}",
                     limit.attribute("lower").value(), limit.attribute("upper").value()),
         "lower below upper", "Swap them");
+  }
+  if (limits.lower > limits.upper) {
+    const char* const given = limit.attribute("lower") ? "lower" : "upper";
+    elements_.refuse(limit, element,
+                     fmt::format("{}=\"{}\" alone, so that the other limit is 0", given,
+                                 limit.attribute(given).value()),
+                     "lower below upper", "Write both limits");
   }
   return limits;
 }

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/package_path.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

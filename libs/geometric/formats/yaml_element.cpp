@@ -198,10 +198,16 @@ std::string YamlElement::text() const {
 
 bool YamlElement::flag() const {
   const std::string word = text();
-  if (word != "true" && word != "false") {
+  const auto is_one_of = [&](std::initializer_list<const char*> words) {
+    return std::ranges::find(words, word) != words.end();
+  };
+  if (is_one_of({"true", "True", "TRUE", "yes", "Yes", "YES", "on", "On", "ON"})) {
+    return true;
+  }
+  if (!is_one_of({"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF"})) {
     refuse(found(), "true or false");
   }
-  return word == "true";
+  return false;
 }
 
 double YamlElement::number() const {

@@ -26,7 +26,8 @@ void set_number(const Parameter& parameter, std::string_view text, Number& value
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
   const bool in_range = static_cast<double>(parsed) >= parameter.lower &&
                         static_cast<double>(parsed) <= parameter.upper;
-  if (error != std::errc() || end != text.data() + text.size() || !in_range) {
+  const bool is_present = parsed == value;
+  if (error != std::errc() || end != text.data() + text.size() || (!in_range && !is_present)) {
     refuse(parameter, text,
            fmt::format("{} from {:g} to {:g}",
                        std::is_integral_v<Number> ? "a whole number" : "a number", parameter.lower,
@@ -54,6 +55,20 @@ void set_choice(const Parameter& parameter, std::string_view text, Choice& choic
 double shown(double value, double scale) {
   constexpr double kDigits = 1e12;  // of a whole unit
   return scale == 1.0 ? value : std::round(value / scale * kDigits) / kDigits;
+}
+
+// The parameter called `key`. @throws InputError naming the valid keys.
+template <typename Value>
+const BasicParameter<Value>& parameter_in(const std::vector<BasicParameter<Value>>& parameters,
+                                          std::string_view key) {
+  const auto one = std::ranges::find(parameters, key, &BasicParameter<Value>::key);
+  if (one == parameters.end()) {
+    std::vector<std::string> keys;
+    std::ranges::transform(parameters, std::back_inserter(keys), &BasicParameter<Value>::key);
+    throw InputError({"parameter", std::string(key), "an unknown parameter",
+                      fmt::format("one of {}", fmt::join(keys, ", ")), ""});
+  }
+  return *one;
 }
 
 }  // namespace
@@ -85,6 +100,34 @@ std::vector<Parameter> values_of(const std::vector<BoundParameter>& parameters) 
 BoundParameter in_thousandths(BoundParameter parameter) {
   parameter.scale = 1e-3;
   return parameter;
+}
+
+BoundParameter in_si_units(BoundParameter parameter) {
+  if (parameter.scale == 1.0) {
+    return parameter;
+  }
+  const std::string suffix = "_" + parameter.unit;
+  if (parameter.key.ends_with(suffix)) {
+    parameter.key.erase(parameter.key.size() - suffix.size());
+  }
+  parameter.unit.erase(0, 1);  // the m of mm and of ms
+  parameter.lower = shown(parameter.lower, 1.0 / parameter.scale);
+  parameter.upper = shown(parameter.upper, 1.0 / parameter.scale);
+  parameter.scale = 1.0;
+  return parameter;
+}
+
+std::vector<BoundParameter> in_si_units(std::vector<BoundParameter> parameters) {
+  for (BoundParameter& parameter : parameters) {
+    parameter = in_si_units(std::move(parameter));
+  }
+  return parameters;
+}
+
+std::string option_name(std::string_view key) {
+  std::string name = "--" + std::string(key);
+  std::ranges::replace(name, '_', '-');
+  return name;
 }
 
 void assign(const BoundParameter& member, const Parameter& parameter) {
@@ -150,19 +193,16 @@ const Parameter* parameter_called(const std::vector<Parameter>& parameters, std:
 }
 
 const Parameter& find_parameter(const std::vector<Parameter>& parameters, std::string_view key) {
-  const Parameter* found = parameter_called(parameters, key);
-  if (!found) {
-    std::vector<std::string> keys;
-    std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
-    throw InputError({"parameter", std::string(key), "an unknown parameter",
-                      fmt::format("one of {}", fmt::join(keys, ", ")), ""});
-  }
-  return *found;
+  return parameter_in(parameters, key);
 }
 
 Parameter& find_parameter(std::vector<Parameter>& parameters, std::string_view key) {
-  const Parameter& found = find_parameter(std::as_const(parameters), key);
-  return parameters[static_cast<std::size_t>(&found - parameters.data())];
+  const Parameter& one = parameter_in(parameters, key);
+  return parameters[static_cast<std::size_t>(&one - parameters.data())];
+}
+
+BoundParameter find_parameter(const std::vector<BoundParameter>& parameters, std::string_view key) {
+  return parameter_in(parameters, key);
 }
 
 }  // namespace handway::geometric

@@ -1,3 +1,4 @@
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/io/table_times.h"
 
 #include <fmt/format.h>
@@ -79,7 +80,33 @@ bool contradicts(double unit, const Sizes& sizes) {
 }
 
 const char* name_of(double unit) {
-  return unit == 1.0 ? "s" : unit == 1e-3 ? "ms" : unit == 1e-6 ? "\u00B5s" : "ns";
+  return unit == 3600.0 ? "h"
+         : unit == 60.0 ? "min"
+         : unit == 1.0  ? "s"
+         : unit == 1e-3 ? "ms"
+         : unit == 1e-6 ? "\u00B5s"
+                        : "ns";
+}
+
+/// Returns a warning about a unit that was inferred; nothing about s where no unit is named.
+std::vector<std::string> inference(const TimeUnit& named, double taken, const Sizes& sizes) {
+  if (!named.unknown.empty()) {
+    return {fmt::format(
+        "the header says \"{}\" for times, which is not a known unit (s, ms, \u00B5s, ns, min, h): "
+        "they are taken for {}, by their size and their steps",
+        named.unknown, name_of(taken))};
+  }
+  if (named.seconds && taken != *named.seconds) {
+    return {
+        fmt::format("the header says {} for times, but they are taken for {}: their size and "
+                    "their steps fit that",
+                    name_of(*named.seconds), name_of(taken))};
+  }
+  if (!named.seconds && taken != 1.0) {
+    return {fmt::format("times are taken for {}{}, by their size", name_of(taken),
+                        sizes.value * taken > kEarliest ? " since 1970" : "")};
+  }
+  return {};
 }
 
 /// Clocks restart at midnight.
@@ -163,22 +190,15 @@ class Breaks {
 
 }  // namespace
 
-std::vector<std::string> settle_times(std::vector<double>& times, std::optional<double> unit,
+std::vector<std::string> settle_times(std::vector<double>& times, const TimeUnit& unit,
                                       bool spelled, std::span<const std::size_t> lines) {
-  std::vector<std::string> warnings;
   const Sizes sizes = sizes_of(times);
-  double taken = unit.value_or(1.0);
-  if (!spelled && (!unit || contradicts(*unit, sizes))) {
+  // "HH:MM:SS.ms" names parts of clock times.
+  double taken = spelled ? 1.0 : unit.seconds.value_or(1.0);
+  std::vector<std::string> warnings;
+  if (!spelled && (!unit.seconds || contradicts(*unit.seconds, sizes))) {
     taken = unit_by_size(sizes);
-    if (unit && taken != *unit) {
-      warnings.push_back(
-          fmt::format("the header says {} for times, but they are taken for {}: their size and "
-                      "their steps fit that",
-                      name_of(*unit), name_of(taken)));
-    } else if (taken != 1.0) {
-      warnings.push_back(fmt::format("times are taken for {}{}, by their size", name_of(taken),
-                                     sizes.value * taken > kEarliest ? " since 1970" : ""));
-    }
+    warnings = inference(unit, taken, sizes);
   }
   const auto first = std::ranges::find_if(times, [](double time) { return std::isfinite(time); });
   if (first == times.end()) {
@@ -187,7 +207,7 @@ std::vector<std::string> settle_times(std::vector<double>& times, std::optional<
   const bool since_1970 = spelled || std::abs(*first * taken) > kEarliest;
   const double begin = since_1970 ? *first : 0.0;
   for (double& time : times) {
-    time = taken == 1.0 ? time - begin : (time - begin) / std::round(1.0 / taken);
+    time = taken >= 1.0 ? (time - begin) * taken : (time - begin) / std::round(1.0 / taken);
     if (since_1970 && std::isfinite(time)) {
       constexpr double kPerSecond = 1e6;  // doubles of that size are not finer
       time = std::round(time * kPerSecond) / kPerSecond;
@@ -199,10 +219,9 @@ std::vector<std::string> settle_times(std::vector<double>& times, std::optional<
   Breaks breaks(times, lines);
   std::ranges::move(breaks.mend(), std::back_inserter(warnings));
   if (breaks.late() > 0) {
-    warnings.push_back(fmt::format(
-        "{} rows have an earlier time than the row before, by a little: they are kept in their "
-        "order",
-        breaks.late()));
+    warnings.push_back(
+        plural(breaks.late(), "row") +
+        " kept in the file's order, although the time is a little earlier than in the row before");
   }
   return warnings;
 }

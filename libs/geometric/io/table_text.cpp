@@ -1,7 +1,11 @@
 #include "handway/geometric/io/table_text.h"
 
+#include "handway/geometric/io/lower_case.h"
+
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <utility>
 
 namespace handway::geometric {
 
@@ -27,9 +31,23 @@ std::optional<double> parse_cell(std::string_view cell) {
   return parse_number(number);
 }
 
+namespace {
+
+// Returns whether a line has a character outside of quotes; of quotes without an end, anywhere.
+bool has_outside_quotes(std::string_view line, char wanted) {
+  const bool has_pairs = std::ranges::count(line, '"') % 2 == 0;
+  bool is_quoted = false;
+  return std::ranges::any_of(line, [&](char c) {
+    is_quoted ^= has_pairs && c == '"';
+    return c == wanted && !is_quoted;
+  });
+}
+
+}  // namespace
+
 char separator_of(std::string_view line) {
   for (const char separator : {'\t', ';'}) {
-    if (line.find(separator) != std::string_view::npos && cells(line, separator).size() > 1) {
+    if (has_outside_quotes(line, separator) && cells(line, separator).size() > 1) {
       return separator;
     }
   }
@@ -59,6 +77,64 @@ std::vector<std::string> words_of_column(std::string_view name) {
   }
   std::erase(words, "");
   return words;
+}
+
+std::string unit_in_brackets(std::string_view name) {
+  const std::size_t begin = name.find_last_of("[(");
+  if (name.empty() || (name.back() != ']' && name.back() != ')') ||
+      begin == std::string_view::npos) {
+    return "";
+  }
+  return lower_case(std::string(trimmed(name.substr(begin + 1, name.size() - begin - 2))));
+}
+
+std::string csv_cell(const std::string& name) {
+  const bool is_formula = name.find_first_of("=+-@") == 0;
+  if (!is_formula && name.find_first_of(",;\t\n\r\"") == std::string::npos) {
+    return name;
+  }
+  std::string cell = "\"";
+  for (const char c : name) {
+    cell += c == '\n' || c == '\r' ? ' ' : c;
+    if (c == '"') {
+      cell += c;
+    }
+  }
+  return cell + '"';
+}
+
+bool append_units(std::vector<std::string>& names, const std::vector<std::string_view>& row) {
+  constexpr std::array<std::string_view, 38> kUnits = {
+      "s",      "sec",       "ms",     "us",   "\u00B5s",  "\u03BCs",     "ns",
+      "min",    "h",         "rad",    "rads", "mrad",     "deg",         "degs",
+      "degree", "degrees",   "\u00B0", "m",    "mm",       "cm",          "rad/s",
+      "deg/s",  "\u00B0/s",  "m/s",    "mm/s", "rad/s^2",  "rad/s\u00B2", "deg/s^2",
+      "m/s^2",  "m/s\u00B2", "n",      "nm",   "n\u00B7m", "v",           "a",
+      "ma",     "hz",        "%"};
+  if (names.size() != row.size()) {
+    return false;
+  }
+  std::vector<std::string> with_units = names;
+  bool has_unit = false;
+  for (std::size_t c = 0; c < row.size(); ++c) {
+    std::string_view cell = trimmed(row[c]);
+    if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '(')) {
+      cell = trimmed(cell.substr(1, cell.size() - 2));
+    }
+    if (cell.empty() || cell == "-") {
+      continue;
+    }
+    const std::string unit = lower_case(std::string(cell));
+    if (std::ranges::find(kUnits, unit) == kUnits.end()) {
+      return false;
+    }
+    has_unit = true;
+    with_units[c] += " [" + unit + "]";
+  }
+  if (has_unit) {
+    names = std::move(with_units);
+  }
+  return has_unit;
 }
 
 }  // namespace handway::geometric

@@ -2,6 +2,7 @@
 #include "handway/geometric/io/table_times.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <initializer_list>
 #include <iterator>
@@ -33,6 +34,12 @@ std::optional<double> unit_called(const std::string& word) {
                        "nanoseconds", "nanosekunden"})) {
     return 1e-9;
   }
+  if (is_one_of(word, {"min", "mins", "minute", "minutes", "minuten"})) {
+    return 60.0;
+  }
+  if (is_one_of(word, {"h", "hrs", "hour", "hours", "stunden"})) {
+    return 3600.0;
+  }
   return std::nullopt;
 }
 
@@ -50,6 +57,29 @@ std::optional<double> joined_unit(const std::string& word) {
     }
   }
   return std::nullopt;
+}
+
+/// Returns the unit in a column's name that is no unit of time, or a multiple of one: "ticks" of
+/// "time [ticks]" and "time_ticks", "10 ms" of "t [10 ms]". Empty for words that are no units.
+std::string unknown_unit(std::string_view column, const std::vector<std::string>& words,
+                         bool has_unit) {
+  const std::string in_brackets = unit_in_brackets(column);
+  if (has_unit) {
+    const bool is_multiple = in_brackets.find_first_of("0123456789") < 2;  // "10 ms", "x10 ms"
+    return is_multiple ? in_brackets : "";
+  }
+  constexpr std::array<std::string_view, 14> kCounted = {
+      "tick",   "ticks", "count", "counts", "cycle",   "cycles", "frame",
+      "frames", "step",  "steps", "sample", "samples", "day",    "days"};
+  if (std::ranges::count(kCounted, words.back()) > 0) {
+    return words.back();
+  }
+  constexpr std::array<std::string_view, 12> kNoUnits = {
+      "utc",     "gmt",      "local",    "unix",  "posix",    "epoch",
+      "elapsed", "relative", "absolute", "stamp", "iso 8601", "iso8601"};
+  const bool has_letter = std::ranges::any_of(
+      in_brackets, [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80U; });
+  return has_letter && std::ranges::count(kNoUnits, in_brackets) == 0 ? in_brackets : "";
 }
 
 /// The column of a kind: a plain one before others, of several the first.
@@ -80,10 +110,10 @@ std::optional<TimeName> time_name(std::string_view column) {
   const std::string& last = words.back();
   if (words.size() == 1 || is_one_of(words[words.size() - 2], {"stamp", "time", "start"})) {
     if (is_one_of(last, {"sec", "secs"})) {
-      return TimeName{Kind::kSeconds, 1.0};
+      return TimeName{Kind::kSeconds, {1.0}};
     }
     if (is_one_of(last, {"nanosec", "nanosecs", "nsec", "nsecs"})) {
-      return TimeName{Kind::kNanoseconds, 1e-9};
+      return TimeName{Kind::kNanoseconds, {1e-9}};
     }
   }
   std::optional<double> unit;
@@ -94,16 +124,18 @@ std::optional<TimeName> time_name(std::string_view column) {
   const auto is_of_time = [](const std::string& word) {
     return names_time(word) || joined_unit(word).has_value();
   };
-  const bool is_unit_alone = words.size() == 1 && unit && first.size() > 1;
+  // "min" alone is the least value.
+  const bool is_unit_alone = words.size() == 1 && unit && first.size() > (*unit > 1.0 ? 4U : 1U);
   if (is_unit_alone || first == "t" || is_one_of(first, {"elapsed", "epoch"}) ||
       std::ranges::any_of(words, is_of_time)) {
     const bool plain = std::ranges::all_of(words, [&](const std::string& word) {
       return is_of_time(word) || unit_called(word) || is_one_of(word, {"t", "elapsed", "epoch"});
     });
-    return TimeName{Kind::kTime, unit, plain};
+    const std::string unknown = unknown_unit(column, words, unit.has_value());
+    return TimeName{Kind::kTime, {unknown.empty() ? unit : std::nullopt, unknown}, plain};
   }
   if (words.size() == 1 && is_one_of(first, {"date", "datum", "fecha", "day", "tag"})) {
-    return TimeName{Kind::kDate, std::nullopt};
+    return TimeName{Kind::kDate};
   }
   return std::nullopt;
 }
@@ -135,7 +167,7 @@ TimeColumns time_columns(const std::vector<std::string>& names,
   TimeColumns columns;
   if (seconds && nanoseconds) {
     columns.parts = {{*seconds, 1.0}, {*nanoseconds, 1e-9}};
-    columns.unit = 1.0;
+    columns.unit = {1.0};
   } else if (time) {
     columns.parts = {{*time, 1.0}};
     columns.unit = time_name(names[*time])->unit;
@@ -144,10 +176,10 @@ TimeColumns time_columns(const std::vector<std::string>& names,
     }
   } else if (seconds) {
     columns.parts = {{*seconds, 1.0}};
-    columns.unit = 1.0;
+    columns.unit = {1.0};
   } else if (nanoseconds) {
     columns.parts = {{*nanoseconds, 1.0}};
-    columns.unit = 1e-9;
+    columns.unit = {1e-9};
   } else if (date && contents[*date] != CellContent::kNumbers) {
     columns.parts = {{*date, 1.0}};
   }

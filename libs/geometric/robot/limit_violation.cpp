@@ -1,6 +1,7 @@
 #include "handway/geometric/robot/limit_violation.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
@@ -85,7 +86,7 @@ std::vector<LimitViolation> limit_violations(const RobotModel& model, const Conf
 void require_configuration(const RobotModel& model, const Configuration& q,
                            const std::string& source, std::span<const int> fixed) {
   if (q.size() != model.variable_count()) {
-    throw InputError({source, "", fmt::format("{} values", q.size()),
+    throw InputError({source, "", plural(q.size(), "value"),
                       fmt::format("{}, one a joint", model.variable_count()), ""});
   }
   for (int v = 0; v < model.variable_count(); ++v) {

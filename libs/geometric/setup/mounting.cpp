@@ -185,6 +185,15 @@ void rename_in_query(Scene& scene, const RobotInstance& before, const RobotInsta
   for (PoseGoal& goal : scene.goal_poses) {
     renaming.rename_link(goal.link);
   }
+  std::erase_if(scene.frames, [&](const NamedFrame& frame) {
+    return !frame.parent.empty() && !find_object(scene, frame.parent) &&
+           !renaming.links.contains(frame.parent);
+  });
+  for (NamedFrame& frame : scene.frames) {
+    if (!frame.parent.empty() && !find_object(scene, frame.parent)) {
+      renaming.rename_link(frame.parent);
+    }
+  }
   for (NamedPosture& posture : scene.postures) {
     std::map<std::string, double> values;
     for (const auto& [joint, value] : posture.values) {
@@ -393,6 +402,9 @@ void forget_query(Scene& scene) {
   scene.constraints.clear();
   scene.postures.clear();
   scene.hand_basis.clear();
+  std::erase_if(scene.frames, [&](const NamedFrame& frame) {
+    return !frame.parent.empty() && !find_object(scene, frame.parent);
+  });
 }
 
 }  // namespace

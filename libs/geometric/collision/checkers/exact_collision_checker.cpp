@@ -5,6 +5,7 @@
 #include "collision/cache/self_distance_cache.h"
 #include "collision/narrow_phase/fcl_bodies.h"
 #include "collision/narrow_phase/narrow_phase_query.h"
+#include "collision/volumes/hull_gap.h"
 #include "collision/volumes/solid.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 

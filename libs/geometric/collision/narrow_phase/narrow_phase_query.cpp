@@ -1,5 +1,7 @@
 #include "collision/narrow_phase/narrow_phase_query.h"
 
+#include "collision/volumes/hull_gap.h"
+
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
 
 #include <algorithm>

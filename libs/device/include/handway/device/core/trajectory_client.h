@@ -3,6 +3,7 @@
 #include "handway/device/core/joint_trajectory.h"
 #include "handway/device/core/watchdog.h"
 #include "handway/device/export.h"
+#include "handway/geometric/io/parameter.h"
 
 #include <Eigen/Core>
 
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace handway::device {
 
@@ -44,6 +46,10 @@ struct MotionTolerances {
   [[nodiscard]] HANDWAY_DEVICE_EXPORT Eigen::VectorXd distances(
       const Eigen::VectorXd& measured, const Eigen::VectorXd& target) const;
 };
+
+/// Describes the tolerances that users choose.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<geometric::BoundParameter> parameters_of(
+    MotionTolerances& tolerances);
 
 /// A connection to a device that moves joints: an arm's or a hand's controller.
 ///

@@ -40,12 +40,14 @@ read_recorded_table(const std::filesystem::path& file);
 joined_tables(std::span<const RecordedTable> tables, std::span<const std::filesystem::path> files);
 
 /// Endings of the files that write_recorded_table() writes.
-[[nodiscard]] HANDWAY_DEVICE_EXPORT const std::vector<std::string>& recorded_table_endings();
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<std::string> recorded_table_endings();
 
 /// Replaces a file whole, by its ending:
 ///   - `.csv`: a recording of Handway if the table is of a glove, else a header and rows;
 ///   - `.npz`: arrays `time` (s), `values` [rows, columns] and `names` of NumPy;
-///   - `.h5`, `.hdf5`: data sets of these names.
+///   - `.h5`, `.hdf5`: data sets of these names;
+///   - `.mcap`: a bag of ROS 2, poses (`NAME.x`, `.y`, `.z`, `.qx`, `.qy`, `.qz`, `.qw`) as
+///     geometry_msgs/PoseStamped `/NAME`, all else as sensor_msgs/JointState `/joint_states`.
 /// Equal tables give equal bytes.
 /// @throws geometric::OutputError if the file can't be written or has another ending.
 HANDWAY_DEVICE_EXPORT void write_recorded_table(const RecordedTable& table,

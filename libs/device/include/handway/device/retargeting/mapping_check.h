@@ -2,6 +2,7 @@
 
 #include "handway/device/export.h"
 #include "handway/device/glove/hand_mapping.h"
+#include "handway/device/glove/posture_source.h"
 #include "handway/geometric/robot/robot_model.h"
 
 #include <string>

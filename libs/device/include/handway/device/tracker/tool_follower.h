@@ -2,6 +2,7 @@
 
 #include "handway/device/export.h"
 #include "handway/device/tracker/tracker.h"
+#include "handway/geometric/io/parameter.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 
 #include <Eigen/Geometry>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace handway::device {
 
@@ -45,6 +47,10 @@ struct ToolFollowerSettings {
   double largest_branch_step = 0.8;
   double longest_gap = 0.5;  ///< Between two samples, s; after a longer one the clutch opens.
 };
+
+/// Describes the settings of the motion, but the orientation of the source.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<geometric::BoundParameter> parameters_of(
+    ToolFollowerSettings& settings);
 
 /// State of a ToolFollower after a sample.
 enum class FollowState {

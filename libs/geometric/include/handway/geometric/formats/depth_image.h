@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/export.h"
+#include "handway/geometric/mesh/depth_camera.h"
 #include "handway/geometric/mesh/point_cloud.h"
 
 #include <Eigen/Core>
@@ -8,14 +9,6 @@
 #include <filesystem>
 
 namespace handway::geometric {
-
-/// A pinhole camera without distortion, as ROS's CameraInfo (K) describes it.
-struct DepthCamera {
-  Eigen::Vector2d focal{0.0, 0.0};   ///< fx and fy, pixels.
-  Eigen::Vector2d centre{0.0, 0.0};  ///< cx and cy, pixels.
-  double unit = 0.001;               ///< m for 1 in the image.
-  double farthest = 10.0;            ///< m; what is farther away counts as not measured.
-};
 
 /// Reads a depth image, a grey PNG of 8 or 16 bits or a NumPy array of shape h×w: its points in the
 /// camera's optical frame, x to the right, y down, z forwards (REP 103). Pixels of 0 and those that

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -26,15 +25,11 @@ struct FiledJointLimits {
 /// `has_acceleration_limits`, `max_acceleration`, `has_deceleration_limits`, `max_deceleration`,
 /// `has_jerk_limits`, `max_jerk`, `has_soft_limits`, `soft_lower_limit`, `soft_upper_limit` (all
 /// optional). Limits whose flag is false don't count.
-/// @param joints names of the robot's joints. The file may have others, too.
+/// @param robot the robot. The file may have joints that it lacks, too.
 /// @throws InputError naming line and key, also for a name that is almost that of a joint missing
 /// in the file: limits that a user relies on must not be ignored.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<FiledJointLimits> read_joint_limits(
-    const std::filesystem::path& file, std::span<const std::string> joints);
-
-/// Names of the independent joints.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> independent_joints(
-    const RobotDescription& robot);
+    const std::filesystem::path& file, const RobotDescription& robot);
 
 /// Returns the file joint_limits.yaml beside the robot's file; empty if it does not exist.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::filesystem::path joint_limits_beside(

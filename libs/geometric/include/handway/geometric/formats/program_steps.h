@@ -18,6 +18,9 @@ inline constexpr double kLongestStraightMotion = 10.0;
 ///     - pick: {object: can, approach: 0.1, lift: 0.1}
 ///     - place: {on: shelf, lower: 0.1, retreat: 0.1}    # or {pose: {xyz: …, rpy_deg: …}}
 ///     - move: start                                     # or a posture of the scene
+///     - move: {link: palm, in: shelf, xyz: [0, 0, 0.2]} # or as in `goal_pose`
+///     - line: {xyz: [0, 0, 0.1], in: palm}              # along the axes of the palm
+///     - first_of: [[place: shelf], [place: table]]      # the first list that is possible
 ///
 /// `pick: can` and `place: shelf` are short for maps with default lengths.
 /// @param scene whose objects the steps name.

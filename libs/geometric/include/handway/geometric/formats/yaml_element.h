@@ -64,7 +64,8 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   [[nodiscard]] std::vector<YamlElement> items() const;
 
   [[nodiscard]] std::string text() const;
-  /// Reads the words `true` and `false`.
+  /// Reads the words `true` and `false`, and those that YAML 1.1 and Python have for them (`True`,
+  /// `yes`, `off`).
   [[nodiscard]] bool flag() const;
   /// Finite and within ±10⁶ (metres, radians: larger numbers are in wrong units).
   [[nodiscard]] double number() const;

@@ -26,4 +26,8 @@ namespace handway::geometric {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string_view> cells(std::string_view line,
                                                                            char separator);
 
+/// The texts of cells() as names, which may have quotes: two in a row within a quoted cell are one.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> cell_names(std::string_view line,
+                                                                           char separator);
+
 }  // namespace handway::geometric

@@ -50,10 +50,20 @@ using BoundParameter = BasicParameter<std::variant<bool*, int*, double*, BoundCh
     const std::vector<BoundParameter>& parameters);
 /// The number in thousandths of the member's unit: mm of m, ms of s.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT BoundParameter in_thousandths(BoundParameter parameter);
+/// Undoes in_thousandths(), for interfaces in SI units: "period_ms" in ms becomes "period" in s.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT BoundParameter in_si_units(BoundParameter parameter);
+/// The settings in SI units.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<BoundParameter> in_si_units(
+    std::vector<BoundParameter> parameters);
+
+/// Returns the name of a setting's option on the command line: "--period-ms" for "period_ms".
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string option_name(std::string_view key);
+
 /// Sets the member to the value of `parameter`, which is of the same kind.
 HANDWAY_GEOMETRIC_EXPORT void assign(const BoundParameter& member, const Parameter& parameter);
 
-/// Sets the value from text ("0.01", "true", "joint").
+/// Sets the value from text ("0.01", "true", "joint"). The present value of a number is accepted
+/// even out of its range: a time limit of "inf", which is none.
 /// @throws InputError naming the key, the text and the allowed values; the value is unchanged.
 HANDWAY_GEOMETRIC_EXPORT void set_from_text(Parameter& parameter, std::string_view text);
 
@@ -78,5 +88,8 @@ HANDWAY_GEOMETRIC_EXPORT void set_from_text(const BoundParameter& member, std::s
 /// Returns the parameter called `key`, to be changed. @throws InputError naming the valid keys.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Parameter& find_parameter(std::vector<Parameter>& parameters,
                                                                  std::string_view key);
+/// Returns the setting called `key`. @throws InputError naming the valid keys.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT BoundParameter
+find_parameter(const std::vector<BoundParameter>& parameters, std::string_view key);
 
 }  // namespace handway::geometric

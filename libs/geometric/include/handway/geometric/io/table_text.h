@@ -36,4 +36,18 @@ struct TextLine {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> words_of_column(
     std::string_view name);
 
+/// Returns the text in brackets at the end of a column's name, in small letters: "deg/s" of
+/// "pan [deg/s]". Empty without brackets.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string unit_in_brackets(std::string_view name);
+
+/// Returns a name as a cell of a table with commas, which cell_names() reads back: quoted if it has
+/// a separator, a quote or a line end, or begins as a formula does. Line ends become blanks.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string csv_cell(const std::string& name);
+
+/// Appends the units in a row below the names of columns to these names, as "pan [deg]".
+/// @returns whether the row has a unit, and nothing but units and empty cells, for each column;
+/// otherwise the names are unchanged.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool append_units(std::vector<std::string>& names,
+                                                         const std::vector<std::string_view>& row);
+
 }  // namespace handway::geometric

@@ -16,7 +16,10 @@ namespace handway::geometric {
 struct PoseGoal {
   std::string link;              ///< Link of robots[0].
   Pose X_WG = Pose::Identity();  ///< Target pose of T in the world.
+  /// The object or frame that the target moves with, see follow_objects(); empty: none.
+  std::string reference = {};
   Pose X_LT = Pose::Identity();  ///< T in the link's frame.
+  std::string tool = {};         ///< The frame of the scene that is T; empty: none.
   /// Allowed distance of T from G along each of G's axes, m; each ≥ 0.
   Eigen::Vector3d position_tolerance = Eigen::Vector3d::Constant(metres(0.1));
   /// Allowed rotation of T against G: each component of the rotation vector from G to T, in G's
@@ -24,8 +27,9 @@ struct PoseGoal {
   Eigen::Vector3d rotation_tolerance = Eigen::Vector3d::Constant(radians(0.1));
 
   friend bool operator==(const PoseGoal& a, const PoseGoal& b) {
-    return a.link == b.link && a.X_WG.matrix() == b.X_WG.matrix() &&
-           a.X_LT.matrix() == b.X_LT.matrix() && a.position_tolerance == b.position_tolerance &&
+    return a.link == b.link && a.reference == b.reference && a.tool == b.tool &&
+           a.X_WG.matrix() == b.X_WG.matrix() && a.X_LT.matrix() == b.X_LT.matrix() &&
+           a.position_tolerance == b.position_tolerance &&
            a.rotation_tolerance == b.rotation_tolerance;
   }
 };

@@ -2,7 +2,11 @@
 
 #include "handway/geometric/export.h"
 #include "handway/geometric/math/pose.h"
+#include "handway/geometric/scene/pose_goal.h"
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -22,9 +26,13 @@ struct PickStep {
 
 /// A step that puts down the carried object, opens the hand and takes it away.
 struct PlaceStep {
-  std::string support;  ///< The object on whose upward faces it is placed; empty: see `pose`.
-  /// Pose of the object in the world, without a support.
-  Pose pose = Pose::Identity();
+  /// The objects or frames on one of which it is placed, the first that is possible; none: `pose`
+  /// is in the world.
+  std::vector<std::string> supports = {};
+  /// Pose of the object in the frame or the support's frame. Nothing: anywhere on the upward faces
+  /// of the support, or with the middle of its underside at the origin of the frame, whose z axis
+  /// then points out of the board.
+  std::optional<Pose> pose = {};
   double lower = 0.1;    ///< m: height of the straight motion downwards; less where it is blocked.
   double retreat = 0.1;  ///< m: length of the straight motion that leaves the object.
 };
@@ -34,8 +42,30 @@ struct PostureStep {
   std::string posture;  ///< Its name, or "start".
 };
 
+/// A step that moves a link of the robot to a pose.
+struct PoseStep {
+  /// The pose. With a reference, it is relative to where that object or frame is when the step
+  /// begins.
+  PoseGoal goal;
+};
+
+/// A step that moves the palm along a straight line; its orientation and the fingers stay.
+struct LineStep {
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< m, along the axes of …
+  /// … "palm", or of an object or frame that stands in the world; empty: of the world.
+  std::string reference = {};
+};
+
+struct Program;
+
+/// A step that is one of several programs: the first that is possible, with all steps after it.
+struct AlternativesStep {
+  std::vector<Program> programs;  ///< In the order of preference; their names may be empty.
+};
+
 /// A step of a program.
-using ProgramStep = std::variant<PickStep, PlaceStep, PostureStep>;
+using ProgramStep =
+    std::variant<PickStep, PlaceStep, PostureStep, PoseStep, LineStep, AlternativesStep>;
 
 /// Steps in their order.
 struct Program {
@@ -43,7 +73,13 @@ struct Program {
   std::vector<ProgramStep> steps;
 };
 
-/// Replaces the name of an object in all steps.
+/// Returns the words for a step: "pick can", "place on table", "move to start".
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const ProgramStep& step);
+
+/// The word that stands for the palm in LineStep::reference.
+inline constexpr const char* kPalmAxes = "palm";
+
+/// Replaces the name of an object or frame in all steps.
 HANDWAY_GEOMETRIC_EXPORT void rename_object(std::vector<Program>& programs, const std::string& name,
                                             const std::string& new_name);
 

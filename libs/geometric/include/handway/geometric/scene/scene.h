@@ -5,6 +5,7 @@
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/scene/named_frame.h"
 #include "handway/geometric/scene/pose_goal.h"
 #include "handway/geometric/scene/program.h"
 #include "handway/geometric/scene/scene_display.h"
@@ -91,6 +92,8 @@ struct SceneObject {
   std::optional<Attachment> attachment;
   /// True if a closed shape is filled. False: its surface alone counts, as of a room or a cell.
   bool solid = true;
+  /// File of grasps of the object, in its frame; empty: none. Read by planning alone.
+  std::filesystem::path grasps = {};
 };
 
 /// One problem: robots, objects, a query for the first robot.
@@ -100,6 +103,7 @@ struct Scene {
   std::filesystem::path file;  ///< Empty for a scene not saved yet.
   std::vector<RobotInstance> robots;
   std::vector<SceneObject> objects;
+  std::vector<NamedFrame> frames;
   /// Moving joints of robots[0], by names of groups, parts and joints (named_variables()); its
   /// other joints stay at the start's values. Empty: all move.
   std::vector<std::string> group;
@@ -127,6 +131,18 @@ struct Scene {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const SceneObject* find_object(const Scene& scene,
                                                                       std::string_view name);
 
+/// First frame of that name; nullptr if it does not exist.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const NamedFrame* find_frame(const Scene& scene,
+                                                                    std::string_view name);
+
+/// Returns the pose in the world of an object that stands there, or of a frame of the world or of
+/// such an object; nothing for anything else.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<Pose> standing_pose(const Scene& scene,
+                                                                         std::string_view name);
+
+/// Returns the names for which standing_pose() gives a pose: objects, then frames.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> standing_names(const Scene& scene);
+
 /// The robot of that name, or with a part of that name; nullptr if it does not exist.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const RobotInstance* find_robot_with_part(
     const Scene& scene, std::string_view name);
@@ -135,9 +151,14 @@ struct Scene {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_carried_by(const SceneObject& object,
                                                           const RobotInstance& robot);
 
-/// Removes the objects of these names and the settings about them: display, allowed collisions, and
-/// constraints, unless these are about a link of the same name.
+/// Removes the objects of these names and the settings about them: display, frames, allowed
+/// collisions, and constraints, unless these are about a link of the same name.
 HANDWAY_GEOMETRIC_EXPORT void remove_objects(Scene& scene, const std::vector<std::string>& names);
+
+/// Moves the goal poses of `after` with their objects and frames, as these were moved since
+/// `before`. A goal whose object or frame is gone, or attached to a link, stays where it is and
+/// follows none any more. Tool frames of goals become those of the frames that they name.
+HANDWAY_GEOMETRIC_EXPORT void follow_objects(const Scene& before, Scene& after);
 
 /// Names of bodies that a constraint may refer to: the objects that the first robot carries, then
 /// its links.

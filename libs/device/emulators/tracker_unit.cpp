@@ -1,68 +1,15 @@
-#include "handway/device/emulators/tracker_units.h"
-
-#include "core/random_moves.h"
 #include "emulators/tracker_unit.h"
-#include "handway/device/tracker/udp_tracker.h"
+
 #include "handway/geometric/math/units.h"
 
 #include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <map>
-#include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace handway::device {
-namespace {
-
-const Eigen::Vector3d kCentre(0.45, 0.0, 0.1);
-const Eigen::Vector3d kHalfBox(0.25, 0.25, 0.2);
-constexpr double kLargestTurn = 40.0 * geometric::kDegree;
-constexpr MovePace kPace{.reaction = 0.5, .per_unit = 0.6, .longest_rest = 0.4};
-// Position and rotation vector.
-constexpr Eigen::Index kCoordinates = 6;
-
-class WristMotion {
- public:
-  WristMotion(std::uint64_t seed, const TrackerNoise& noise)
-      : moves_(kCoordinates, kPace, seed), random_(seed + 1), noise_(noise) {}
-
-  geometric::Pose at(double time) {
-    const Eigen::VectorXd x = moves_.at(time);
-    geometric::Pose X_ST = geometric::Pose::Identity();
-    X_ST.translation() = kCentre + kHalfBox.cwiseProduct(x.head<3>()) + normal(noise_.position);
-    const Eigen::Vector3d turn = kLargestTurn * x.tail<3>();
-    X_ST.linear() = (geometric::turn_from_rotation_vector(turn) *
-                     geometric::turn_from_rotation_vector(normal(noise_.angle)))
-                        .toRotationMatrix();
-    return X_ST;
-  }
-
- private:
-  Eigen::Vector3d normal(double deviation) {
-    Eigen::Vector3d v;
-    for (double& x : v) {
-      x = deviation * random_.normal();
-    }
-    return v;
-  }
-
-  MinimumJerkMoves moves_;
-  SeededRandom random_;
-  TrackerNoise noise_;
-};
-
-}  // namespace
-
-TrackerSignal wrist_motion_signal(std::uint64_t seed, const TrackerNoise& noise) {
-  auto motions = std::make_shared<std::map<int, WristMotion>>();
-  return [motions, seed, noise](double time, int sensor) {
-    const auto own = seed + 1000003 * static_cast<std::uint64_t>(sensor);
-    return motions->try_emplace(sensor, own, noise).first->second.at(time);
-  };
-}
-
 namespace {
 
 // Longest delay that a unit catches up with, s.
@@ -181,39 +128,6 @@ std::vector<int> comma_list(std::string_view text) {
     at = stop + 1;
   }
   return numbers;
-}
-
-namespace {
-
-constexpr int kMostSensors = 256;
-
-class DatagramUnit final : public TrackerUnit {
- public:
-  DatagramUnit(const TrackerUnitSettings& settings, TrackerSignal signal)
-      : TrackerUnit(settings, std::move(signal), kMostSensors) {
-    begin_stream(0.0, settings.rate);
-  }
-
- private:
-  [[nodiscard]] bool is_whole(const std::string& /*command*/) const override { return true; }
-  Bytes obey(const std::string& /*command*/, double /*now*/) override { return {}; }
-
-  Bytes record(double time, int sensor) override {
-    TrackerSample sample{time, sensor - 1, pose(time, sensor), {}};
-    if (settings().button && sensor == 1) {
-      sample.button = pressed(time, sensor);
-    }
-    Bytes bytes;
-    append_text(bytes, write_pose_datagram(sample));
-    return bytes;
-  }
-};
-
-}  // namespace
-
-std::unique_ptr<DeviceUnit> make_datagram_unit(const TrackerUnitSettings& settings,
-                                               TrackerSignal signal) {
-  return std::make_unique<DatagramUnit>(settings, std::move(signal));
 }
 
 }  // namespace handway::device
