@@ -2,6 +2,8 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/plural.h"
+#include "handway/geometric/io/table_text.h"
 #include "handway/geometric/io/text_file.h"
 
 #include <fmt/format.h>
@@ -29,13 +31,13 @@ MotionLog::MotionLog(const std::filesystem::path& file, const std::vector<Motion
   for (const char* suffix : {"", ".measured"}) {
     for (const MotionTarget& target : targets) {
       for (const std::string& joint : target.link->joints().names) {
-        header += "," + joint + suffix;
+        header.append(",").append(geometric::csv_cell(joint + suffix));
       }
     }
   }
   out_ << header << '\n' << std::flush;
   if (!out_) {
-    throw geometric::InputError(
+    throw geometric::OutputError(
         {file.string(), "", std::strerror(errno), "a file to write to", ""});
   }
 }
@@ -106,9 +108,7 @@ class Reader {
   }
 
   void read_header(const std::string& line) {
-    for (const std::string_view cell : geometric::cells(line, ',')) {
-      header_.emplace_back(cell);
-    }
+    header_ = geometric::cell_names(line, ',');
     joints_ = (header_.size() - std::min(header_.size(), kFirstJoint)) / 2;
     bool good = joints_ > 0 && header_.size() == kFirstJoint + 2 * joints_ &&
                 header_[0] == "time" && header_[1] == "device";
@@ -154,7 +154,7 @@ class Reader {
   void read_row(const std::string& line) {
     const std::vector<std::string_view> cells = geometric::cells(line, ',');
     if (cells.size() != header_.size()) {
-      refuse(fmt::format("{} values", cells.size()), fmt::format("{}", header_.size()));
+      refuse(geometric::plural(cells.size(), "value"), fmt::format("{}", header_.size()));
     }
     Rows& rows = rows_of(cells);
     rows.device.times.push_back(number(cells[0]));

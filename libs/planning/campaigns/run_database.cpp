@@ -182,12 +182,12 @@ std::uint64_t seed_in(const Statement& row, int at) {
 /// program.
 class FolderLock {
  public:
-  /// @throws InputError if another program holds it, or the folder can't be opened.
+  /// @throws InputError if another program holds it, OutputError if the folder can't be opened.
   explicit FolderLock(const fs::path& folder)
       : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ < 0) {
-      throw InputError({folder.string(), "", std::strerror(errno), "a folder for runs",
-                        "Choose another folder"});
+      throw geometric::OutputError({folder.string(), "", std::strerror(errno), "a folder for runs",
+                                    "Choose another folder"});
     }
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       close(descriptor_);
@@ -204,17 +204,18 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-/// Does `work` on the database in `file`. @throws InputError for exceptions of SQLite.
+/// Does `work` on the database in `file`. @throws InputError for a file that is no database,
+/// OutputError for other exceptions of SQLite.
 template <typename Work>
 auto on_database(const fs::path& file, const Work& work) {
   try {
     return work();
   } catch (const SQLite::Exception& error) {
-    if (error.getErrorCode() == SQLITE_NOTADB) {
+    if (error.getErrorCode() == SQLITE_NOTADB || error.getErrorCode() == SQLITE_CORRUPT) {
       throw InputError({file.string(), "", "a file of another format", "a run database",
                         "Choose another folder"});
     }
-    throw InputError(
+    throw geometric::OutputError(
         {file.string(), "", error.what(), "a run database that can be written", kResumeAdvice});
   }
 }

@@ -1,5 +1,6 @@
 #include "handway/planning/core/carried_objects.h"
 
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 
 #include <fmt/format.h>
@@ -146,8 +147,7 @@ std::vector<std::string> holding_warnings(const geometric::Scene& scene,
     warnings.push_back(fmt::format(
         "{}{} move{} while the hand holds {}, whose pose in the hand is assumed to be fixed. Give "
         "start and goal the same values of these joints, or detach the object.",
-        fmt::join(moved, ", "),
-        more == 0 ? "" : fmt::format(" and {} more joint{}", more, more == 1 ? "" : "s"),
+        fmt::join(moved, ", "), more == 0 ? "" : " and " + geometric::plural(more, "more joint"),
         moved.size() + more == 1 ? "s" : "", object.name));
   }
   return warnings;

@@ -1,5 +1,7 @@
 #include "handway/planning/core/plan_result.h"
 
+#include "handway/geometric/io/plural.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -103,9 +105,7 @@ std::string rejection_sentence(const std::vector<Rejected>& pairs, const Stretch
 
 }  // namespace
 
-std::string PlanStatistics::samples_text() const {
-  return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s");
-}
+std::string PlanStatistics::samples_text() const { return geometric::plural(samples, "sample"); }
 
 PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
   samples += other.samples;

@@ -187,9 +187,10 @@ class GoalPoseSearch {
           is_moved(goal)
               ? kinematics(goal, kInside).find(robot_.X_WB.inverse() * goal.X_WG, reference_).q
               : start_;
-      if (const double by = excess(goal, miss_at(scene_, goal, q)); by < least) {
+      if (const double by = excess(goal, miss_at(scene_, goal, q));
+          by < least || found_.nearest.size() == 0) {
         least = by;
-        found_.nearest = q;
+        found_.nearest = q.allFinite() ? q : start_;
       }
     }
     found_.fault = fmt::format(
@@ -235,7 +236,8 @@ std::string pose_goal_miss(const Scene& scene, const Configuration& q) {
     if (is_within_tolerance(goal, miss, kRounding)) {
       return "";
     }
-    if (const double by = excess(goal, miss); by < least) {
+    // The excess of a pose beyond all numbers is infinite.
+    if (const double by = excess(goal, miss); by < least || text.empty()) {
       least = by;
       text =
           fmt::format("misses {} by {}", name_of_pose_goal(scene, pose), describe_miss(goal, miss));

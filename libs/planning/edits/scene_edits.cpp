@@ -21,7 +21,8 @@ using geometric::SceneObject;
 
 namespace {
 
-// A constraint goes with the object that it is about, also where that is only detached.
+// A constraint goes with the object that it is about, also where that is only detached; goal poses
+// move with theirs.
 SceneState with_scene(const SceneState& state, Scene scene) {
   if (!scene.constraints.empty()) {
     const std::vector<std::string> bodies = constrainable_bodies(scene);
@@ -29,6 +30,7 @@ SceneState with_scene(const SceneState& state, Scene scene) {
       return std::ranges::count(bodies, constraint.body) == 0;
     });
   }
+  follow_objects(*state.scene, scene);
   SceneState next = state;
   next.scene = std::make_shared<const Scene>(std::move(scene));
   return next;
@@ -39,7 +41,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 bool is_name_used(const Scene& scene, const std::string& name) {
-  return geometric::find_object(scene, name) || !owner_of_name(scene, name).empty();
+  return geometric::find_object(scene, name) || geometric::find_frame(scene, name) ||
+         !owner_of_name(scene, name).empty();
 }
 
 // `name`, or its stem with the first number from 2 on that is not used.
@@ -187,6 +190,12 @@ SceneState with_renamed_object(const SceneState& state, const std::string& name,
     scene.display.set(new_name, state.display_of(name));
     scene.allowed_collisions = pairs_with_name(scene.allowed_collisions, name, new_name);
     geometric::rename_object(scene.programs, name, new_name);
+    for (geometric::PoseGoal& goal : scene.goal_poses) {
+      goal.reference = goal.reference == name ? new_name : goal.reference;
+    }
+    for (geometric::NamedFrame& frame : scene.frames) {
+      frame.parent = frame.parent == name ? new_name : frame.parent;
+    }
     if (is_carried_by(object, scene.robots.front())) {  // if not, they are about a link
       for (geometric::PathConstraint& constraint : scene.constraints) {
         constraint.body = constraint.body == name ? new_name : constraint.body;
@@ -263,6 +272,64 @@ SceneState without_goal_pose(const SceneState& state, std::size_t index) {
   Scene scene = *state.scene;
   scene.goal_poses.erase(scene.goal_poses.begin() + static_cast<std::ptrdiff_t>(index));
   return with_scene(state, std::move(scene));
+}
+
+void check_frame(const Scene& scene, const geometric::NamedFrame& frame) {
+  const bool is_known = geometric::find_frame(scene, frame.name) != nullptr;
+  if (frame.name.empty() || (!is_known && is_name_used(scene, frame.name))) {
+    throw geometric::InputError(
+        {source_of(scene), "frame",
+         frame.name.empty() ? "an empty name" : "the name \"" + frame.name + "\", which is used",
+         "a name that no robot, link, object or other frame has", ""});
+  }
+  if (frame.parent.empty() || geometric::find_object(scene, frame.parent)) {
+    return;
+  }
+  if (scene.robots.empty() || !scene.robots.front().model->find_link(frame.parent)) {
+    throw geometric::InputError({source_of(scene), "frame " + frame.name,
+                                 "the parent \"" + frame.parent + "\"",
+                                 "an object, or a link of the first robot", ""});
+  }
+}
+
+SceneState with_frame(const SceneState& state, const geometric::NamedFrame& frame) {
+  check_frame(*state.scene, frame);
+  Scene scene = *state.scene;
+  put(scene.frames, frame);
+  return with_scene(state, std::move(scene));
+}
+
+SceneState without_frame(const SceneState& state, std::string_view name) {
+  Scene scene = *state.scene;
+  std::erase_if(scene.frames,
+                [&](const geometric::NamedFrame& frame) { return frame.name == name; });
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_renamed_frame(const SceneState& state, const std::string& name,
+                              const std::string& new_name) {
+  Scene scene = *state.scene;
+  for (geometric::NamedFrame& frame : scene.frames) {
+    frame.name = frame.name == name ? new_name : frame.name;
+  }
+  for (geometric::PoseGoal& goal : scene.goal_poses) {
+    goal.reference = goal.reference == name ? new_name : goal.reference;
+    goal.tool = goal.tool == name ? new_name : goal.tool;
+  }
+  geometric::rename_object(scene.programs, name, new_name);
+  return with_scene(state, std::move(scene));
+}
+
+std::optional<Pose> frame_pose(const Scene& scene, const Configuration& q,
+                               const geometric::NamedFrame& frame) {
+  if (frame.parent.empty()) {
+    return frame.X_PF;
+  }
+  if (const SceneObject* object = geometric::find_object(scene, frame.parent)) {
+    return object_pose(scene, q, *object) * frame.X_PF;
+  }
+  const auto X_WL = link_pose(scene, q, scene.robots.front().name, frame.parent);
+  return X_WL ? std::optional(*X_WL * frame.X_PF) : std::nullopt;
 }
 
 SceneState with_posture(const SceneState& state, const geometric::NamedPosture& posture) {

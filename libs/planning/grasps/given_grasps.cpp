@@ -2,11 +2,10 @@
 
 #include "grasps/grasping_hand.h"
 #include "grasps/sampler_pool.h"
+#include "handway/planning/edits/scene_edits.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -20,7 +19,7 @@ MeasuredGrasps measure_given_grasps(const PlanningProblem& problem, std::string_
   SamplerPool samplers(of_hand, needed, options, stop);
   std::vector<std::optional<SampleResult>> results(given.size());
   samplers.run(given.size(), [&](GraspSampler& sampler, std::size_t i) {
-    SampleResult result = sampler.given(given[i].X_OP, given[i].q);
+    SampleResult result = sampler.given(given[i]);
     if (!stop.stop_requested()) {
       results[i] = std::move(result);
     }
@@ -38,8 +37,33 @@ MeasuredGrasps measure_given_grasps(const PlanningProblem& problem, std::string_
           fmt::format("{}: {}.", given[i].source, samplers.front().why_not(*results[i])));
     }
   }
-  std::ranges::stable_sort(measured.grasps.found, std::greater(), &Pregrasp::score);
   return measured;
+}
+
+MeasuredGrasps measure_grasps_of_file(const std::filesystem::path& file,
+                                      const PlanningProblem& problem, std::string_view object,
+                                      const PregraspOptions& options, const std::stop_token& stop) {
+  return measure_given_grasps(problem, object, read_given_grasps(file, problem, object), options,
+                              stop);
+}
+
+GivenGrasp as_given(const PlanningProblem& problem, std::string_view object, const Pregrasp& grasp,
+                    int palm, const std::string& source) {
+  std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(problem.model().link_count()));
+  problem.model().forward_kinematics(grasp.closed, X_BL);
+  const geometric::Pose X_WP =
+      problem.scene->robots.front().X_WB * X_BL[static_cast<std::size_t>(palm)];
+  const geometric::Pose& X_WO = geometric::find_object(*problem.scene, object)->X_PO;
+  return {source, X_WO.inverse() * X_WP, grasp.closed, grasp.q};
+}
+
+SceneState with_grasps(const SceneState& state, std::string_view object,
+                       const std::filesystem::path& file) {
+  const PlanningProblem problem = make_problem(state.scene, state.basis, {}, GoalNeed::kOptional);
+  static_cast<void>(read_given_grasps(file, problem, object));
+  return with_changed_object(state, object, [&](geometric::SceneObject& changed) {
+    changed.grasps = std::filesystem::absolute(file).lexically_normal();
+  });
 }
 
 }  // namespace handway::planning

@@ -1,6 +1,7 @@
 #include "handway/planning/grasps/grasp_file.h"
 
 #include "handway/geometric/math/units.h"
+#include "handway/planning/grasps/given_grasps.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,7 +12,6 @@ namespace handway::planning {
 namespace {
 
 using Eigen::Vector3d;
-using geometric::Pose;
 
 // A name as YAML and JSON take it, in quotes.
 std::string yaml_name(std::string_view name) {
@@ -32,19 +32,10 @@ std::string joints_of(const geometric::RobotModel& model, const Configuration& q
   return fmt::format("{{{}}}", text);
 }
 
-Pose palm_in_object(const PlanningProblem& problem, const geometric::SceneObject& object,
-                    const Configuration& q, int palm) {
-  std::vector<Pose> X_BL(static_cast<std::size_t>(problem.model().link_count()));
-  problem.model().forward_kinematics(q, X_BL);
-  return object.X_PO.inverse() * problem.scene->robots.front().X_WB *
-         X_BL[static_cast<std::size_t>(palm)];
-}
-
 }  // namespace
 
 std::string grasp_file_text(const PlanningProblem& problem, std::string_view name,
                             const PregraspOptions& options, const Pregrasps& grasps) {
-  const geometric::SceneObject& object = *geometric::find_object(*problem.scene, name);
   const geometric::RobotModel& model = problem.model();
   std::string text = fmt::format(
       "handway_grasps: 1\n"
@@ -59,7 +50,7 @@ std::string grasp_file_text(const PlanningProblem& problem, std::string_view nam
       options.contact.friction, options.contact.patch_radius, options.payload, options.seed,
       grasps.found.empty() ? " []" : "");
   for (const Pregrasp& grasp : grasps.found) {
-    const Pose X_OP = palm_in_object(problem, object, grasp.closed, grasps.palm);
+    const geometric::Pose X_OP = as_given(problem, name, grasp, grasps.palm).X_OP;
     const Vector3d rpy = geometric::rpy_from_rotation(X_OP.linear());
     text += fmt::format(
         "  - score: {:.4f}\n"

@@ -202,16 +202,20 @@ SampleResult GraspSampler::neighbour(const Candidate& candidate, sampling::Rando
   return result;
 }
 
-SampleResult GraspSampler::given(const Pose& X_OP, const Configuration& q) {
+SampleResult GraspSampler::given(const GivenGrasp& grasp) {
   SampleResult result;
+  const Configuration open = grasp.open.value_or(grasp.q);
   HandClosing::Preshape shape;
-  shape.open = hand_.hand_of(q);
-  const GraspPlace place{std::move(shape), X_OP, held_core(X_OP, q)};
-  const std::vector<Configuration> reached = ik_.all(q, X_BO_ * X_OP);
+  shape.open = hand_.hand_of(open);
+  const GraspPlace place{std::move(shape), grasp.X_OP, held_core(grasp.X_OP, grasp.q)};
+  std::vector<Configuration> reached = ik_.all(grasp.q, X_BO_ * grasp.X_OP);
+  for (Configuration& posture : reached) {
+    posture = hand_in(std::move(posture), open);
+  }
   try_place(
       place, reached, [&] { return reached; }, true, result);
   if (result.candidate) {
-    const Configuration in_hand = hand_in(result.candidate->grasp.q, q);
+    const Configuration in_hand = hand_in(result.candidate->grasp.q, grasp.q);
     const Opening off{kFreeGap, kFineOpeningStep, kFineOpeningSteps};
     measurement_->measure_held(result.candidate->grasp, opened(in_hand, place.core, off),
                                place.core);

@@ -6,6 +6,7 @@
 #include "grasps/hand_closing.h"
 #include "grasps/object_chords.h"
 #include "grasps/pregrasp_candidates.h"
+#include "handway/planning/grasps/given_grasps.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
@@ -44,8 +45,7 @@ class GraspSampler {
   [[nodiscard]] SampleResult neighbour(const Candidate& candidate, sampling::RandomStream random);
 
   /// Tries the place of a given grasp: the fingers open off the object, and close onto it.
-  /// @param X_OP pose of the palm in the object's frame. @param q has the hand's joints.
-  [[nodiscard]] SampleResult given(const geometric::Pose& X_OP, const Configuration& q);
+  [[nodiscard]] SampleResult given(const GivenGrasp& grasp);
 
   /// Closes the hand of a candidate up to contact, measures how the object is held, and sets its
   /// score.

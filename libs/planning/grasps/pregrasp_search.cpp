@@ -7,6 +7,7 @@
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -29,7 +30,8 @@ constexpr int kNeighbours = 96;           // … and that for each grasp
 /// When a search has found enough: as many as are wanted, and none better for a while.
 class Patience {
  public:
-  explicit Patience(const PregraspOptions& options) : most_(options.most) {}
+  explicit Patience(const PregraspOptions& options)
+      : most_(options.most), enough_(options.enough_epsilon) {}
 
   void note(const std::vector<Pregrasp>& found, int samples) {
     double sum = 0.0;
@@ -42,11 +44,18 @@ class Patience {
       best_ = found.front().score;
       since_ = samples;
     }
-    ended_ = !found.empty() && samples >= kLeastSamples && samples - since_ >= patience(found, sum);
+    const bool is_long =
+        !found.empty() && samples >= kLeastSamples && samples - since_ >= patience(found, sum);
+    ended_ = is_long || is_enough(found);
   }
   [[nodiscard]] bool ended() const { return ended_; }
 
  private:
+  [[nodiscard]] bool is_enough(const std::vector<Pregrasp>& found) const {
+    return std::ssize(found) >= most_ && std::ranges::all_of(found, [this](const Pregrasp& grasp) {
+             return grasp.quality.epsilon >= enough_;
+           });
+  }
   /// Samples without gain that end the search. @param sum of the scores.
   [[nodiscard]] int patience(const std::vector<Pregrasp>& found, double sum) const {
     if (static_cast<int>(found.size()) < most_) {
@@ -56,6 +65,7 @@ class Patience {
   }
 
   int most_;
+  double enough_;  ///< N
   double sum_ = 0.0;
   double best_ = 0.0;
   int since_ = 0;

@@ -2,6 +2,7 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/paths/path_file.h"
@@ -58,10 +59,15 @@ class JointColumns {
     links_.insert(links_.end(), static_cast<std::size_t>(times), link);
   }
 
-  /// Returns an independent joint with its number of columns if that isn't 1, nor 0 at rest.
+  /// Returns an independent joint with its number of columns if that isn't 1, nor 0 at rest or
+  /// where a coupled joint determines it.
   [[nodiscard]] std::optional<std::pair<std::string, std::ptrdiff_t>> miscounted() const {
     for (int v = 0; v < model_.variable_count(); ++v) {
       const auto count = std::ranges::count(links_, model_.variable_link(v));
+      if (count == 0 &&
+          std::ranges::any_of(links_, [&](int link) { return determines(link, v); })) {
+        continue;
+      }
       if (count == 0 && rest_) {
         rest_->names.push_back(model_.variable(v).name);
       } else if (count != 1) {
@@ -78,9 +84,12 @@ class JointColumns {
     Configuration q = rest_ ? rest_->q : model_.neutral();
     for (Eigen::Index c = 0; c < values.size(); ++c) {
       const int link = links_[static_cast<std::size_t>(c)];
-      const int variable = model_.mimic_mapping(link).variable;
-      if (link > 0 && model_.variable_link(variable) == link) {
-        q[variable] = values[c];
+      const RobotModel::MimicMapping& mapping = model_.mimic_mapping(link);
+      if (link > 0 && model_.variable_link(mapping.variable) == link) {
+        q[mapping.variable] = values[c];
+      } else if (link > 0 && determines(link, mapping.variable) &&
+                 std::ranges::count(links_, model_.variable_link(mapping.variable)) == 0) {
+        q[mapping.variable] = (values[c] - mapping.offset) / mapping.multiplier;
       }
     }
     for (Eigen::Index c = 0; c < values.size(); ++c) {
@@ -96,15 +105,43 @@ class JointColumns {
   }
 
  private:
+  // Returns whether the value of a link's joint gives that of a variable.
+  [[nodiscard]] bool determines(int link, int variable) const {
+    return link > 0 && model_.mimic_mapping(link).variable == variable &&
+           model_.mimic_mapping(link).multiplier != 0.0;
+  }
+
   const RobotModel& model_;
   JointsAtRest* rest_;
   std::vector<int> links_;  ///< 0: not a joint's.
 };
 
-/// Refuses angles that are far beyond limits in rad, but all within them in degrees.
-void refuse_degrees(const RobotModel& model, const Path& path, const std::filesystem::path& file) {
+// Returns whether a path begins at the start with an angle that is another one in degrees.
+bool begins_at_start(const RobotModel& model, const Configuration& first,
+                     const JointsAtRest& rest) {
+  constexpr double kTelling = 0.1;  // rad
+  bool is_telling = false;
+  for (int v = 0; v < model.variable_count() && rest.q.size() == first.size(); ++v) {
+    const geometric::Joint& joint = model.variable(v);
+    if (joint.type == geometric::JointType::kPrismatic ||
+        std::ranges::count(rest.names, joint.name) > 0) {
+      continue;
+    }
+    if (std::abs(first[v] - rest.q[v]) > kSlack) {
+      return false;
+    }
+    is_telling |= std::abs(first[v]) > kTelling;
+  }
+  return is_telling;
+}
+
+/// Refuses angles that are far beyond limits in rad, but all within them in degrees. Continuous
+/// joints may have turned several times in a path that begins at the start.
+void refuse_degrees(const RobotModel& model, const Path& path, const std::filesystem::path& file,
+                    const JointsAtRest* rest) {
   std::optional<std::pair<int, double>> farthest;  // a variable and its value
   bool fits_in_degrees = true;
+  const bool is_in_rad = rest && begins_at_start(model, path.waypoints.front(), *rest);
   for (const Configuration& q : path.waypoints) {
     for (int v = 0; v < model.variable_count(); ++v) {
       const geometric::Joint& joint = model.variable(v);
@@ -114,7 +151,8 @@ void refuse_degrees(const RobotModel& model, const Path& path, const std::filesy
       const double value = geometric::kDegree * q[v];
       fits_in_degrees &= value > model.lower()[v] - kSlack && value < model.upper()[v] + kSlack;
       const bool is_beyond = std::abs(q[v]) > 2.0 * std::numbers::pi &&
-                             (q[v] < model.lower()[v] || q[v] > model.upper()[v]);
+                             (q[v] < model.lower()[v] || q[v] > model.upper()[v]) &&
+                             !(is_in_rad && model.is_continuous(v));
       if (is_beyond && (!farthest || std::abs(q[v]) > std::abs(farthest->second))) {
         farthest = {v, q[v]};
       }
@@ -123,14 +161,17 @@ void refuse_degrees(const RobotModel& model, const Path& path, const std::filesy
   if (farthest && fits_in_degrees) {
     const auto& [v, value] = *farthest;
     const std::string& name = model.variable(v).name;
+    const bool is_endless = model.is_continuous(v);
     throw InputError(
         {file.string(), "joint " + name,
-         fmt::format("values up to {:.6g}, where the joint goes from {:.4g} to {:.4g} rad", value,
-                     model.lower()[v], model.upper()[v]),
+         is_endless
+             ? fmt::format("values up to {:.6g} of a joint that turns without end", value)
+             : fmt::format("values up to {:.6g}, where the joint goes from {:.4g} to {:.4g} rad",
+                           value, model.lower()[v], model.upper()[v]),
          "angles in rad",
          fmt::format("These look like degrees: convert them, or name the unit above the columns, "
-                     "as \"{} [deg]\"",
-                     name)});
+                     "as \"{0} [deg]\"{1}",
+                     name, is_endless ? fmt::format(" or \"{} [rad]\"", name) : "")});
   }
 }
 
@@ -157,8 +198,11 @@ class TableReader {
       }
     }
     if (path.waypoints.size() < 2) {
-      throw InputError({file_.string(), "", fmt::format("{} waypoints", path.waypoints.size()),
+      throw InputError({file_.string(), "", geometric::plural(path.waypoints.size(), "waypoint"),
                         "at least 2", ""});
+    }
+    if (!table_.units_are_named) {
+      refuse_degrees(model_, path, file_, rest_);
     }
     return path;
   }
@@ -180,9 +224,10 @@ class TableReader {
     }
     refuse_slips();
     if (const auto joint = columns_.miscounted()) {
-      throw InputError({top(), "",
-                        fmt::format("{} columns for joint {}", joint->second, joint->first), "one",
-                        ""});
+      throw InputError(
+          {top(), "",
+           fmt::format("{} for joint {}", geometric::plural(joint->second, "column"), joint->first),
+           "one", ""});
     }
     if (table_.bad_cell) {
       throw InputError({fmt::format("{}:{}", file_.string(), table_.bad_cell->line),
@@ -246,7 +291,12 @@ using geometric::YamlElement;
 // A JointTrajectory in a file of messages: the top, or the field of that name in an outer message.
 YamlElement trajectory_in(const YamlElement& top) {
   if (top.is_list() && !top.items().empty()) {
-    return trajectory_in(top.items().front());
+    const std::vector<YamlElement> all = top.items();
+    if (all.size() > 1) {
+      top.refuse(fmt::format("{} trajectories", all.size()), "one",
+                 "Write each to a file of its own.");
+    }
+    return trajectory_in(all.front());
   }
   for (const char* key : {"joint_trajectory", "trajectory", "goal"}) {
     if (const std::optional<YamlElement> inner = top.find(key)) {
@@ -254,6 +304,34 @@ YamlElement trajectory_in(const YamlElement& top) {
     }
   }
   return top;
+}
+
+// Lists names that no moving joint has as passed over, or refuses them: misspelt joints, and names
+// of which none is known.
+void take_unknown_names(const RobotModel& model, const std::vector<YamlElement>& names,
+                        const std::vector<YamlElement>& unknown, JointsAtRest* rest) {
+  std::vector<std::string> missing;
+  for (int v = 0; v < model.variable_count(); ++v) {
+    const std::string& joint = model.variable(v).name;
+    if (std::ranges::none_of(names,
+                             [&](const YamlElement& name) { return name.text() == joint; })) {
+      missing.push_back(joint);
+    }
+  }
+  if (rest) {
+    rest->passed_over.clear();
+  }
+  for (const YamlElement& name : unknown) {
+    const std::optional<std::string> meant = geometric::slip_of(name.text(), missing);
+    if (meant || unknown.size() == names.size()) {
+      name.refuse(fmt::format("\"{}\"", name.text()),
+                  "a joint of robot " + model.name() + " that moves",
+                  meant ? fmt::format("Did you mean \"{}\"?", *meant) : "");
+    }
+    if (rest) {
+      rest->passed_over.push_back(name.text());
+    }
+  }
 }
 
 bool is_joint_trajectory(std::string_view head) {
@@ -269,12 +347,13 @@ Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path&
   const YamlElement names = trajectory.need("joint_names");
   JointColumns columns(model, rest);
   const std::vector<YamlElement> joints = names.items();
+  std::vector<YamlElement> unknown;
   for (const YamlElement& name : joints) {
     if (!columns.append(name.text())) {
-      name.refuse(fmt::format("\"{}\"", name.text()),
-                  "a joint of robot " + model.name() + " that moves");
+      unknown.push_back(name);
     }
   }
+  take_unknown_names(model, joints, unknown, rest);
   if (const auto joint = columns.miscounted()) {
     names.refuse(fmt::format("joint {} {} times", joint->first, joint->second), "once");
   }
@@ -290,9 +369,10 @@ Path read_joint_trajectory(const RobotModel& model, const std::filesystem::path&
         }));
   }
   if (path.waypoints.size() < 2) {
-    trajectory.need("points").refuse(fmt::format("{} waypoints", path.waypoints.size()),
+    trajectory.need("points").refuse(geometric::plural(path.waypoints.size(), "waypoint"),
                                      "at least 2");
   }
+  refuse_degrees(model, path, file, rest);
   return path;
 }
 
@@ -335,7 +415,7 @@ std::string JointsAtRest::remark(const std::filesystem::path& file) const {
         fmt::format("{}; continuous joints take the shorter rotation", fmt::join(jumps, ", ")));
   }
   if (!passed_over.empty()) {
-    parts.push_back("ignored columns, which name no joint of the robot: " + some_of(passed_over));
+    parts.push_back("ignored names that no moving joint of the robot has: " + some_of(passed_over));
   }
   const std::string source = names.empty() && !parts.empty() ? file.string() + ": " : "";
   return fmt::format("{}{}", source, fmt::join(parts, "; "));
@@ -351,7 +431,6 @@ Path read_path(const RobotModel& model, const std::filesystem::path& file, Joint
   Path path = is_joint_trajectory(geometric::head_of(file))
                   ? read_joint_trajectory(model, file, rest)
                   : TableReader(model, file, rest).read();
-  refuse_degrees(model, path, file);
   std::vector<std::string> jumps = unwrap(model, path);
   if (rest) {
     rest->jumps = std::move(jumps);

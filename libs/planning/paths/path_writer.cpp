@@ -1,4 +1,5 @@
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/table_text.h"
 #include "handway/planning/core/objective.h"
 #include "handway/planning/paths/path_file.h"
 
@@ -22,7 +23,7 @@ std::string to_csv(const Path& path, const RobotModel& model) {
   std::string text = "time";
   for (int i = 1; i < model.link_count(); ++i) {
     if (model.mimic_mapping(i).variable >= 0) {
-      text += "," + model.joint(i).name;
+      text.append(",").append(geometric::csv_cell(model.joint(i).name));
     }
   }
   double time = 0.0;

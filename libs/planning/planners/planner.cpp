@@ -3,9 +3,9 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
-#include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/core/planning_context.h"
+#include "handway/planning/core/request_parameters.h"
 #include "handway/planning/paths/path_optimizer.h"
 #include "handway/planning/roadmap/roadmap_recorder.h"
 #include "handway/sampling/postures/pmd_basis.h"
@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <deque>
@@ -186,16 +185,14 @@ std::string reason_of(const PlanResult& result, PlanningContext& context) {
 namespace fs = std::filesystem;
 
 std::string command(Planner& planner, const PlanRequest& request) {
-  std::string text = fmt::format("handway plan scene.yaml --planner {} --seed {} --threads {}",
-                                 planner.name(), request.seed, request.threads);
-  if (std::isfinite(request.time_limit_s)) {
-    text += fmt::format(" --time-limit {}", request.time_limit_s);
-  }
-  if (request.margin > 0.0) {
-    text += fmt::format(" --margin {:.12g}", geometric::millimetres(request.margin));
-  }
-  if (request.optimize_s > 0.0) {
-    text += fmt::format(" --optimize {}", request.optimize_s);
+  std::string text =
+      fmt::format("handway plan scene.yaml --planner {} --seed {}", planner.name(), request.seed);
+  PlanRequest requested = request;
+  for (const geometric::Parameter& parameter : geometric::values_of(parameters_of(requested))) {
+    const std::string value = to_text(parameter);
+    if (value != to_text(find_parameter(request_parameters(), parameter.key))) {
+      text += fmt::format(" {} {}", geometric::option_name(parameter.key), value);
+    }
   }
   for (const geometric::Parameter& parameter : planner.parameters()) {
     text += fmt::format(" --set {}={}", parameter.key, to_text(parameter));

@@ -1,5 +1,6 @@
 #include "handway/planning/queries/nearest_free.h"
 
+#include "handway/geometric/io/plural.h"
 #include "handway/planning/core/motion_validator.h"
 #include "handway/sampling/sequences/random_stream.h"
 
@@ -211,7 +212,7 @@ std::string describe_change(const geometric::RobotModel& model, const Configurat
         turns ? "°" : " mm");
   }
   if (const std::size_t others = moved.size() - named; others > 0) {
-    text += fmt::format(", {} more joint{}", others, others == 1 ? "" : "s");
+    text += ", " + geometric::plural(others, "more joint");
   }
   return text.empty() ? "nothing" : text;
 }

@@ -1,6 +1,7 @@
 #include "handway/planning/spaces/state_space.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/robot/arm_inverse_kinematics.h"
 #include "handway/geometric/robot/normalised_joints.h"
@@ -102,7 +103,7 @@ class ToolSpace final : public CorridorSpace {
       refuse(problem, "an arm of other joints than those before its last link");
     }
     if (arm.size() < 6) {
-      refuse(problem, fmt::format("an arm of {} joint{}", arm.size(), arm.size() == 1 ? "" : "s"));
+      refuse(problem, "an arm of " + geometric::plural(arm.size(), "joint"));
     }
     set_arm_coordinates(std::vector<int>(corridor_dimension(), -1));
   }

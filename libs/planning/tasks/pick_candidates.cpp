@@ -1,10 +1,15 @@
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/planning/edits/arranging.h"
+#include "handway/planning/grasps/given_grasps.h"
 #include "step_candidates.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -16,7 +21,10 @@ class PickCandidates : public StepCandidates {
  public:
   PickCandidates(PickStep pick, std::size_t step, TaskState begin, const TaskContext& context)
       : pick_(std::move(pick)), step_(step), begin_(std::move(begin)), context_(context) {
-    search(std::min(kFirstGrasps, context.options.grasps.most));
+    take_known();
+    if (grasps_.found.empty()) {
+      search_on();
+    }
     if (grasps_.found.empty()) {
       context.log.fail(step, StageKind::kClose, "No grasp: " + grasps_.why_none, begin_.q);
       return;
@@ -36,7 +44,7 @@ class PickCandidates : public StepCandidates {
           return candidate;
         }
       }
-      if (grasps_.found.empty() || searched_ >= context_.options.grasps.most) {
+      if ((grasps_.found.empty() && searched_ > 0) || searched_ >= context_.options.grasps.most) {
         return std::nullopt;
       }
       search_on();
@@ -44,25 +52,56 @@ class PickCandidates : public StepCandidates {
   }
 
  private:
-  // The first search is short: in most scenes one of these grasps will do.
+  // The first search is short, and ends with grasps that hold: in most scenes one of them will do.
   static constexpr int kFirstGrasps = 4;
+  static constexpr double kEnoughEpsilon = 0.1;  // N
 
-  void search(int most) {
+  // Takes the grasps of the options, and then those that the scene keeps for the object, in the
+  // order of their file.
+  void take_known() {
+    std::vector<GivenGrasp> known;
+    const GraspsByObject& first = context_.options.first_grasps;
+    if (const auto found = first.find(pick_.object); found != first.end()) {
+      known = found->second;
+    }
+    const std::filesystem::path& file = begin_.world.state.find(pick_.object)->grasps;
+    if (!file.empty()) {
+      std::ranges::move(read_given_grasps(file, *begin_.world.problem, pick_.object),
+                        std::back_inserter(known));
+    }
+    if (known.empty()) {
+      return;
+    }
+    MeasuredGrasps measured = measure_given_grasps(*begin_.world.problem, pick_.object, known,
+                                                   search_options(), context_.stop);
+    geometric::end_if_stopped(context_.stop);
+    for (const std::string& reason : measured.left_out) {
+      context_.log.fail(step_, StageKind::kClose, reason, begin_.q);
+    }
+    grasps_ = std::move(measured.grasps);
+  }
+
+  [[nodiscard]] PregraspOptions search_options() const {
     PregraspOptions options = context_.options.grasps;
     options.seed = context_.options.seed;
     options.threads = context_.options.threads;
-    options.most = most;
-    grasps_ = find_pregrasps(*begin_.world.problem, pick_.object, options, context_.stop);
-    geometric::end_if_stopped(context_.stop);
-    searched_ = most;
+    return options;
   }
 
-  // Searches for all grasps that are wanted, and leaves out those that were tried.
+  // Searches for a few grasps at first, then for all that are wanted, and leaves out those that
+  // were tried.
   void search_on() {
-    const std::vector<Pregrasp> tried = std::move(grasps_.found);
-    search(context_.options.grasps.most);
+    std::ranges::transform(grasps_.found, std::back_inserter(tried_), &Pregrasp::closed);
+    PregraspOptions options = search_options();
+    if (searched_ == 0) {
+      options.most = std::min(kFirstGrasps, options.most);
+      options.enough_epsilon = kEnoughEpsilon;
+    }
+    grasps_ = find_pregrasps(*begin_.world.problem, pick_.object, options, context_.stop);
+    geometric::end_if_stopped(context_.stop);
+    searched_ = options.most;
     std::erase_if(grasps_.found, [&](const Pregrasp& grasp) {
-      return std::ranges::count(tried, grasp.closed, &Pregrasp::closed) > 0;
+      return std::ranges::count(tried_, grasp.closed) > 0;
     });
     index_ = 0;
   }
@@ -85,7 +124,10 @@ class PickCandidates : public StepCandidates {
     add_approach(grasp, candidate);
     candidate.stages.push_back(
         fixed_stage(StageKind::kClose, step_, contact_world_, std::move(close), ""));
-    candidate.stages.back()->stage.squeezed = grasp.squeezed;
+    TaskStage& closing = candidate.stages.back()->stage;
+    closing.squeezed = grasp.squeezed;
+    closing.grasp = as_given(*begin_.world.problem, pick_.object, grasp, grasps_.palm,
+                             "the grasp of the plan before");
     candidate.end = {carrying, lift.path.waypoints.back(), held(grasp, carrying)};
     candidate.stages.push_back(fixed_stage(StageKind::kLift, step_, carrying, std::move(lift.path),
                                            pick_.object, lift.deviation));
@@ -141,6 +183,8 @@ class PickCandidates : public StepCandidates {
   TaskWorld contact_world_;   ///< The hand may touch the object.
   std::size_t index_ = 0;
   int searched_ = 0;  ///< Number of grasps that the last search was for.
+  std::vector<Configuration>
+      tried_;  ///< The closed hand of grasps before those of the last search.
 };
 
 }  // namespace

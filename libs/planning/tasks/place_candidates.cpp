@@ -3,7 +3,9 @@
 #include "handway/planning/tasks/resting_places.h"
 #include "step_candidates.h"
 
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -18,18 +20,13 @@ class PlaceCandidates : public StepCandidates {
     const geometric::Scene& scene = *begin_.world.state.scene;
     geometric::SceneObject object = *geometric::find_object(scene, held().name);
     middle_ = geometric::bounding_box(*geometric::tessellate(object.shape)).centre();
-    if (place_.support.empty()) {
-      places_ = {place_.pose};
-      return;
-    }
     object.X_PO = geometric::object_pose(scene, begin_.q, object);
     object.attachment.reset();
-    places_ = resting_places(scene, object, place_.support, context.options.places,
-                             context.options.seed + step);
-    if (places_.empty()) {
-      context.log.fail(step, StageKind::kLower,
-                       "No face of " + place_.support + " is large enough for " + object.name,
-                       begin_.q);
+    if (place_.supports.empty()) {
+      places_ = {place_.pose.value_or(object.X_PO)};
+    }
+    for (const std::string& support : place_.supports) {
+      add_places(object, support);
     }
   }
 
@@ -43,6 +40,25 @@ class PlaceCandidates : public StepCandidates {
   }
 
  private:
+  void add_places(const geometric::SceneObject& object, const std::string& support) {
+    const geometric::Scene& scene = *begin_.world.state.scene;
+    const std::optional<Pose> X_WS = geometric::standing_pose(scene, support);
+    if (place_.pose && X_WS) {
+      places_.push_back(*X_WS * *place_.pose);
+      return;
+    }
+    const int count = context_.options.places;
+    const std::vector<Pose> found =
+        geometric::find_frame(scene, support) && X_WS
+            ? places_at(object, *X_WS, count)
+            : resting_places(scene, object, support, count, context_.options.seed + step_);
+    places_.insert(places_.end(), found.begin(), found.end());
+    if (found.empty()) {
+      context_.log.fail(step_, StageKind::kLower,
+                        "No face of " + support + " is large enough for " + object.name, begin_.q);
+    }
+  }
+
   [[nodiscard]] const HeldObject& held() const { return *begin_.held; }
   [[nodiscard]] const GraspingHand& hand() const { return *begin_.held->hand; }
 

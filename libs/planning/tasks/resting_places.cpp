@@ -153,6 +153,26 @@ std::vector<Pose> resting_places(const geometric::Scene& scene,
   return places;
 }
 
+std::vector<Pose> places_at(const geometric::SceneObject& object, const Pose& X_WF, int count) {
+  const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+  const auto mesh = geometric::tessellate(object.shape);
+  const Eigen::Matrix3d incline =
+      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), X_WF.linear().col(2))
+          .toRotationMatrix();
+  std::vector<Pose> places;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::AngleAxisd turn(i * golden_angle, Vector3d::UnitZ());
+    const Eigen::Matrix3d upright = turn.toRotationMatrix() * object.X_PO.linear();
+    const Underside side = underside(mesh->vertices, upright);
+    Pose X_WO = Pose::Identity();
+    X_WO.linear() = incline * upright;
+    X_WO.translation() =
+        X_WF.translation() + incline * (geometric::kRestingGap * Vector3d::UnitZ() - side.middle);
+    places.push_back(X_WO);
+  }
+  return places;
+}
+
 std::vector<std::string> supports_of(const geometric::Scene& scene,
                                      const geometric::SceneObject& object) {
   std::vector<std::pair<double, std::string>> found;

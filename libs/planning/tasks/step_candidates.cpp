@@ -1,21 +1,54 @@
 #include "step_candidates.h"
 
+#include "handway/planning/core/pose_goals.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace handway::planning {
 namespace {
 
-/// The only way to move to a posture.
-class MoveCandidates : public StepCandidates {
+/// Ways that are all known at first.
+class KnownCandidates : public StepCandidates {
  public:
-  explicit MoveCandidates(StepCandidate candidate) : candidate_(std::move(candidate)) {}
+  explicit KnownCandidates(std::vector<StepCandidate> candidates)
+      : candidates_(std::move(candidates)) {}
 
-  std::optional<StepCandidate> next() override { return std::exchange(candidate_, std::nullopt); }
+  std::optional<StepCandidate> next() override {
+    return next_ < candidates_.size() ? std::optional(std::move(candidates_[next_++]))
+                                      : std::nullopt;
+  }
 
  private:
-  std::optional<StepCandidate> candidate_;
+  std::vector<StepCandidate> candidates_;
+  std::size_t next_ = 0;
 };
+
+std::string carried_in(const TaskState& state) {
+  return state.held ? state.held->name : std::string();
+}
+
+// A motion of the planner to `q`; while the hand carries an object its joints stay.
+StepCandidate motion_to(const Configuration& q, std::size_t step, const TaskState& begin) {
+  TaskState end = begin;
+  end.q = begin.held ? begin.held->hand->with_hand(q, begin.q) : q;
+  const StageKind kind = begin.held ? StageKind::kCarry : StageKind::kMove;
+  return {{free_stage(kind, step, begin.world, begin.q, end.q, carried_in(begin))}, end};
+}
+
+// The scene in which a goal of a step is to be reached from the state.
+geometric::Scene scene_with_goal(const TaskState& begin, geometric::PoseGoal goal) {
+  geometric::Scene scene = *begin.world.state.scene;
+  goal.X_WG =
+      geometric::standing_pose(scene, goal.reference).value_or(geometric::Pose::Identity()) *
+      goal.X_WG;
+  if (const geometric::NamedFrame* tool = geometric::find_frame(scene, goal.tool)) {
+    goal.X_LT = tool->X_PF;
+  }
+  scene.goal.reset();
+  scene.goal_poses = {std::move(goal)};
+  return scene;
+}
 
 }  // namespace
 
@@ -65,13 +98,58 @@ PalmLine vertical_line(const GraspingHand& hand, const TaskWorld& world, const C
 std::unique_ptr<StepCandidates> move_candidates(const MoveStep& move, std::size_t step,
                                                 const TaskState& begin,
                                                 const TaskContext& /*context*/) {
+  return std::make_unique<KnownCandidates>(std::vector{motion_to(move.q, step, begin)});
+}
+
+std::unique_ptr<StepCandidates> pose_candidates(const PoseStep& move, std::size_t step,
+                                                const TaskState& begin,
+                                                const TaskContext& context) {
+  const StageKind kind = begin.held ? StageKind::kCarry : StageKind::kMove;
+  const geometric::Scene scene = scene_with_goal(begin, move.goal);
+  const PoseGoalSolutions found = solve_pose_goals(scene, *begin.world.problem->checker, begin.q);
+  std::vector<StepCandidate> candidates;
+  for (const GoalCandidate& one : found.candidates) {
+    StepCandidate candidate = motion_to(one.q, step, begin);
+    const std::string miss = pose_goal_miss(scene, candidate.end.q);
+    if (miss.empty()) {
+      candidates.push_back(std::move(candidate));
+    } else {
+      context.log.fail(step, kind, "With the fingers that hold the object, the robot " + miss,
+                       candidate.end.q);
+    }
+  }
+  if (found.candidates.empty()) {
+    context.log.fail(step, kind, found.fault, found.nearest);
+  }
+  return std::make_unique<KnownCandidates>(std::move(candidates));
+}
+
+std::unique_ptr<StepCandidates> line_candidates(const LineStep& line, std::size_t step,
+                                                const TaskState& begin,
+                                                const TaskContext& context) {
+  const PlanningProblem& problem = *begin.world.problem;
+  const std::shared_ptr<const GraspingHand> hand =
+      begin.held ? begin.held->hand
+                 : std::make_shared<const GraspingHand>(problem, problem.hand.palm);
+  const geometric::Pose axes = line.reference == geometric::kPalmAxes
+                                   ? hand->palm_pose(begin.q)
+                                   : geometric::standing_pose(*problem.scene, line.reference)
+                                         .value_or(geometric::Pose::Identity());
+  PalmLine way = hand->line(begin.q, axes.linear() * line.shift);
+  if (way.fault.empty()) {
+    way.fault = begin.world.conflict(way.path.waypoints, context.stop).value_or("");
+  }
+  if (!way.fault.empty()) {
+    context.log.fail(step, StageKind::kLine, way.fault, begin.q);
+    return std::make_unique<KnownCandidates>(std::vector<StepCandidate>());
+  }
+  context.log.succeed(step, StageKind::kLine);
   TaskState end = begin;
-  const std::string carried = begin.held ? begin.held->name : std::string();
-  end.q = begin.held ? begin.held->hand->with_hand(move.q, begin.q) : move.q;
-  StepCandidate only{{free_stage(carried.empty() ? StageKind::kMove : StageKind::kCarry, step,
-                                 begin.world, begin.q, end.q, carried)},
-                     end};
-  return std::make_unique<MoveCandidates>(std::move(only));
+  end.q = way.path.waypoints.back();
+  StepCandidate only{{fixed_stage(StageKind::kLine, step, begin.world, std::move(way.path),
+                                  carried_in(begin), way.deviation)},
+                     std::move(end)};
+  return std::make_unique<KnownCandidates>(std::vector{std::move(only)});
 }
 
 }  // namespace handway::planning

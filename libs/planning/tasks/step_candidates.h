@@ -76,6 +76,18 @@ class StepCandidates {
                                                               const TaskState& begin,
                                                               const TaskContext& context);
 
+/// The configurations in which a link is at the pose, the nearest first. While the hand carries an
+/// object its joints stay.
+[[nodiscard]] std::unique_ptr<StepCandidates> pose_candidates(const PoseStep& move,
+                                                              std::size_t step,
+                                                              const TaskState& begin,
+                                                              const TaskContext& context);
+/// The only way along a straight line; none if it is blocked.
+[[nodiscard]] std::unique_ptr<StepCandidates> line_candidates(const LineStep& line,
+                                                              std::size_t step,
+                                                              const TaskState& begin,
+                                                              const TaskContext& context);
+
 /// A stage that the planner has to plan.
 [[nodiscard]] std::shared_ptr<StageDraft> free_stage(StageKind kind, std::size_t step,
                                                      const TaskWorld& world,

@@ -8,7 +8,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,21 +19,62 @@ namespace {
 
 using geometric::YamlElement;
 
-/// @param source of the steps, for messages.
-Task task_of(const std::vector<geometric::ProgramStep>& steps, const geometric::Scene& scene,
-             const std::string& source) {
-  Task task;
-  for (const geometric::ProgramStep& step : steps) {
-    if (const auto* pick = std::get_if<PickStep>(&step)) {
-      task.emplace_back(*pick);
-    } else if (const auto* place = std::get_if<PlaceStep>(&step)) {
-      task.emplace_back(*place);
-    } else {
-      task.emplace_back(
-          move_to_posture(scene, std::get<geometric::PostureStep>(step).posture, source));
+constexpr const char* kStartPosture = "start";
+
+/// Makes a task of the steps of programs.
+class TaskMaker {
+ public:
+  /// @param source of the steps, for messages.
+  TaskMaker(const geometric::Scene& scene, std::string source)
+      : scene_(scene), source_(std::move(source)) {}
+
+  Task make(const std::vector<geometric::ProgramStep>& steps) {
+    append(steps);
+    return std::move(task_);
+  }
+
+  template <typename Step>
+  void operator()(const Step& step) {
+    task_.emplace_back(step);
+  }
+  void operator()(const geometric::PostureStep& step) {
+    task_.emplace_back(move_to_posture(scene_, step.posture, source_));
+  }
+  void operator()(const geometric::AlternativesStep& step) {
+    const std::size_t index = task_.size();
+    task_.emplace_back(FirstOfStep{{}, geometric::to_string(step)});
+    std::vector<std::size_t> lengths;
+    for (const geometric::Program& program : step.programs) {
+      const std::size_t before = task_.size();
+      append(program.steps);
+      lengths.push_back(task_.size() - before);
+    }
+    std::get<FirstOfStep>(task_[index]).lengths = std::move(lengths);
+  }
+
+ private:
+  void append(const std::vector<geometric::ProgramStep>& steps) {
+    for (const geometric::ProgramStep& step : steps) {
+      std::visit(*this, step);
     }
   }
-  return task;
+
+  const geometric::Scene& scene_;
+  std::string source_;
+  Task task_;
+};
+
+Task task_of(const std::vector<geometric::ProgramStep>& steps, const geometric::Scene& scene,
+             const std::string& source) {
+  return TaskMaker(scene, source).make(steps);
+}
+
+// The postures of the scene, and then those of its first robot.
+std::vector<geometric::NamedPosture> postures_of(const geometric::Scene& scene) {
+  std::vector<geometric::NamedPosture> postures = scene.postures;
+  std::ranges::copy(scene.robots.front().model->description().postures,
+                    std::back_inserter(postures));
+  return postures;
 }
 
 std::string program_names(const geometric::Scene& scene) {
@@ -76,22 +119,29 @@ Task program_task(const geometric::Scene& scene, const std::string& name) {
   return task_of(*found, scene);
 }
 
+std::vector<std::string> posture_names(const geometric::Scene& scene) {
+  std::vector<std::string> names{kStartPosture};
+  for (const geometric::NamedPosture& posture : postures_of(scene)) {
+    if (std::ranges::count(names, posture.name) == 0) {
+      names.push_back(posture.name);
+    }
+  }
+  return names;
+}
+
 MoveStep move_to_posture(const geometric::Scene& scene, const std::string& name,
                          const std::string& source) {
   const geometric::RobotInstance& robot = scene.robots.front();
   MoveStep move{scene.start.value_or(robot.configuration), name};
-  if (name == "start") {
+  if (name == kStartPosture) {
     return move;
   }
-  std::vector<geometric::NamedPosture> postures = scene.postures;
-  std::ranges::copy(robot.model->description().postures, std::back_inserter(postures));
+  const std::vector<geometric::NamedPosture> postures = postures_of(scene);
   const auto found = std::ranges::find(postures, name, &geometric::NamedPosture::name);
   if (found == postures.end()) {
-    std::vector<std::string> names{"start"};
-    std::ranges::transform(postures, std::back_inserter(names), &geometric::NamedPosture::name);
     throw geometric::InputError({source, "move", "\"" + name + "\"",
                                  "start, or a posture of the scene or its robot",
-                                 geometric::advise_name(name, names)});
+                                 geometric::advise_name(name, posture_names(scene))});
   }
   for (const auto& [joint, value] : found->values) {
     if (const auto v = robot.model->find_variable(joint)) {

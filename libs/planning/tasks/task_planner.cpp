@@ -1,8 +1,7 @@
 #include "handway/geometric/collision/volumes/preparation.h"
-#include "handway/geometric/io/input_error.h"
-#include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/tasks/task.h"
 #include "step_candidates.h"
+#include "task_steps.h"
 
 #include <fmt/format.h>
 
@@ -10,12 +9,38 @@
 #include <chrono>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace handway::planning {
 namespace {
+
+/// Makes the candidates of a step.
+struct MakeCandidates {
+  std::size_t step;
+  const TaskState& begin;
+  const TaskContext& context;
+
+  std::unique_ptr<StepCandidates> operator()(const PickStep& pick) const {
+    return pick_candidates(pick, step, begin, context);
+  }
+  std::unique_ptr<StepCandidates> operator()(const PlaceStep& place) const {
+    return place_candidates(place, step, begin, context);
+  }
+  std::unique_ptr<StepCandidates> operator()(const MoveStep& move) const {
+    return move_candidates(move, step, begin, context);
+  }
+  std::unique_ptr<StepCandidates> operator()(const PoseStep& move) const {
+    return pose_candidates(move, step, begin, context);
+  }
+  std::unique_ptr<StepCandidates> operator()(const LineStep& line) const {
+    return line_candidates(line, step, begin, context);
+  }
+  std::unique_ptr<StepCandidates> operator()(const FirstOfStep& /*step*/) const { return nullptr; }
+};
 
 /// Finds a candidate for each step, and the motions between them, depth first.
 class TaskSearch {
@@ -23,23 +48,26 @@ class TaskSearch {
   TaskSearch(const Task& task, Planner& planner, const TaskContext& context)
       : task_(task), planner_(planner), context_(context) {}
 
-  /// Returns whether the steps from `step` on are possible.
-  bool solve(std::size_t step, const TaskState& begin) {
-    if (step == task_.size()) {
+  /// Returns whether these steps are possible, one after another. @param begin before the first.
+  bool solve(std::span<const std::size_t> steps, const TaskState& begin) {
+    if (steps.empty()) {
       return plan_free_stages();
+    }
+    const std::size_t step = steps.front();
+    if (std::holds_alternative<FirstOfStep>(task_[step])) {
+      return solve_first_of(steps, begin);
     }
     const std::unique_ptr<StepCandidates> candidates = candidates_of(step, begin);
     while (std::optional<StepCandidate> candidate = candidates->next()) {
       const std::size_t before = stages_.size();
       stages_.insert(stages_.end(), candidate->stages.begin(), candidate->stages.end());
-      if (solve(step + 1, candidate->end)) {
+      if (solve(steps.subspan(1), candidate->end)) {
         return true;
       }
       stages_.resize(before);
-      if (failed_step_ < step) {
-        return false;  // another candidate of this step changes nothing
+      if (!goes_on_after(step)) {
+        return false;
       }
-      failed_step_ = task_.size();
     }
     return false;
   }
@@ -47,19 +75,32 @@ class TaskSearch {
   [[nodiscard]] const std::vector<std::shared_ptr<StageDraft>>& stages() const { return stages_; }
 
  private:
+  // Tries the alternatives of the first step, each with all steps after it.
+  bool solve_first_of(std::span<const std::size_t> steps, const TaskState& begin) {
+    for (Steps alternative : alternatives_of(task_, steps.front())) {
+      alternative.insert(alternative.end(), steps.begin() + 1, steps.end());
+      if (solve(alternative, begin)) {
+        return true;
+      }
+      if (!goes_on_after(steps.front())) {
+        return false;
+      }
+    }
+    return false;
+  }
+
+  // Returns whether another candidate of a step may help: not if a motion before it has failed.
+  bool goes_on_after(std::size_t step) {
+    if (failed_step_ < step) {
+      return false;
+    }
+    failed_step_ = task_.size();
+    return true;
+  }
+
   [[nodiscard]] std::unique_ptr<StepCandidates> candidates_of(std::size_t step,
                                                               const TaskState& begin) const {
-    const auto make = [&](const auto& one) -> std::unique_ptr<StepCandidates> {
-      using Step = std::decay_t<decltype(one)>;
-      if constexpr (std::is_same_v<Step, PickStep>) {
-        return pick_candidates(one, step, begin, context_);
-      } else if constexpr (std::is_same_v<Step, PlaceStep>) {
-        return place_candidates(one, step, begin, context_);
-      } else {
-        return move_candidates(one, step, begin, context_);
-      }
-    };
-    return std::visit(make, task_[step]);
+    return std::visit(MakeCandidates{step, begin, context_}, task_[step]);
   }
 
   // Plans those stages that are not planned yet, in their order. Sets the step of one that fails.
@@ -128,21 +169,6 @@ std::string failure(const Task& task, const std::vector<StageTrials>& trials) {
                      worst->reason.ends_with('.') ? "" : ".");
 }
 
-// Refuses supports that are not there, or move with a link or with the carried object.
-void need_support(const geometric::Scene& scene, const std::string& support,
-                  const std::string& carried) {
-  const geometric::SceneObject& object = need_object(scene, support);
-  if (support == carried) {
-    throw geometric::InputError(
-        {"task", "place", "the object itself, \"" + support + "\"", "another object", ""});
-  }
-  if (object.attachment) {
-    throw geometric::InputError({"task", "place",
-                                 "\"" + support + "\", which is attached to a link",
-                                 "an object that stands in the world", ""});
-  }
-}
-
 // The state for the scenes of stages: programs are about the scene as it was before.
 SceneState without_programs(const SceneState& state) {
   SceneState result = state;
@@ -150,37 +176,6 @@ SceneState without_programs(const SceneState& state) {
   scene->programs.clear();
   result.scene = std::move(scene);
   return result;
-}
-
-// Refuses steps that can not follow each other, and names that the scene lacks.
-void check_steps(const geometric::Scene& scene, const Task& task) {
-  if (scene.robots.empty()) {
-    throw geometric::InputError({source_of(scene), "robots", "none", "a robot", ""});
-  }
-  if (task.empty()) {
-    throw geometric::InputError({"task", "", "no steps", "at least one", ""});
-  }
-  std::string carried;
-  for (const TaskStep& step : task) {
-    if (const auto* pick = std::get_if<PickStep>(&step)) {
-      need_object(scene, pick->object);
-      if (!carried.empty()) {
-        throw geometric::InputError({"task", to_string(step), "a hand that carries " + carried,
-                                     "an empty hand", "Place what it carries first"});
-      }
-      carried = pick->object;
-    } else if (const auto* place = std::get_if<PlaceStep>(&step)) {
-      if (!place->support.empty()) {
-        need_support(scene, place->support, carried);
-      }
-      if (carried.empty()) {
-        throw geometric::InputError({"task", to_string(step), "an empty hand",
-                                     "an object that a step before has picked",
-                                     "Pick an object first"});
-      }
-      carried.clear();
-    }
-  }
 }
 
 }  // namespace
@@ -205,6 +200,8 @@ const char* to_string(StageKind kind) {
       return "open";
     case StageKind::kRetreat:
       return "retreat";
+    case StageKind::kLine:
+      return "line";
   }
   return "";
 }
@@ -220,14 +217,31 @@ std::vector<std::string> picked_objects(const Task& task) {
   return objects;
 }
 
+GraspsByObject grasps_of(const Task& task, const TaskPlan& plan) {
+  GraspsByObject grasps;
+  for (const TaskStage& stage : plan.stages) {
+    if (stage.grasp) {
+      grasps[std::get<PickStep>(task[stage.step]).object].push_back(*stage.grasp);
+    }
+  }
+  return grasps;
+}
+
 std::string to_string(const TaskStep& step) {
-  if (const auto* pick = std::get_if<PickStep>(&step)) {
-    return "pick " + pick->object;
+  if (const auto* move = std::get_if<MoveStep>(&step)) {
+    return "move to " + move->name;
   }
-  if (const auto* place = std::get_if<PlaceStep>(&step)) {
-    return place->support.empty() ? "place" : "place on " + place->support;
+  if (const auto* first_of = std::get_if<FirstOfStep>(&step)) {
+    return first_of->words;
   }
-  return "move to " + std::get<MoveStep>(step).name;
+  return std::visit(
+      [](const auto& one) -> std::string {
+        if constexpr (requires { geometric::ProgramStep(one); }) {
+          return geometric::to_string(one);
+        }
+        return "";
+      },
+      step);
 }
 
 TimedPath time_stage(const TaskStage& stage, const std::string& name,
@@ -263,7 +277,7 @@ TaskPlan plan_task(const SceneState& state, const Task& task, Planner& planner,
       plan.start_is_valid = false;
       plan.reason = fmt::format("The start is not valid: {}.", *fault);
     } else {
-      plan.solved = search.solve(0, {world, q});
+      plan.solved = search.solve(steps_of(task), {world, q});
       plan.reason = plan.solved ? "" : failure(task, log.trials());
     }
   } catch (const geometric::PreparationStopped&) {

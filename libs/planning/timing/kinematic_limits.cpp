@@ -82,13 +82,20 @@ void narrow_positions(const RobotModel& model,
                       JointKinematicLimits& limits) {
   Eigen::VectorXd lower = Eigen::VectorXd::Constant(model.variable_count(), -kEndless);
   Eigen::VectorXd upper = -lower;
-  for (const geometric::FiledJointLimits& joint : filed) {
-    for (int v = 0; v < model.variable_count(); ++v) {
-      if (model.variable(v).name == joint.joint) {
-        lower[v] = joint.lower.value_or(lower[v]);
-        upper[v] = joint.upper.value_or(upper[v]);
-      }
+  for (int link = 1; link < model.link_count(); ++link) {
+    const auto& [v, multiplier, offset] = model.mimic_mapping(link);
+    const auto joint =
+        std::ranges::find(filed, model.joint(link).name, &geometric::FiledJointLimits::joint);
+    if (v < 0 || multiplier == 0.0 || joint == filed.end()) {
+      continue;
     }
+    double least = (joint->lower.value_or(-kEndless) - offset) / multiplier;
+    double most = (joint->upper.value_or(kEndless) - offset) / multiplier;
+    if (multiplier < 0.0) {
+      std::swap(least, most);
+    }
+    lower[v] = std::max(lower[v], least);
+    upper[v] = std::min(upper[v], most);
   }
   if ((lower.array() > -kEndless).any() || (upper.array() < kEndless).any()) {
     limits.lower = std::move(lower);
@@ -150,7 +157,7 @@ JointKinematicLimits read_joint_kinematic_limits(const RobotModel& model,
                                                  const std::filesystem::path& file) {
   RatesByJoint rates = rates_of(model);
   const std::vector<geometric::FiledJointLimits> filed =
-      geometric::read_joint_limits(file, geometric::independent_joints(model.description()));
+      geometric::read_joint_limits(file, model.description());
   for (const geometric::FiledJointLimits& joint : filed) {
     if (const auto found = rates.find(joint.joint); found != rates.end()) {
       JointRates& known = found->second;

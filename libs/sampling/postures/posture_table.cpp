@@ -2,7 +2,9 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/table_text.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/sampling/postures/quantile.h"
 
@@ -65,6 +67,7 @@ class TableReader {
     for (std::string line; std::getline(text_, line);) {
       ++number_;
       line_ = geometric::trimmed(line);
+      whole_line_ = std::move(line);
       if (!line_.empty()) {
         return true;
       }
@@ -91,12 +94,12 @@ class TableReader {
   }
 
   void read_names() {
-    for (const std::string_view name : geometric::cells(line_, ',')) {
+    for (const std::string& name : geometric::cell_names(whole_line_, ',')) {
       if (name.empty() || std::ranges::count(table_.joints, name) > 0) {
         fail("", name.empty() ? "a column without a name" : fmt::format("\"{}\" twice", name),
              "every joint's name once");
       }
-      table_.joints.emplace_back(name);
+      table_.joints.push_back(name);
     }
     if (table_.joints.front() == kTimeColumn) {
       has_times_ = true;
@@ -111,7 +114,7 @@ class TableReader {
     const std::vector<std::string_view> cells = geometric::cells(line_, ',');
     const std::size_t first = has_times_ ? 1 : 0;
     if (cells.size() != first + table_.joints.size()) {
-      fail("", fmt::format("{} values", cells.size()),
+      fail("", geometric::plural(cells.size(), "value"),
            fmt::format("{} as in the header", first + table_.joints.size()));
     }
     if (has_times_) {
@@ -140,7 +143,8 @@ class TableReader {
 
   const std::filesystem::path& file_;
   std::istringstream text_;
-  std::string line_;
+  std::string line_;        ///< Without blanks and quotes around it.
+  std::string whole_line_;  ///< With them.
   int number_ = 0;
   bool has_times_ = false;
   PostureTable table_;
@@ -184,9 +188,11 @@ void write_postures(const PostureTable& table, const std::filesystem::path& file
   if (has_times && table.times.size() != table.postures.rows()) {
     throw std::invalid_argument("postures need a time for every row, or none");
   }
+  std::vector<std::string> names;
+  std::ranges::transform(table.joints, std::back_inserter(names), geometric::csv_cell);
   std::string text =
       fmt::format("{}\n# hand: {}\n# source: {}\n{}{}\n", kFirstLine, one_line(table.hand),
-                  one_line(table.source), has_times ? "time," : "", fmt::join(table.joints, ","));
+                  one_line(table.source), has_times ? "time," : "", fmt::join(names, ","));
   for (Eigen::Index number = 0; number < table.postures.rows(); ++number) {
     const auto row = table.postures.row(number);
     if (has_times) {

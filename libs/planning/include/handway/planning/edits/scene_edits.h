@@ -90,6 +90,26 @@ with_constraint(const SceneState& state, geometric::PathConstraint constraint);
 /// Removes the goal pose of that number.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_goal_pose(const SceneState& state,
                                                                    std::size_t index);
+/// Throws an InputError unless a frame can be added to the scene, or can replace the one of its
+/// name: its name is used for something else, or it has no such parent.
+HANDWAY_PLANNING_EXPORT void check_frame(const geometric::Scene& scene,
+                                         const geometric::NamedFrame& frame);
+/// Adds a frame, or replaces the one of that name.
+/// @throws as check_frame().
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_frame(const SceneState& state,
+                                                            const geometric::NamedFrame& frame);
+/// Removes the frame of that name. Goals that it led stay where they are.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState without_frame(const SceneState& state,
+                                                               std::string_view name);
+/// Renames a frame, also in the goals and programs that name it.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_renamed_frame(const SceneState& state,
+                                                                    const std::string& name,
+                                                                    const std::string& new_name);
+/// Returns the pose of a frame in the world, with the first robot at `q`; nothing if its parent is
+/// not there.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<geometric::Pose> frame_pose(
+    const geometric::Scene& scene, const geometric::Configuration& q,
+    const geometric::NamedFrame& frame);
 /// Adds a posture, or replaces the one of that name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState
 with_posture(const SceneState& state, const geometric::NamedPosture& posture);

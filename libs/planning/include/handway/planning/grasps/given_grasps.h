@@ -1,10 +1,12 @@
 #pragma once
 
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/edits/scene_state.h"
 #include "handway/planning/export.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -19,6 +21,8 @@ struct GivenGrasp {
   std::string source;                                  ///< For messages, as "grasps.json:12".
   geometric::Pose X_OP = geometric::Pose::Identity();  ///< Pose of the palm in the object's frame.
   Configuration q;  ///< Its joints of the hand are used alone: in contact or near it.
+  /// The hand before it closes, likewise; nothing: the fingers of `q` open as far as they must.
+  std::optional<Configuration> open = {};
 };
 
 /// Reads grasps of an object from a YAML or JSON file: a grasp file of Handway's
@@ -28,16 +32,19 @@ struct GivenGrasp {
 ///     grasps:
 ///       - pose: [x, y, z, qx, qy, qz, qw]   # m, in the object's frame; or rows of a 4×4 matrix
 ///         joints: {"joint_1": 0.31, …}      # rad or m
+///         pregrasp: {"joint_1": 0.2, …}     # of the open hand; may be absent
 ///
-/// Joints that are not given are those of the start; joints of the arm are not used.
-/// @throws InputError naming the line if the file can't be read, names unknown joints, or has no
-/// grasps; and as find_pregrasps() for the object.
+/// Joints that are not given are those of the start; joints of the arm are not used. A coupled
+/// joint gives the joint that it follows. Unknown names are those of another arm if all joints of
+/// the hand are given.
+/// @throws InputError naming the line if the file can't be read, has unknown joints instead of
+/// those of the hand, values in another unit, or no grasps; and as find_pregrasps() for the object.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<GivenGrasp> read_given_grasps(
     const std::filesystem::path& file, const PlanningProblem& problem, std::string_view object);
 
 /// Given grasps that are possible, and why the others are not.
 struct MeasuredGrasps {
-  Pregrasps grasps;                   ///< The best first, each with its source.
+  Pregrasps grasps;                   ///< In their order, each with its source.
   std::vector<std::string> left_out;  ///< A sentence for each that is not possible.
 };
 
@@ -51,5 +58,25 @@ struct MeasuredGrasps {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT MeasuredGrasps measure_given_grasps(
     const PlanningProblem& problem, std::string_view object, const std::vector<GivenGrasp>& given,
     const PregraspOptions& options = {}, const std::stop_token& stop = {});
+
+/// Measures the grasps of a file, as measure_given_grasps().
+/// @throws InputError as read_given_grasps().
+[[nodiscard]] HANDWAY_PLANNING_EXPORT MeasuredGrasps measure_grasps_of_file(
+    const std::filesystem::path& file, const PlanningProblem& problem, std::string_view object,
+    const PregraspOptions& options = {}, const std::stop_token& stop = {});
+
+/// Returns a found grasp as one that is given, to be measured again where its object has moved.
+/// @param palm link, from Pregrasps::palm. @param source for messages.
+/// @pre the scene has the object.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT GivenGrasp as_given(const PlanningProblem& problem,
+                                                          std::string_view object,
+                                                          const Pregrasp& grasp, int palm,
+                                                          const std::string& source = {});
+
+/// Makes a file of grasps that of an object: tasks pick the object with these first.
+/// @throws InputError as read_given_grasps() and make_problem().
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState with_grasps(const SceneState& state,
+                                                             std::string_view object,
+                                                             const std::filesystem::path& file);
 
 }  // namespace handway::planning

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -25,6 +26,8 @@ struct PregraspOptions {
   int most = 8;             ///< Pre-grasps to give.
   /// Further ones to give, if there are, for which the search makes no effort.
   int spares = 0;
+  /// The search ends as soon as `most` are found whose epsilon is at least this, N.
+  double enough_epsilon = std::numeric_limits<double>::infinity();
   std::uint64_t seed = 1;
   int threads = 2;            ///< That search; any number of them gives the same bits.
   ContactModel contact = {};  ///< Forces that links transmit to the object.

@@ -34,7 +34,7 @@ struct JointsAtRest {
   /// Jumps of continuous joints by about a whole turn, which were replaced by the short rotation:
   /// one for each joint, as "joint J jumps by -356° after waypoint 2".
   std::vector<std::string> jumps = {};
-  std::vector<std::string> passed_over = {};  ///< Columns that belong to no joint.
+  std::vector<std::string> passed_over = {};  ///< Columns and names of no moving joint.
 
   /// A sentence that names file, joints (of many the first), jumps and ignored columns, without a
   /// full stop; empty if the file has all joints and nothing else, and no jump.
@@ -49,10 +49,11 @@ struct JointsAtRest {
 /// plotters and data sets. Columns may come in any order. Those of times, velocities and of
 /// anything but joints are ignored, unless their name is a misspelling of a missing joint. The
 /// columns of coupled joints may be missing; if present, they must agree with the coupling within
-/// 1e-4. Angles are in rad; columns may name degrees ("pan [deg]").
+/// 1e-4, and determine the joint that they follow if it has no column. Angles are in rad; columns
+/// may name degrees ("pan [deg]").
 ///
 /// A trajectory_msgs/JointTrajectory as YAML or JSON, also within other messages, is a path through
-/// its positions.
+/// its positions. Names of other joints are ignored as other columns are.
 ///
 /// Continuous joints go from each waypoint to the next by at most half a turn: recordings that keep
 /// angles within ±π jump there. A longer rotation gets waypoints between.

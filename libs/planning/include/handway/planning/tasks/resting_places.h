@@ -23,6 +23,13 @@ namespace handway::planning {
     const geometric::Scene& scene, const geometric::SceneObject& object, const std::string& support,
     int count, std::uint64_t seed);
 
+/// Returns poses in which an object stands in a frame: the middle of its underside is on the z
+/// axis, geometric::kRestingGap above the origin. In the first it keeps its orientation, but for
+/// the inclination of z against the vertical; in the others it is turned about z.
+/// @param X_WF the frame in the world. @param count of poses.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<geometric::Pose> places_at(
+    const geometric::SceneObject& object, const geometric::Pose& X_WF, int count);
+
 /// Returns the objects that another one can be placed on: those that stand in the world. The one
 /// that it stands on comes first, those that it is not above come last.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> supports_of(

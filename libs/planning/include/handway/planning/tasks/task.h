@@ -6,6 +6,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/edits/scene_state.h"
 #include "handway/planning/export.h"
+#include "handway/planning/grasps/given_grasps.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/planners/planner.h"
 #include "handway/planning/timing/time_path.h"
@@ -14,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -23,12 +25,15 @@
 /// @file
 /// Tasks: programs of steps such as "pick the can", "place it on the shelf", which are planned as
 /// one motion. Each step becomes stages, and each stage has a path in a scene of its own: with the
-/// object that the hand carries there, and the contacts that are allowed there.
+/// object that the hand carries there, and the contacts that are allowed there. Where a step has
+/// alternatives, the plan has stages of one of them.
 
 namespace handway::planning {
 
+using geometric::LineStep;
 using geometric::PickStep;
 using geometric::PlaceStep;
+using geometric::PoseStep;
 
 /// A step that moves to a posture.
 struct MoveStep {
@@ -36,11 +41,21 @@ struct MoveStep {
   std::string name;  ///< For messages.
 };
 
+/// A step that is one of several lists of steps: the first that is possible. The lists are the next
+/// steps of the task, one list after another.
+struct FirstOfStep {
+  std::vector<std::size_t> lengths;  ///< Number of the steps in each list.
+  std::string words;                 ///< For messages.
+};
+
 /// A step of a task.
-using TaskStep = std::variant<PickStep, PlaceStep, MoveStep>;
+using TaskStep = std::variant<PickStep, PlaceStep, MoveStep, PoseStep, LineStep, FirstOfStep>;
 
 /// Steps in their order.
 using Task = std::vector<TaskStep>;
+
+/// Grasps of objects, by the names of the objects.
+using GraspsByObject = std::map<std::string, std::vector<GivenGrasp>>;
 
 /// Options of plan_task().
 struct TaskOptions {
@@ -48,9 +63,12 @@ struct TaskOptions {
   int threads = 1;             ///< The result does not depend on it.
   double motion_time_s = 5.0;  ///< Time limit of one motion of the planner, s.
   int places = 24;             ///< Places on a support to try for each grasp.
-  /// The search for grasps: its seed and threads are those above. The first four grasps are tried
-  /// before it looks for more.
+  /// The search for grasps: its seed and threads are those above. Four grasps with an epsilon of
+  /// 0.1 N or more are tried as soon as they are found, before it looks for more.
   PregraspOptions grasps = {.most = 16};
+  /// Grasps to try before those that the scene keeps for their objects, and before a search: those
+  /// of an earlier plan (grasps_of()), once an object was moved.
+  GraspsByObject first_grasps = {};
 };
 
 /// Describes the options that users choose, but seed and threads.
@@ -59,7 +77,7 @@ struct TaskOptions {
 
 /// Kind of a stage.
 enum class StageKind {
-  kMove,      ///< To a posture, by the planner.
+  kMove,      ///< To a posture or a pose, by the planner.
   kApproach,  ///< To the begin of the reach, by the planner.
   kReach,     ///< Straight to the pre-grasp; at its end the fingers close until near contact.
   kClose,     ///< Until the fingers touch the object.
@@ -68,6 +86,7 @@ enum class StageKind {
   kLower,     ///< Straight downwards, with the object.
   kOpen,      ///< Until the fingers have left the object.
   kRetreat,   ///< Straight away from the object.
+  kLine,      ///< Straight, as a LineStep says.
 };
 
 /// Word for display: "approach", ….
@@ -86,6 +105,7 @@ struct TaskStage {
   /// Joint targets with which the hand holds the object (Pregrasp::squeezed), of StageKind::kClose;
   /// else of size 0.
   Configuration squeezed = {};
+  std::optional<GivenGrasp> grasp = {};  ///< The grasp with which a StageKind::kClose ends.
 };
 
 /// Counts of the candidates that were tried for one kind of stage in one step.
@@ -132,6 +152,11 @@ struct TaskPlan {
 
 /// Returns the names of the objects that a task picks, each once, in their order.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> picked_objects(const Task& task);
+
+/// Returns the grasps with which a plan of `task` picks its objects, to be tried first when the
+/// task is planned again (TaskOptions::first_grasps).
+[[nodiscard]] HANDWAY_PLANNING_EXPORT GraspsByObject grasps_of(const Task& task,
+                                                               const TaskPlan& plan);
 
 /// Words for a step: "pick can", "place on shelf", "move to home".
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_string(const TaskStep& step);

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace handway::planning {
 
@@ -29,6 +30,12 @@ inline constexpr int kTaskVersion = 1;
 /// @throws InputError naming the programs that there are.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Task program_task(const geometric::Scene& scene,
                                                         const std::string& name);
+
+/// Returns the names of the postures that a step can move to: "start", then those of the scene and
+/// of its first robot, each once.
+/// @pre the scene has a robot.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> posture_names(
+    const geometric::Scene& scene);
 
 /// Returns the step that moves the first robot to a posture of the scene or of the robot, or to the
 /// start of the scene if `name` is "start". Joints that the posture does not name stay at the
