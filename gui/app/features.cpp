@@ -2,7 +2,7 @@
 
 #include "features/campaigns/campaigns_panel.h"
 #include "features/comparison/comparison_window.h"
-#include "features/devices/device_session.h"
+#include "features/devices/devices.h"
 #include "features/editing/scene_editing.h"
 #include "features/export/export_dialog.h"
 #include "features/glove/glove_panel.h"

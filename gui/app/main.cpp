@@ -48,6 +48,10 @@ std::string check_size(const std::string& text) {
   return parse_size(text) ? "" : "\"" + text + "\" is not WIDTHxHEIGHT of at least 640x480";
 }
 
+std::string check_not_empty(const std::string& text) {
+  return text.empty() ? "found an empty text, expected a value" : "";
+}
+
 std::string check_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
   return equals == std::string::npos || equals == 0 ? "\"" + text + "\" is not KEY=VALUE" : "";
@@ -99,6 +103,9 @@ std::optional<gui::Options> parse_options(int argc, char** argv, int& exit_code)
   app.add_option("--text-size", options.text_size,
                  "Size of text, in percent (default: as in the preferences)")
       ->check(CLI::Range(100, 200));
+  for (CLI::Option* option : app.get_options()) {
+    option->check(check_not_empty);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

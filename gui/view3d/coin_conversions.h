@@ -5,6 +5,7 @@
 
 #include <Inventor/SbColor.h>
 #include <Inventor/SbMatrix.h>
+#include <Inventor/SbRotation.h>
 #include <Inventor/SbVec3f.h>
 #include <Inventor/SbViewportRegion.h>
 #include <QSize>
@@ -69,6 +70,16 @@ template <typename Node, typename... Arguments>
     }
   }
   return result;
+}
+
+[[nodiscard]] inline SbRotation to_coin_rotation(const Eigen::Matrix3d& R) {
+  SbMatrix turned = SbMatrix::identity();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      turned[row][column] = static_cast<float>(R(column, row));
+    }
+  }
+  return SbRotation(turned);
 }
 
 /// 0xRRGGBBAA, as SoVertexProperty::orderedRGBA wants it.

@@ -70,6 +70,18 @@ void add_open_cone(SoSeparator& parent, const Eigen::Vector3d& apex,
   parent.addChild(make_edges_node(rim, edges, color, kEdgeWidth));
 }
 
+void add_axes(SoSeparator& parent, const geometric::Pose& X_WF, double length) {
+  constexpr std::array kColors{geometric::Color{0.82F, 0.18F, 0.16F, 1.0F},
+                               geometric::Color{0.20F, 0.62F, 0.20F, 1.0F},
+                               geometric::Color{0.16F, 0.36F, 0.82F, 1.0F}};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::array<Eigen::Vector3d, 2> ends{
+        X_WF.translation(), X_WF * Eigen::Vector3d(length * Eigen::Vector3d::Unit(axis))};
+    parent.addChild(make_edges_node(ends, Edges{{0, 1}}, kColors.at(static_cast<std::size_t>(axis)),
+                                    kAxisWidth));
+  }
+}
+
 SoSeparator* make_dot(const Eigen::Vector3d& point, const geometric::Color& color) {
   return make_dots_node(std::array{point}, {color}, kDotSize);
 }

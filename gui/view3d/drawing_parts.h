@@ -57,6 +57,9 @@ void add_open_cone(SoSeparator& parent, const Eigen::Vector3d& apex,
                    const Eigen::Vector3d& direction, double angle, double slant,
                    const geometric::Color& color);
 
+/// Adds the axes of a frame: red, green and blue for x, y and z. @param length m.
+void add_axes(SoSeparator& parent, const geometric::Pose& X_WF, double length);
+
 /// Makes a dot at a point (world, m).
 [[nodiscard]] SoSeparator* make_dot(const Eigen::Vector3d& point, const geometric::Color& color);
 

@@ -1,8 +1,9 @@
 #include "view3d/ghost_veil.h"
 
+#include "view3d/coin_camera.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/ghost.h"
-#include "view3d/scene_graph.h"
+#include "view3d/picture_region.h"
 #include "view3d/screen_pass.h"
 
 #include <Inventor/actions/SoGLRenderAction.h>

@@ -27,19 +27,6 @@ const geometric::Color& color_of(PoseReached reached) {
   }
 }
 
-// Red, green and blue for x, y and z.
-void add_frame(SoSeparator& parent, const geometric::Pose& X_WF, double length) {
-  constexpr std::array kColors{geometric::Color{0.82F, 0.18F, 0.16F, 1.0F},
-                               geometric::Color{0.20F, 0.62F, 0.20F, 1.0F},
-                               geometric::Color{0.16F, 0.36F, 0.82F, 1.0F}};
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::array<Eigen::Vector3d, 2> ends{
-        X_WF.translation(), X_WF * Eigen::Vector3d(length * Eigen::Vector3d::Unit(axis))};
-    parent.addChild(make_edges_node(ends, Edges{{0, 1}}, kColors.at(static_cast<std::size_t>(axis)),
-                                    kAxisWidth));
-  }
-}
-
 }  // namespace
 
 Drawing make_goal_poses_node(const geometric::Scene& scene, std::span<const PoseReached> reached) {
@@ -50,7 +37,7 @@ Drawing make_goal_poses_node(const geometric::Scene& scene, std::span<const Pose
     const geometric::PoseGoal& goal = scene.goal_poses[i];
     const geometric::Color& color =
         color_of(i < reached.size() ? reached[i] : PoseReached::kUnknown);
-    add_frame(*separator.get(), goal.X_WG, kAxis);
+    add_axes(*separator.get(), goal.X_WG, kAxis);
     if (goal.position_tolerance.maxCoeff() >= kVisible) {
       add_veil(*separator.get(), geometric::Box{2.0 * goal.position_tolerance.cwiseMax(1e-4)},
                goal.X_WG, color);

@@ -16,6 +16,7 @@ enum class Overlay {
   kHypercubes,
   kConstraints,
   kMeasure,
+  kFrames,
   kGoalPoses,
   kReach,
   kGrasp,

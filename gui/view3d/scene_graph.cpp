@@ -1,28 +1,25 @@
 #include "view3d/scene_graph.h"
 
 #include "model/settings/orbit_camera.h"
+#include "view3d/coin_camera.h"
 #include "view3d/coin_conversions.h"
+#include "view3d/floor_grid.h"
 #include "view3d/orientation_cube.h"
 #include "view3d/scene_passes.h"
-#include "view3d/unlit_nodes.h"
 
 #include <Inventor/SoPath.h>
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
-#include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
-#include <Inventor/nodes/SoVertexProperty.h>
 
 #include <GL/gl.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -33,163 +30,10 @@ namespace {
 using geometric::Configuration;
 using geometric::Pose;
 
-constexpr double kSpacing = 0.1;  // m
-constexpr int kStrongEvery = 5;
-
-class GridLines {
- public:
-  GridLines(const Eigen::Vector3d& centre, double radius, const geometric::Color& color)
-      : centre_(centre), radius_(radius), color_(color) {}
-
-  // A line parallel to `along`, `offset` from the middle, in pieces that fade.
-  void add(const Eigen::Vector3d& along, const Eigen::Vector3d& across, double offset,
-           float strength) {
-    const double half = std::sqrt(std::max(radius_ * radius_ - offset * offset, 0.0));
-    const int pieces = std::max(2, static_cast<int>(std::ceil(2.0 * half / 0.25)));
-    for (int i = 0; i <= pieces; ++i) {
-      const double s = half * (2.0 * i / pieces - 1.0);
-      const double from_middle = std::hypot(s, offset) / radius_;
-      geometric::Color color = color_;
-      color.alpha = strength * static_cast<float>(std::pow(1.0 - std::min(from_middle, 1.0), 1.2));
-      points_.push_back(to_coin(Eigen::Vector3d(centre_ + s * along + offset * across)));
-      colors_.push_back(packed_rgba(color));
-    }
-    counts_.push_back(pieces + 1);
-  }
-
-  [[nodiscard]] SoLineSet* make() const {
-    auto* properties = new SoVertexProperty;
-    properties->vertex.setValues(0, static_cast<int>(points_.size()), points_.data());
-    properties->orderedRGBA.setValues(0, static_cast<int>(colors_.size()), colors_.data());
-    properties->materialBinding = SoVertexProperty::PER_VERTEX;
-    auto* lines = new SoLineSet;
-    lines->vertexProperty = properties;
-    lines->numVertices.setValues(0, static_cast<int>(counts_.size()), counts_.data());
-    return lines;
-  }
-
- private:
-  Eigen::Vector3d centre_;
-  double radius_;
-  geometric::Color color_;
-  std::vector<SbVec3f> points_;
-  std::vector<std::uint32_t> colors_;
-  std::vector<std::int32_t> counts_;
-};
-
-}  // namespace
-
-CoinRef<SoSeparator> make_floor_grid(const Eigen::Vector3d& centre, double radius,
-                                     const geometric::Color& color) {
-  // Lines stand at whole multiples of the spacing in the world.
-  const Eigen::Vector3d middle(std::round(centre.x() / kSpacing) * kSpacing,
-                               std::round(centre.y() / kSpacing) * kSpacing, centre.z());
-  GridLines grid(middle, radius, color);
-  const int count = static_cast<int>(radius / kSpacing);
-  const auto strength = [](long line) { return line % kStrongEvery == 0 ? 0.55F : 0.22F; };
-  for (int i = -count; i <= count; ++i) {
-    grid.add(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), i * kSpacing,
-             strength(std::lround(middle.y() / kSpacing) + i));
-    grid.add(Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX(), i * kSpacing,
-             strength(std::lround(middle.x() / kSpacing) + i));
-  }
-  auto separator = make_coin<SoSeparator>();
-  add_unlit_style(*separator.get(), 1.0F);
-  separator->addChild(grid.make());
-  return separator;
-}
-
-namespace {
-
 constexpr double kVeilDepth = 0.06;  // m: a ghost that is no farther before an object is part of it
-constexpr double kReach = 12.0;      // m: what is shown behind the target
 constexpr double kFloorRadius = 2.5;  // m
 
-SbRotation to_coin_rotation(const Eigen::Matrix3d& R) {
-  SbMatrix turned = SbMatrix::identity();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      turned[row][column] = static_cast<float>(R(column, row));
-    }
-  }
-  return SbRotation(turned);
-}
-
-void turn(SoCamera& eye, const OrbitCamera& camera, double aspect) {
-  eye.viewportMapping = SoCamera::LEAVE_ALONE;
-  eye.aspectRatio = static_cast<float>(aspect);
-  eye.orientation = to_coin_rotation(camera.orientation());
-}
-
-void set_range(SoCamera& eye, const EyeRange& range) {
-  eye.position = to_coin(range.position);
-  eye.nearDistance = static_cast<float>(range.nearest);
-  eye.farDistance = static_cast<float>(range.farthest);
-}
-
 }  // namespace
-
-EyeRange eye_range(const OrbitCamera& camera) {
-  const double distance = camera.placement().distance;
-  if (camera.projection() == Projection::kOrthographic) {
-    const Eigen::Vector3d backwards = camera.orientation().col(2);
-    return {camera.placement().target + kReach * backwards, 0.01, 2.0 * kReach};
-  }
-  return {camera.position(), std::max(0.01, 0.05 * distance), distance + kReach};
-}
-
-void aim_camera(SoPerspectiveCamera& eye, const OrbitCamera& camera, double aspect) {
-  turn(eye, camera, aspect);
-  set_range(eye, eye_range(camera));
-  eye.heightAngle = static_cast<float>(OrbitCamera::kFieldOfView);
-  eye.focalDistance = static_cast<float>(camera.placement().distance);
-}
-
-void aim_camera(SoOrthographicCamera& eye, const OrbitCamera& camera, double aspect) {
-  turn(eye, camera, aspect);
-  set_range(eye, eye_range(camera));
-  eye.height = static_cast<float>(camera.seen_height(camera.placement().distance));
-  eye.focalDistance = static_cast<float>(kReach);
-}
-
-namespace {
-
-constexpr int kMargin = 10;  // px, for lines and points, which boxes know without their widths
-constexpr double kNearest = 0.01;  // m
-
-}  // namespace
-
-QRect region_of(SoNode& root, const OrbitCamera& camera, const QSize& pixels) {
-  SoGetBoundingBoxAction action{viewport_of(pixels)};
-  action.apply(&root);
-  const SbBox3f box = action.getBoundingBox();
-  if (box.isEmpty()) {
-    return {};
-  }
-  const QRect all(QPoint(0, 0), pixels);
-  const Eigen::Matrix3d R_CW = camera.orientation().transpose();
-  const bool shrinks = camera.projection() == Projection::kPerspective;
-  Eigen::AlignedBox2d covered;
-  for (int corner = 0; corner < 8; ++corner) {
-    const SbVec3f& p = corner % 2 == 0 ? box.getMin() : box.getMax();
-    const SbVec3f& q = corner / 2 % 2 == 0 ? box.getMin() : box.getMax();
-    const SbVec3f& r = corner / 4 == 0 ? box.getMin() : box.getMax();
-    const Eigen::Vector3d p_C = R_CW * (Eigen::Vector3d(p[0], q[1], r[2]) - camera.position());
-    if (shrinks && p_C.z() > -kNearest) {
-      return all;
-    }
-    covered.extend(
-        Eigen::Vector2d(p_C.head<2>() * (pixels.height() / camera.seen_height(-p_C.z()))));
-  }
-  const Eigen::Vector2d middle(0.5 * pixels.width(), 0.5 * pixels.height());
-  const Eigen::Vector2d least = covered.min() + middle;
-  const Eigen::Vector2d most = covered.max() + middle;
-  const QRect region(QPoint(static_cast<int>(std::floor(least.x())) - kMargin,
-                            static_cast<int>(std::floor(least.y())) - kMargin),
-                     QPoint(static_cast<int>(std::ceil(most.x())) + kMargin,
-                            static_cast<int>(std::ceil(most.y())) + kMargin));
-  return region & all;
-}
 
 SceneGraph::SceneGraph() : passes_(std::make_unique<ScenePasses>()) {
   passes_->gizmo->addChild(gizmo_.root());

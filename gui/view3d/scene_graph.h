@@ -17,9 +17,6 @@
 #include "view3d/scene_passes.h"
 #include "view3d/viewpoints.h"
 
-#include <QRect>
-#include <QSize>
-
 #include <Eigen/Core>
 
 #include <array>
@@ -31,41 +28,12 @@
 
 class SbVec2s;
 class SoGLRenderAction;
-class SoOrthographicCamera;
-class SoPerspectiveCamera;
 class SoSeparator;
 
 namespace handway::gui {
 
-/// Lines 0.1 m apart on a horizontal disc, stronger every 0.5 m, fading out
-/// towards its rim.
-/// @param centre of the disc in the world, m. @param radius m.
-[[nodiscard]] CoinRef<SoSeparator> make_floor_grid(const Eigen::Vector3d& centre, double radius,
-                                                   const geometric::Color& color);
-
 class OrbitCamera;
 struct ScenePasses;
-
-/// Sets a Coin camera to the pose of `camera`. @param aspect width by height.
-void aim_camera(SoPerspectiveCamera& eye, const OrbitCamera& camera, double aspect);
-
-/// Aims an orthographic camera; it stands far back, so that everything is before it.
-void aim_camera(SoOrthographicCamera& eye, const OrbitCamera& camera, double aspect);
-
-/// Distances from the camera, m, between which bodies are drawn.
-struct EyeRange {
-  Eigen::Vector3d position;  ///< Camera position in the world, m.
-  double nearest;
-  double farthest;
-};
-
-/// Returns from where, and between which depths, aim_camera() lets a camera see.
-[[nodiscard]] EyeRange eye_range(const OrbitCamera& camera);
-
-/// The part of a picture that a drawing may cover, px from the lower left; a box around the
-/// drawing's box, all of the picture if that comes behind the camera, empty if there is nothing.
-/// @param root draws in the world's frame, m.
-[[nodiscard]] QRect region_of(SoNode& root, const OrbitCamera& camera, const QSize& pixels);
 
 /// A lamp with parallel rays that shines on a part of a scene.
 struct Lamp {

@@ -3,6 +3,7 @@
 #include "view3d/coin_conversions.h"
 #include "view3d/orientation_cube.h"
 #include "view3d/picture_layer.h"
+#include "view3d/picture_region.h"
 #include "view3d/scene_graph.h"
 #include "view3d/screen_pass.h"
 

@@ -75,7 +75,7 @@ struct ScenePasses {
          {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion, Overlay::kExecuted,
           Overlay::kOptimized, Overlay::kContacts, Overlay::kClearance, Overlay::kTrails,
           Overlay::kSteps, Overlay::kHypercubes, Overlay::kConstraints, Overlay::kMeasure,
-          Overlay::kGoalPoses, Overlay::kReach, Overlay::kGrasp}) {
+          Overlay::kFrames, Overlay::kGoalPoses, Overlay::kReach, Overlay::kGrasp}) {
       const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
       shown->whichChild = SO_SWITCH_ALL;
       drawings->addChild(shown.get());

@@ -1,5 +1,6 @@
 #include "view3d/scene_shading.h"
 
+#include "view3d/coin_camera.h"
 #include "view3d/scene_graph.h"
 
 #include <Inventor/actions/SoGLRenderAction.h>

@@ -1,30 +1,17 @@
 #include "features/devices/device_session.h"
 
 #include "features/devices/devices_panel.h"
-#include "features/workbench.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/setup/placing.h"
 #include "model/document/document.h"
 #include "model/planning/path_history.h"
 #include "model/playback/path_player.h"
-#include "view3d/scene_view.h"
-#include "widgets/forms/arrangement.h"
-#include "widgets/panels/log_panel.h"
 #include "widgets/panels/motion_text.h"
 
-#include <QApplication>
 #include <QDateTime>
-#include <QGridLayout>
-#include <QKeyEvent>
-#include <QLabel>
-#include <QLayout>
-#include <QMainWindow>
-#include <QMenuBar>
 #include <QMessageBox>
-#include <QMouseEvent>
 #include <QPushButton>
 #include <QStandardPaths>
-#include <QVariant>
 
 #include <algorithm>
 #include <chrono>
@@ -32,105 +19,6 @@
 #include <utility>
 
 namespace handway::gui {
-namespace {
-
-// Input methods keep Ctrl+Space for themselves, and some keyboards have no Pause. With Ctrl, Pause
-// is Break; no other key needs to be held for it, nor for F12.
-bool is_stop_key(const QKeyEvent& event) {
-  return event.key() == Qt::Key_Pause || event.key() == Qt::Key_Cancel ||
-         event.key() == Qt::Key_F12 ||
-         (event.key() == Qt::Key_Space && event.modifiers().testFlag(Qt::ControlModifier));
-}
-
-bool is_dialog(const QWidget& widget) {
-  return widget.isWindow() && (widget.windowType() == Qt::Dialog || widget.isModal());
-}
-
-}  // namespace
-
-StopControls::StopControls(QObject* parent) : QObject(parent) {
-  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QCoreApplication::setAttribute(Qt::AA_DontUseNativeMenuBar);
-  qApp->installEventFilter(this);
-}
-
-QString StopControls::keys_text() { return tr("Ctrl+Space, Pause or F12"); }
-
-QPushButton* StopControls::make_button(const QString& name) {
-  auto* button = new QPushButton(tr("STOP"));
-  button->setObjectName(name);
-  button->setProperty("role", "stop");
-  button->setToolTip(tr("Stops the robot (%1)").arg(keys_text()));
-  // The Tab, Return and Space keys of a dialog must not reach the button.
-  button->setFocusPolicy(Qt::NoFocus);
-  button->setAutoDefault(false);
-  button->setVisible(false);
-  connect(button, &QPushButton::pressed, this, &StopControls::stop_requested);
-  buttons_.removeAll(nullptr);
-  buttons_ << button;
-  return button;
-}
-
-void StopControls::set_active(bool active) {
-  active_ = active;
-  for (const QPointer<QPushButton>& button : buttons_) {
-    if (button) {
-      button->setVisible(active);
-    }
-  }
-}
-
-bool StopControls::eventFilter(QObject* watched, QEvent* event) {
-  switch (event->type()) {
-    case QEvent::ShortcutOverride:
-    case QEvent::KeyPress:
-      if (active_ && is_stop_key(*static_cast<QKeyEvent*>(event))) {
-        emit stop_requested();
-        event->accept();
-        return true;
-      }
-      break;
-    case QEvent::MouseButtonPress:
-      // Popups and what is dragged keep the mouse for themselves: the button hears nothing of it.
-      if (active_ && watched->isWindowType() &&
-          is_at_button(static_cast<QMouseEvent*>(event)->globalPos())) {
-        emit stop_requested();
-      }
-      break;
-    case QEvent::Polish:
-    case QEvent::Show:
-      if (watched->isWidgetType() && is_dialog(*static_cast<QWidget*>(watched))) {
-        add_to(*static_cast<QWidget*>(watched));
-      }
-      break;
-    default:
-      break;
-  }
-  return QObject::eventFilter(watched, event);
-}
-
-// The strip takes the place of a menu bar, which does not affect the layout's contents and margins.
-void StopControls::add_to(QWidget& window) {
-  QLayout* layout = window.layout();
-  if (!layout || layout->menuBar()) {
-    return;
-  }
-  const QString name = QStringLiteral("stop");
-  auto* button = window.findChild<QPushButton*>(name, Qt::FindDirectChildrenOnly);
-  if (!button) {
-    button = make_button(name);
-  }
-  layout->setMenuBar(button);
-  button->setVisible(active_);
-}
-
-bool StopControls::is_at_button(const QPoint& place) const {
-  return std::ranges::any_of(buttons_, [&](const QPointer<QPushButton>& button) {
-    return button && button->isVisible() && button->rect().contains(button->mapFromGlobal(place)) &&
-           QApplication::widgetAt(place) == button;
-  });
-}
-
 namespace {
 
 using State = MotionDriver::State;
@@ -484,91 +372,6 @@ void DeviceSession::take_outcome(const execution::MotionOutcome& outcome,
   if (task && outcome.done) {
     emit task_done(task->value.scenes.back());
   }
-}
-
-namespace {
-
-// The scene with its objects where a task has left them.
-planning::SceneState with_objects_of(const planning::SceneState& after,
-                                     const planning::SceneState& state) {
-  geometric::Scene scene = *state.scene;
-  for (geometric::SceneObject& object : scene.objects) {
-    if (const geometric::SceneObject* moved = after.find(object.name)) {
-      object = *moved;
-    }
-  }
-  planning::SceneState next = state;
-  next.scene = std::make_shared<const geometric::Scene>(std::move(scene));
-  return next;
-}
-
-// The name of the program, in whose place the button is shown: the menus stay where they are.
-QWidget* corner_of(QPushButton* stop) {
-  auto* corner = new QWidget;
-  QLabel* name = heading(QObject::tr("Handway"));
-  name->setAlignment(Qt::AlignCenter);
-  QSizePolicy keeps_room = stop->sizePolicy();
-  keeps_room.setRetainSizeWhenHidden(true);
-  stop->setSizePolicy(keeps_room);
-  auto* layout = new QGridLayout(corner);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(name, 0, 0);
-  layout->addWidget(stop, 0, 0);
-  return corner;
-}
-
-}  // namespace
-
-void add_devices(Workbench& workbench) {
-  auto& devices =
-      workbench.own<DeviceSession>(workbench.document, workbench.player, workbench.driver);
-  workbench.add_dock(DockArea::kControl, 4, {"devices", QObject::tr("Devices"), devices.panel()});
-  // The corner that is on the screen even if the window is larger.
-  workbench.window.menuBar()->setCornerWidget(corner_of(devices.stop_button()), Qt::TopLeftCorner);
-  workbench.ask_before_leaving([&] { return devices.may_leave(workbench.window); });
-  QObject::connect(
-      &devices, &DeviceSession::executed_changed, &workbench.view,
-      [&](const std::vector<Eigen::Vector3d>& path) { workbench.view.set_executed(path); });
-  QObject::connect(
-      &devices, &DeviceSession::reported, &workbench, [&](bool good, const QString& message) {
-        workbench.log.add(good ? LogPanel::Level::kNote : LogPanel::Level::kError, message);
-      });
-  QObject::connect(&devices, &DeviceSession::start_here_requested, &workbench,
-                   [&](const Eigen::VectorXd& q) {
-                     workbench.editor.set_start(q);
-                     workbench.session.start();
-                   });
-  QObject::connect(&devices, &DeviceSession::task_done, &workbench,
-                   [&](const planning::SceneState& after) {
-                     workbench.editor.apply(QObject::tr("Objects placed by the robot"),
-                                            with_objects_of(after, workbench.editor.state()), {});
-                   });
-  QObject::connect(&devices, &DeviceSession::carried, &workbench,
-                   [&](const QString& object, const geometric::Pose& X_WO) {
-                     emit workbench.handles_welcome(false);
-                     workbench.view.preview(object_item(object.toStdString()), X_WO);
-                   });
-  QObject::connect(&devices, &DeviceSession::carried_ended, &workbench, [&] {
-    for (const geometric::SceneObject& object : workbench.document.scene()->objects) {
-      if (!object.attachment) {
-        workbench.view.preview(object_item(object.name), object.X_PO);
-      }
-    }
-    emit workbench.handles_welcome(true);
-  });
-  QObject::connect(&workbench, &Workbench::run_wanted, &devices, [&](const DerivedSource& task) {
-    devices.take_task(task);
-    workbench.show_panel("devices");
-  });
-  QObject::connect(&workbench, &Workbench::task_forgotten, &devices, &DeviceSession::forget_task);
-  PlanSettings& settings = workbench.plan_settings;
-  const auto take_margin = [&] { devices.set_margin(settings.request().margin); };
-  QObject::connect(&settings, &PlanSettings::request_changed, &devices, take_margin);
-  QObject::connect(&devices, &DeviceSession::margin_requested, &workbench, [&](double margin) {
-    settings.set_margin(margin);
-    workbench.session.start();
-  });
-  take_margin();
 }
 
 }  // namespace handway::gui

@@ -1,20 +1,18 @@
 #pragma once
 
+#include "features/devices/stop_controls.h"
 #include "model/devices/executed_motion.h"
 #include "model/devices/motion_driver.h"
 #include "model/devices/stop_key_listener.h"
 #include "model/planning/timing_runner.h"
 
-#include <QList>
 #include <QObject>
-#include <QPointer>
 #include <QString>
 
 #include <memory>
 #include <optional>
 #include <vector>
 
-class QKeyEvent;
 class QPushButton;
 class QWidget;
 
@@ -27,41 +25,6 @@ namespace handway::gui {
 class DevicesPanel;
 class Document;
 class PathPlayer;
-class Workbench;
-
-/// Controls of the program's windows that stop the robot: keys that no dialog, popup or text field
-/// keeps for itself, and a STOP button in the main window and along the top of every dialog, also
-/// of later ones. Buttons stop when they are pressed, not when they are released.
-///
-/// Native dialogs and menu bars can't show the button: from the constructor on the program uses
-/// Qt's own.
-class StopControls : public QObject {
-  Q_OBJECT
-
- public:
-  explicit StopControls(QObject* parent = nullptr);
-
-  /// A button that is shown while there is something to stop. A window takes it over.
-  [[nodiscard]] QPushButton* make_button(const QString& name);
-  /// @param active whether there is something to stop.
-  void set_active(bool active);
-
-  /// Returns the keys for tool tips: "Ctrl+Space, Pause or F12".
-  [[nodiscard]] static QString keys_text();
-
- signals:
-  void stop_requested();
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
- private:
-  void add_to(QWidget& window);
-  [[nodiscard]] bool is_at_button(const QPoint& place) const;
-
-  bool active_ = false;
-  QList<QPointer<QPushButton>> buttons_;
-};
 
 /// Runs the path on screen on the hardware: times it, clears it from the measured posture, runs it,
 /// shows the measured robot, and keeps the executed motion. An edit of the scene revokes the
@@ -144,8 +107,5 @@ class DeviceSession : public QObject {
   std::size_t stage_ = 0;                      ///< Stage of the task that runs.
   planning::SafetyMargin safety_;              ///< With what these devices were seen to miss.
 };
-
-/// Adds the panel, and a STOP button to the window.
-void add_devices(Workbench& workbench);
 
 }  // namespace handway::gui

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
 namespace handway::gui {
 namespace {
@@ -34,12 +35,23 @@ QDoubleSpinBox* pixel_field(const char* name, double value) {
   return field;
 }
 
-QuantityField* length_field(const char* name, double value, double least, double most) {
-  auto* field = named(name, new QuantityField(QuantityField::Kind::kLength, least, most));
+// A setting of imports in SI units.
+geometric::Parameter import_setting(const char* key) {
+  planning::CloudImport import;
+  return geometric::value_of(find_parameter(in_si_units(parameters_of(import)), key));
+}
+
+QuantityField* length_field(const char* name, const char* key) {
+  const geometric::Parameter setting = import_setting(key);
+  auto* field =
+      named(name, new QuantityField(QuantityField::Kind::kLength, setting.lower, setting.upper));
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  field->show_quantity(value);
+  field->setToolTip(QString::fromStdString(setting.help));
+  field->show_quantity(std::get<double>(setting.value));
   return field;
 }
+
+QString setting_label(const char* key) { return QString::fromStdString(import_setting(key).label); }
 
 }  // namespace
 
@@ -53,13 +65,13 @@ CloudImportDialog::CloudImportDialog(const std::filesystem::path& file,
                      geometric::has_extension(file, ".ot")),
       place_(new PoseForm),
       optical_(named("cloud_optical", new QCheckBox(tr("In the camera's optical frame")))),
-      cell_(length_field("cloud_cell", geometric::CloudCells{}.size, geometric::kSmallestCell,
-                         geometric::kLargestCell)),
-      radius_(length_field("cloud_radius", 0.0, 0.0, geometric::most_radius(1.0))),
+      cell_(length_field("cloud_cell", "cell")),
+      radius_(length_field("cloud_radius", "radius")),
       robots_(named("cloud_robots", new QCheckBox(tr("Leave out the robot")))),
-      margin_(length_field("cloud_margin", geometric::BodyFilter{}.margin, 0.0, 1.0)),
+      margin_(length_field("cloud_margin", "margin")),
       outliers_(named("cloud_outliers", new QCheckBox(tr("Leave out single points")))),
-      finds_objects_(named("cloud_find_objects", new QCheckBox(tr("Find tables and objects")))) {
+      finds_objects_(named("cloud_find_objects", new QCheckBox(setting_label("find_objects")))),
+      hidden_(named("cloud_hidden", new QCheckBox(tr("Hidden space is solid")))) {
   setObjectName(QStringLiteral("cloud_import"));
   setMinimumWidth(560);
   setWindowTitle(tr("Add %1").arg(QString::fromStdString(file.filename().string())));
@@ -75,7 +87,7 @@ CloudImportDialog::CloudImportDialog(const std::filesystem::path& file,
   add->setDefault(true);
   QLabel* words =
       note(tr("Points become the solid cells of a grid. What is between the points and "
-              "behind them counts as free."));
+              "behind them counts as free, unless hidden space is made solid."));
   words->setWordWrap(true);
   words->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   lay_out(*this, in_column({words, form, buttons}, 10), {16, 16, 16, 12});
@@ -118,13 +130,9 @@ void CloudImportDialog::add_place(QFormLayout& form) {
 }
 
 void CloudImportDialog::add_cells(QFormLayout& form) {
-  cell_->setToolTip(tr("Edge of a cell. Every cell with a point is solid"));
-  radius_->setToolTip(
-      tr("Cells nearer to a point than this are solid too: the camera's error, or "
-         "half of the distance between points"));
   if (!has_own_cells_) {
-    form.addRow(tr("Cell"), cell_);
-    form.addRow(tr("Radius"), radius_);
+    form.addRow(setting_label("cell"), cell_);
+    form.addRow(setting_label("radius"), radius_);
   }
 }
 
@@ -144,12 +152,15 @@ void CloudImportDialog::add_filters(QFormLayout& form) {
     cut_out_->setChecked(true);
     form.addRow(QString(), cut_out_);
   }
-  form.addRow(tr("Margin"), margin_);
+  form.addRow(setting_label("margin"), margin_);
   form.addRow(QString(), outliers_);
-  finds_objects_->setToolTip(
-      tr("Level surfaces and what stands on them become boxes, cylinders and "
-         "spheres, which can be grasped, in place of their points"));
+  finds_objects_->setToolTip(QString::fromStdString(import_setting("find_objects").help));
   form.addRow(QString(), finds_objects_);
+  hidden_->setToolTip(
+      tr("Cells that the camera can't see, since something is in front of them, become an object "
+         "of their own"));
+  hidden_->setVisible(is_image_);
+  form.addRow(QString(), hidden_);
 }
 
 planning::CloudImport CloudImportDialog::import() const {
@@ -167,6 +178,9 @@ planning::CloudImport CloudImportDialog::import() const {
     import.bodies.objects = selected_;
   }
   import.finds_objects = finds_objects_->isChecked();
+  if (hidden_->isChecked()) {
+    import.hidden_from = camera();
+  }
   if (!outliers_->isChecked()) {
     import.outliers.reset();
   }

@@ -55,6 +55,7 @@ class CloudImportDialog : public QDialog {
   QuantityField* margin_;
   QCheckBox* outliers_;
   QCheckBox* finds_objects_;
+  QCheckBox* hidden_;
   QCheckBox* cut_out_ = nullptr;  ///< Null without selected objects.
 };
 

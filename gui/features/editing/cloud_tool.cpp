@@ -119,7 +119,7 @@ void CloudTool::show_added(const std::filesystem::path& file,
          "objects, %5 single")
           .arg(QString::fromStdString(file.filename().string()))
           .arg(added.points)
-          .arg(added.objects.size() - (added.points > 0 ? 1 : 0))
+          .arg(added.objects.size() - (added.points > 0 ? 1 : 0) - (added.hidden > 0 ? 1 : 0))
           .arg(added.of_bodies)
           .arg(added.outliers));
 }

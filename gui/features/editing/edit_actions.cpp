@@ -244,7 +244,9 @@ void EditActions::update_enabled() {
   }
   add_button_->setEnabled(no_scene.isEmpty());
   allow(*remove,
-        editor_.can_remove_robot() || editor_.selected_goal_pose() ? QString() : unchangeable);
+        editor_.can_remove_robot() || editor_.selected_goal_pose() || editor_.selected_frame()
+            ? QString()
+            : unchangeable);
   allow(
       *rename,
       !can_change ||

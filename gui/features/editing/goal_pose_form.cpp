@@ -10,10 +10,12 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QToolButton>
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace handway::gui {
@@ -36,15 +38,19 @@ QuantityField* tolerance_field(QuantityField::Kind kind, double most, const char
 GoalPoseForm::GoalPoseForm(QWidget* parent)
     : QWidget(parent),
       link_(named("goal_link", new QComboBox)),
+      object_(named("goal_object", new QComboBox)),
       position_(tolerance_field(QuantityField::Kind::kLength, 1.0, "goal_position_tolerance",
                                 tr("How far the tool may be from the pose along each axis"))),
       rotation_(tolerance_field(QuantityField::Kind::kAngle, std::numbers::pi,
                                 "goal_rotation_tolerance",
                                 tr("How far the tool may be turned about each axis"))),
       fold_(named("goal_tool_fold", new QToolButton)),
+      more_(new QWidget),
       tool_(new PoseForm) {
   link_->setToolTip(tr("The link that the goal is for"));
   link_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  object_->setToolTip(tr("If this object or frame is moved, the goal moves with it"));
+  object_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* free = new QHBoxLayout;
   free->setSpacing(14);
   for (std::size_t axis = 0; axis < free_.size(); ++axis) {
@@ -65,13 +71,18 @@ GoalPoseForm::GoalPoseForm(QWidget* parent)
   rows->addRow(tr("Position within"), position_);
   rows->addRow(tr("Rotation within"), rotation_);
   rows->addRow(tr("Free about"), free);
-  fold_->setText(tr("Tool in the link"));
-  fold_->setToolTip(tr("The frame that is brought to the pose"));
+  fold_->setText(tr("More"));
+  fold_->setToolTip(
+      tr("The object or frame that the goal moves with, and the frame that is brought to the "
+         "pose"));
   fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   fold_->setAutoRaise(true);
   fold_->setCheckable(true);
   rows->addRow(fold_);
-  rows->addRow(tool_);
+  lay_out(*more_, in_column({in_row({new QLabel(tr("Moves with")), {object_, 1}}, 10),
+                             new QLabel(tr("Tool in the link")), tool_},
+                            5));
+  rows->addRow(more_);
   unfold(false);
   connect_fields();
 }
@@ -79,13 +90,17 @@ GoalPoseForm::GoalPoseForm(QWidget* parent)
 void GoalPoseForm::unfold(bool on) {
   fold_->setChecked(on);
   fold_->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
-  tool_->setVisible(on);
+  more_->setVisible(on);
 }
 
 void GoalPoseForm::connect_fields() {
   connect(fold_, &QToolButton::clicked, this, &GoalPoseForm::unfold);
   connect(link_, qOverload<int>(&QComboBox::activated), this, [this] {
     goal_.link = link_->currentText().toStdString();
+    emit goal_edited(goal_);
+  });
+  connect(object_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+    goal_.reference = index > 0 ? object_->currentText().toStdString() : std::string();
     emit goal_edited(goal_);
   });
   connect(position_, &QuantityField::quantity_edited, this, [this](double tolerance) {
@@ -105,6 +120,7 @@ void GoalPoseForm::connect_fields() {
   }
   connect(tool_, &PoseForm::pose_edited, this, [this](const geometric::Pose& X_LT) {
     goal_.X_LT = X_LT;
+    goal_.tool.clear();  // a pose of its own
     emit goal_edited(goal_);
   });
 }
@@ -129,11 +145,24 @@ void GoalPoseForm::list_links(const geometric::RobotModel& model) {
   show_choices(*link_, choices, current);
 }
 
-void GoalPoseForm::show_goal(const geometric::RobotModel& model, const geometric::PoseGoal& goal) {
-  // A form that the user has unfolded stays so; a tool frame other than the link's is shown.
-  unfold(fold_->isChecked() || !goal.X_LT.isApprox(geometric::Pose::Identity()));
+void GoalPoseForm::list_objects(const geometric::Scene& scene) {
+  std::vector<ShownChoice> choices{{tr("Nothing")}};
+  int current = 0;
+  for (const std::string& name : geometric::standing_names(scene)) {
+    current = name == goal_.reference ? static_cast<int>(choices.size()) : current;
+    choices.push_back({QString::fromStdString(name)});
+  }
+  show_choices(*object_, choices, current);
+}
+
+void GoalPoseForm::show_goal(const geometric::Scene& scene, const geometric::PoseGoal& goal) {
+  // A form that the user has unfolded stays so; an object, and a tool frame other than the link's,
+  // are shown.
+  unfold(fold_->isChecked() || !goal.reference.empty() ||
+         !goal.X_LT.isApprox(geometric::Pose::Identity()));
   goal_ = goal;
-  list_links(model);
+  list_links(*scene.robots.front().model);
+  list_objects(scene);
   position_->show_quantity(goal.position_tolerance.maxCoeff());
   double rotation = geometric::PoseGoal().rotation_tolerance.maxCoeff();
   bool any_kept = false;

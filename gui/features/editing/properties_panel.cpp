@@ -96,6 +96,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
       pose_title_(title(tr("Pose"))),
       pose_(new PoseForm),
       goal_form_(new GoalPoseForm),
+      frame_parent_(named("frame_parent", new QComboBox)),
       mount_(named("mounted_on", new QComboBox)),
       shape_(new ShapeForm),
       extent_(named("extent", note())),
@@ -112,6 +113,10 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   mount_->setToolTip(tr("The link that carries the robot, by its origin at first"));
   mount_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   mount_box_ = section({title(tr("Mounted on")), mount_});
+  frame_parent_->setAccessibleName(tr("Fixed to"));
+  frame_parent_->setToolTip(tr("The object or link that the frame moves with"));
+  frame_parent_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  frame_box_ = section({title(tr("Fixed to")), frame_parent_});
   auto* more = new QWidget;
   auto* rows = new QFormLayout(more);
   rows->setContentsMargins(0, 4, 0, 0);
@@ -126,8 +131,8 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   shape_box_ = section({title(tr("Size")), shape_, extent_, more});
 
   constraints_box_ = section({title(tr("Along paths")), constraints_});
-  setWidget(boxed(in_column({hint_, header_, mount_box_, pose_box_, goal_form_, shape_box_,
-                             constraints_box_, room(1)},
+  setWidget(boxed(in_column({hint_, header_, frame_box_, mount_box_, pose_box_, goal_form_,
+                             shape_box_, constraints_box_, room(1)},
                             8),
                   {12, 10, 12, 10}));
 
@@ -139,6 +144,9 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
     emit mount_requested(
         editor_.selection().robot,
         row == 0 ? std::nullopt : std::optional(planning::LinkOfRobot{robot, link}));
+  });
+  connect(frame_parent_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
+    editor_.fix_frame(row > 0 ? frame_parent_->itemText(row).toStdString() : std::string());
   });
   connect(shape_, &ShapeForm::shape_edited, &editor_,
           [this](const geometric::Shape& shape) { editor_.set_shape(shape); });
@@ -204,6 +212,8 @@ void PropertiesPanel::refresh() {
     show_robot(item.robot);
   } else if (const geometric::PoseGoal* goal = editor_.selected_goal_pose()) {
     show_goal_pose(*goal);
+  } else if (const geometric::NamedFrame* frame = editor_.selected_frame()) {
+    show_frame(*frame);
   } else if (robot && item.kind == Kind::kLink) {
     show_link(*robot);
   } else if (const auto X_WP = editor_.selected_pose(); X_WP && item.is_posture()) {
@@ -220,6 +230,7 @@ void PropertiesPanel::preview_pose(const geometric::Pose& X_WO) {
 void PropertiesPanel::show_parts(bool header, bool pose, bool shape) {
   X_WF_ = geometric::Pose::Identity();
   hint_->setVisible(!header);
+  frame_box_->hide();
   mount_box_->hide();
   goal_form_->hide();
   header_->setVisible(header);
@@ -347,8 +358,37 @@ void PropertiesPanel::show_goal_pose(const geometric::PoseGoal& goal) {
   pose_title_->setText(tr("Pose in the world"));
   pose_->show_pose(goal.X_WG);
   pose_->set_editable(true);
-  goal_form_->show_goal(*editor_.document().robot()->model, goal);
+  goal_form_->show_goal(*editor_.state().scene, goal);
   goal_form_->show();
+}
+
+void PropertiesPanel::show_frame(const geometric::NamedFrame& frame) {
+  show_parts(true, true, false);
+  show_text(*name_, QString::fromStdString(frame.name));
+  name_->setReadOnly(false);
+  kind_->setText(tr("Frame"));
+  const geometric::Pose X_WF = editor_.selected_pose().value_or(frame.X_PF);
+  X_WF_ = X_WF * frame.X_PF.inverse();
+  pose_title_->setText(frame.parent.empty()
+                           ? tr("Pose")
+                           : tr("Pose in %1").arg(QString::fromStdString(frame.parent)));
+  pose_->show_pose(frame.X_PF);
+  pose_->set_editable(true);
+  const geometric::Scene& scene = *editor_.state().scene;
+  std::vector<ShownChoice> choices{{tr("World")}};
+  int current = 0;
+  const auto offer = [&](const std::string& name) {
+    current = name == frame.parent ? static_cast<int>(choices.size()) : current;
+    choices.push_back({QString::fromStdString(name)});
+  };
+  for (const geometric::SceneObject& object : scene.objects) {
+    offer(object.name);
+  }
+  for (const geometric::Link& link : scene.robots.front().model->description().links) {
+    offer(link.name);
+  }
+  show_choices(*frame_parent_, choices, current);
+  frame_box_->show();
 }
 
 void PropertiesPanel::show_hint() { show_parts(false, false, false); }

@@ -50,6 +50,7 @@ class PropertiesPanel : public PanelArea {
   void show_link(const geometric::RobotInstance& robot);
   void show_posture(const geometric::Pose& X_WP);
   void show_goal_pose(const geometric::PoseGoal& goal);
+  void show_frame(const geometric::NamedFrame& frame);
   void show_hint();
   void show_parts(bool header, bool pose, bool shape);
   void show_constraints();
@@ -71,6 +72,8 @@ class PropertiesPanel : public PanelArea {
   PoseForm* pose_;
   geometric::Pose X_WF_ = geometric::Pose::Identity();  ///< Pose of the shown frame.
   GoalPoseForm* goal_form_;
+  QWidget* frame_box_;
+  QComboBox* frame_parent_;
   QWidget* mount_box_;
   QComboBox* mount_;
   QWidget* shape_box_;

@@ -1,5 +1,6 @@
 #include "features/editing/scene_editing.h"
 
+#include "features/editing/frame_tool.h"
 #include "features/editing/goal_pose_tool.h"
 #include "features/editing/mesh_import.h"
 #include "features/editing/palm_tool.h"
@@ -359,7 +360,8 @@ void SceneEditing::show_handles(bool shown) {
 void SceneEditing::update_gizmo() {
   const bool movable = editor_.can_change() || editor_.selection().is_posture() ||
                        editor_.selection().kind == SceneItem::Kind::kRobot ||
-                       editor_.selected_goal_pose() != nullptr;
+                       editor_.selected_goal_pose() != nullptr ||
+                       editor_.selected_frame() != nullptr;
   const std::vector<std::string>& objects = editor_.selected_objects();
   const bool hidden = !objects.empty() && std::ranges::all_of(objects, [&](const auto& name) {
     return editor_.state().is_hidden(name);
@@ -487,6 +489,7 @@ void add_editing(Workbench& workbench) {
                                        workbench.session, workbench.view);
   QObject::connect(&palm, &PalmTool::refused, &workbench, &Workbench::show_error);
   workbench.own<GoalPoseTool>(workbench);
+  workbench.own<FrameTool>(workbench);
   auto& constraints = workbench.own<ConstraintDisplay>(workbench.document, workbench.view);
   QObject::connect(&workbench, &Workbench::scene_shown, &constraints, &ConstraintDisplay::show);
 }

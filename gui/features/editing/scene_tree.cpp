@@ -275,6 +275,7 @@ void SceneTree::rebuild() {
     add_robot(robot);
   }
   add_objects(*state_.scene);
+  add_frames(*state_.scene);
   add_query(*state_.scene);
 }
 
@@ -405,6 +406,24 @@ QTreeWidgetItem* SceneTree::object_row(const geometric::SceneObject& object) con
   row->setCheckState(0, state_.is_hidden(object.name) ? Qt::Unchecked : Qt::Checked);
   row->setToolTip(0, QStringLiteral("%1: %2").arg(row->text(0), words));
   return row;
+}
+
+void SceneTree::add_frames(const geometric::Scene& scene) {
+  if (scene.frames.empty()) {
+    return;
+  }
+  QTreeWidgetItem* top = make_row(tr("Frames"), icon("local_axes"), {});
+  addTopLevelItem(top);
+  for (const geometric::NamedFrame& frame : scene.frames) {
+    QTreeWidgetItem* row =
+        make_row(QString::fromStdString(frame.name), icon("local_axes"), frame_item(frame.name));
+    row->setToolTip(
+        0, frame.parent.empty()
+               ? tr("%1: a frame of the world").arg(row->text(0))
+               : tr("%1: a frame on %2").arg(row->text(0), QString::fromStdString(frame.parent)));
+    top->addChild(row);
+  }
+  top->setExpanded(true);
 }
 
 void SceneTree::add_query(const geometric::Scene& scene) {

@@ -73,6 +73,7 @@ class SceneTree : public QTreeWidget {
   [[nodiscard]] QTreeWidgetItem* object_row(const geometric::SceneObject& object) const;
   [[nodiscard]] QTreeWidgetItem* group_row(const geometric::Scene& scene,
                                            const std::string& group) const;
+  void add_frames(const geometric::Scene& scene);
   void add_query(const geometric::Scene& scene);
   [[nodiscard]] SceneItem item_at(const QTreeWidgetItem* row) const;
   /// The objects of these rows, the current one's last.

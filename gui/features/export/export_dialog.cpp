@@ -27,7 +27,6 @@
 #include <QUrl>
 #include <QVariant>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -226,9 +225,7 @@ QWidget* ExportDialog::make_settings() {
   connect(too_close_, &QCheckBox::toggled, this, &ExportDialog::update_button);
   connect(timing_form_, &ParameterForm::edited, this,
           [this, settle](const std::string& key, const std::string& value) {
-            const auto parameters = shown_parameters(timing_settings_);
-            set_from_text(*std::ranges::find(parameters, key, &geometric::BoundParameter::key),
-                          value);
+            set_from_text(find_parameter(shown_parameters(timing_settings_), key), value);
             settle();
           });
   return box;

@@ -2,6 +2,7 @@
 
 #include "features/glove/bones_form.h"
 #include "features/glove/hand_picture.h"
+#include "handway/device/glove/angle_ranges.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/glove/calibration_fit.h"
+#include "handway/device/glove/guided_poses.h"
 #include "model/devices/glove_session.h"
 
 #include <QString>

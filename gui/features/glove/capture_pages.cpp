@@ -3,6 +3,7 @@
 #include "features/glove/capture_coach.h"
 #include "features/glove/glove_sources.h"
 #include "features/glove/pmd_explorer.h"
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/group_proposal.h"

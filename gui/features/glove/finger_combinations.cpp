@@ -1,7 +1,7 @@
 #include "features/glove/finger_combinations.h"
 
 #include "features/glove/joint_label.h"
-#include "handway/device/glove/calibration_fit.h"
+#include "handway/device/glove/angle_ranges.h"
 
 #include <QObject>
 

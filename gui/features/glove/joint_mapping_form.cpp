@@ -1,7 +1,7 @@
 #include "features/glove/joint_mapping_form.h"
 
 #include "features/glove/joint_label.h"
-#include "handway/device/glove/calibration_fit.h"
+#include "handway/device/glove/angle_ranges.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"

@@ -1,5 +1,6 @@
 #include "features/glove/mapping_comparison.h"
 
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/principal_components.h"
 

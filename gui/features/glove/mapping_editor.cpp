@@ -4,6 +4,7 @@
 #include "features/glove/joint_mapping_form.h"
 #include "features/glove/mapping_comparison.h"
 #include "features/glove/mapping_wires.h"
+#include "handway/device/retargeting/mapping_fit.h"
 #include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "model/devices/glove_session.h"
 

@@ -1,9 +1,12 @@
 #include "features/grasping/grasp_tool.h"
 
+#include "features/grasping/grasp_card.h"
 #include "features/workbench.h"
-#include "handway/geometric/math/units.h"
+#include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/setup/placing.h"
+#include "handway/planning/grasps/given_grasps.h"
+#include "handway/planning/grasps/grasp_file.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
@@ -12,67 +15,24 @@
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
-#include "widgets/forms/arrangement.h"
+#include "widgets/forms/file_dialogs.h"
 #include "widgets/panels/film_bar.h"
+#include "widgets/panels/log_panel.h"
 #include "widgets/style/actions.h"
-#include "widgets/style/theme.h"
-
-#include <QHeaderView>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QSignalBlocker>
-#include <QToolButton>
-#include <QTreeWidget>
-#include <QVariant>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 namespace handway::gui {
 namespace {
 
-constexpr int kWidth = 400;
-constexpr int kMargin = 12;
-constexpr int kColumnWidth = 60;
-constexpr int kFewestRows = 3;
-constexpr int kProgressSteps = 1000;
-constexpr int kHeldColumn = 5;
-
-QStringList row_texts(int rank, const planning::Pregrasp& grasp) {
-  return {QString::number(rank),
-          QString::number(grasp.contacts.size()),
-          QString::number(grasp.quality.epsilon, 'f', 3),
-          QObject::tr("%1 mm").arg(geometric::millimetres(grasp.clearance), 0, 'f', 0),
-          QString::number(grasp.score, 'f', 2),
-          QString()};
-}
-
-QString hold_text(const planning::HoldResult& result) {
-  return QObject::tr("%1 of 6").arg(result.directions_held());
-}
-
-QString hold_tip(const planning::HoldResult& result) {
-  const planning::HoldConditions conditions;
-  const QString forces = QObject::tr("Simulated: held against %1 of 6 forces of %2 N")
-                             .arg(result.directions_held())
-                             .arg(conditions.force);
-  if (!result.lift) {
-    return forces;
-  }
-  const QString lift = result.lift->held
-                           ? QObject::tr("Raised by 10 cm and held for 5 s: slips by %1 mm and %2°")
-                                 .arg(geometric::millimetres(result.lift->shift), 0, 'f', 1)
-                                 .arg(geometric::degrees(result.lift->turn), 0, 'f', 1)
-                           : QObject::tr("Dropped when it was raised");
-  return forces + QLatin1Char('\n') + lift + QLatin1Char('\n') +
-         QObject::tr("%1 kg, friction %2").arg(conditions.mass).arg(conditions.contact.friction);
-}
-
-// What is done to the object in a part of a hold test.
+// Action on the object in a part of a hold test.
 QString load_text(int load) {
   const QStringList axes{QStringLiteral("+x"), QStringLiteral("-x"), QStringLiteral("+y"),
                          QStringLiteral("-y"), QStringLiteral("+z"), QStringLiteral("-z")};
@@ -87,229 +47,58 @@ QString load_text(int load) {
   return QObject::tr("Simulation: raised by 10 cm, seen from the palm.");
 }
 
-QString row_tip(const planning::Pregrasp& grasp) {
-  QString tip = QObject::tr(
-                    "%1 fingers near the object, thumb and fingers %2 % on opposite sides\n"
-                    "%3 from the hand's principal motion directions, arm travel %4 (normalised "
-                    "joints)")
-                    .arg(grasp.fingers)
-                    .arg(100.0 * grasp.enclosure, 0, 'f', 0)
-                    .arg(grasp.subspace_distance, 0, 'f', 2)
-                    .arg(grasp.arm_travel, 0, 'f', 2);
-  if (!grasp.doubt.empty()) {
-    tip += QLatin1Char('\n') + QString::fromStdString(grasp.doubt);
+planning::MeasuredGrasps grasps_from(const GraspSource& source,
+                                     const planning::PlanningProblem& problem,
+                                     const std::string& object, const std::stop_token& stop,
+                                     const planning::PregraspProgress& progress) {
+  switch (source.origin()) {
+    case GraspOrigin::kFile:
+      return planning::measure_grasps_of_file(source.file, problem, object, {}, stop);
+    case GraspOrigin::kEdit:
+      return planning::measure_given_grasps(problem, object, source.given, {}, stop);
+    case GraspOrigin::kSearch:
+      break;
   }
-  return tip;
+  return {planning::find_pregrasps(problem, object, {}, stop, progress), {}};
+}
+
+// Returns grasps of a search as those to measure after an edit, with their ranks for messages.
+std::vector<planning::GivenGrasp> to_follow(const planning::PlanningProblem& problem,
+                                            const std::string& object,
+                                            const planning::Pregrasps& grasps) {
+  std::vector<planning::GivenGrasp> given;
+  for (const planning::Pregrasp& grasp : grasps.found) {
+    const QString name = QObject::tr("Grasp %1").arg(given.size() + 1);
+    given.push_back(as_given(problem, object, grasp, grasps.palm, name.toStdString()));
+  }
+  return given;
+}
+
+// Says which grasps are shown, and why others are not.
+QString note_of(const GraspSource& source, const planning::MeasuredGrasps& measured, bool stopped) {
+  if (source.origin() == GraspOrigin::kSearch) {
+    return stopped ? QObject::tr("The best grasps that were found until the search was stopped.")
+                   : QObject::tr("The best grasp is first; the ghost shows the selected grasp.");
+  }
+  QString note =
+      source.origin() == GraspOrigin::kEdit
+          ? QObject::tr("Measured again in the edited scene.")
+          : QObject::tr("Kept in %1.").arg(QString::fromStdString(source.file.filename().string()));
+  if (!measured.left_out.empty()) {
+    note += QObject::tr(" %1 of %2 are not possible here: %3")
+                .arg(measured.left_out.size())
+                .arg(measured.left_out.size() + measured.grasps.found.size())
+                .arg(QString::fromStdString(measured.left_out.front()));
+  }
+  return note;
 }
 
 }  // namespace
 
-GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen)
-    : FloatingCard(host, "grasps", "offer"),
-      to_be_seen_(std::move(to_be_seen)),
-      title_(heading()),
-      details_(new QWidget),
-      fold_(make_fold(QStringLiteral("grasp_fold"), *details_)),
-      note_(named("grasp_note", note())),
-      list_(named("grasp_list", new QTreeWidget)),
-      search_(new QWidget),
-      progress_(named("grasp_progress", new QProgressBar)),
-      film_(named("grasp_film", new QPushButton(tr("Watch the test")))),
-      film_bar_(named("grasp_film_bar", new FilmBar)),
-      plan_(named("grasp_plan", new QPushButton(tr("Plan to this grasp")))) {
-  note_->setWordWrap(true);
-  list_->setAccessibleName(tr("Grasps"));
-  list_->setFrameShape(QFrame::NoFrame);
-  list_->setRootIsDecorated(false);
-  list_->setUniformRowHeights(true);
-  list_->setHeaderLabels(
-      {QString(), tr("Contacts"), tr("Epsilon"), tr("Clear"), tr("Score"), tr("Held")});
-  list_->header()->setStretchLastSection(false);
-  list_->header()->setMinimumSectionSize(scaled(kColumnWidth));
-  list_->header()->setSectionResizeMode(QHeaderView::Stretch);
-  list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
-  list_->header()->resizeSection(0, scaled(kColumnWidth));
-  const QStringList words{tr("Rank"),
-                          tr("Contacts of the closed hand with the object"),
-                          tr("Smallest disturbance in N that 1 N of contact forces cannot resist, "
-                             "with friction %1; 0 or less: it may slip")
-                              .arg(planning::PregraspOptions{}.contact.friction),
-                          tr("Clearance of robot and hand from all other bodies, up to 50 mm"),
-                          tr("Score for the ranking, from 0 to 1"),
-                          tr("Simulated: in how many of six directions the object stays in the "
-                             "hand")};
-  for (int column = 0; column < words.size(); ++column) {
-    list_->headerItem()->setToolTip(column, words[column]);
-  }
-  progress_->setRange(0, kProgressSteps);
-  progress_->setTextVisible(false);
-  progress_->setFixedHeight(6);
-  auto* stop = named("grasp_stop", new QPushButton(tr("Stop")));
-  stop->setToolTip(tr("End the search and keep what was found"));
-  connect(stop, &QPushButton::clicked, this, &GraspCard::stop_requested);
-  lay_out(*search_, in_row({{progress_, 1}, stop}, 8));
-  film_->setCheckable(true);
-  film_->setToolTip(
-      tr("Show the simulation of this grasp: the hand squeezes, six forces pull, it is raised"));
-  connect(film_, &QPushButton::clicked, this,
-          [this](bool wanted) { emit film_wanted(row(), wanted); });
-  plan_->setProperty("role", "primary");
-  plan_->setToolTip(tr("Set this grasp as the goal, and plan"));
-  QToolButton* close = make_close("grasp_close", tr("Leave the goal as it is"));
-  connect(close, &QToolButton::clicked, this, [this] {
-    hide();
-    emit closed();
-  });
-  connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-    const int row = list_->indexOfTopLevelItem(item);
-    plan_->setEnabled(row >= 0);
-    update_film();
-    if (row >= 0) {
-      emit looked_at(row);
-    }
-  });
-  for (const auto by_person : {&QTreeWidget::itemClicked, &QTreeWidget::itemActivated}) {
-    connect(list_, by_person, this, [this] { is_chosen_ = true; });
-  }
-  connect(list_, &QTreeWidget::itemDoubleClicked, plan_, &QPushButton::click);
-  connect(plan_, &QPushButton::clicked, this, [this] {
-    hide();
-    emit chosen(row());
-  });
-  lay_out(*details_, in_column({note_, search_, {list_, 1}, film_bar_, film_}, 6));
-  lay_out(*this,
-          in_column({in_row({{title_, 1}, {fold_, 0, Qt::AlignTop}, {close, 0, Qt::AlignTop}}),
-                     {details_, 1},
-                     plan_},
-                    6),
-          {12, 6, 8, 10});
-}
-
-void GraspCard::show_search(const QString& object) {
-  title_->setText(tr("Grasp %1").arg(object));
-  listed_.clear();
-  list_->clear();
-  is_chosen_ = false;
-  progress_->setValue(0);
-  set_up(tr("Searching for grasps…"), false, true);
-}
-
-void GraspCard::show_progress(const std::vector<planning::Pregrasp>& grasps, double fraction) {
-  progress_->setValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
-  list(grasps);
-  const int percent = static_cast<int>(std::lround(100.0 * fraction));
-  set_up(
-      grasps.empty()
-          ? tr("Searching for grasps… %1 %").arg(percent)
-          : tr("The best so far, %1 % searched. Choose one, or continue the search.").arg(percent),
-      !grasps.empty(), true);
-}
-
-void GraspCard::show_grasps(const std::vector<planning::Pregrasp>& grasps, bool stopped) {
-  list(grasps);
-  set_up(stopped ? tr("The best grasps that were found until the search was stopped.")
-                 : tr("The best grasp is first; the ghost shows the selected grasp."),
-         true, false);
-}
-
-void GraspCard::list(const std::vector<planning::Pregrasp>& grasps) {
-  const auto same = [](const planning::Pregrasp& a, const planning::Pregrasp& b) {
-    return a.q == b.q;
-  };
-  if (std::ranges::equal(grasps, listed_, same)) {
-    return;
-  }
-  const int before = list_->indexOfTopLevelItem(list_->currentItem());
-  int row = 0;
-  if (is_chosen_ && before >= 0) {
-    const auto& chosen = listed_[static_cast<std::size_t>(before)];
-    const auto now =
-        std::ranges::find_if(grasps, [&](const auto& grasp) { return same(grasp, chosen); });
-    row = now == grasps.end() ? 0 : static_cast<int>(now - grasps.begin());
-  }
-  const bool is_first = listed_.empty();
-  listed_ = grasps;
-  {
-    const QSignalBlocker quiet(list_);
-    list_->clear();
-    for (std::size_t i = 0; i < grasps.size(); ++i) {
-      auto* item = new QTreeWidgetItem(list_, row_texts(static_cast<int>(i) + 1, grasps[i]));
-      for (int column = 0; column < list_->columnCount(); ++column) {
-        item->setToolTip(column, row_tip(grasps[i]));
-        item->setTextAlignment(column, column == 0 ? Qt::AlignRight : Qt::AlignHCenter);
-      }
-    }
-  }
-  list_->setCurrentItem(list_->topLevelItem(row));
-  if (is_first) {
-    fold_->setChecked(false);
-  }
-}
-
-void GraspCard::show_failure(const QString& object, const QString& reason) {
-  title_->setText(tr("Grasp %1").arg(object));
-  set_up(reason, false, false);
-}
-
-int GraspCard::row() const { return list_->indexOfTopLevelItem(list_->currentItem()); }
-
-void GraspCard::show_tests(bool possible) { list_->setColumnHidden(kHeldColumn, !possible); }
-
-void GraspCard::show_untested(const QString& reason) {
-  show_tests(false);
-  set_up(tr("Not simulated: %1").arg(reason), true, false);
-}
-
-void GraspCard::show_hold(int index, const planning::HoldResult& result) {
-  QTreeWidgetItem* item = list_->topLevelItem(index);
-  if (item == nullptr) {
-    return;
-  }
-  item->setText(kHeldColumn, hold_text(result));
-  item->setToolTip(kHeldColumn, hold_tip(result));
-  update_film();
-}
-
-void GraspCard::update_film() {
-  const QTreeWidgetItem* item = list_->currentItem();
-  film_->setEnabled(item != nullptr && !item->text(kHeldColumn).isEmpty());
-}
-
-void GraspCard::show_film(const QString& what) {
-  if (note_before_film_.isEmpty()) {
-    note_before_film_ = note_->text();
-  }
-  film_->setChecked(!what.isEmpty());
-  film_->setText(what.isEmpty() ? tr("Watch the test") : tr("Stop"));
-  note_->setText(what.isEmpty() ? std::exchange(note_before_film_, QString()) : what);
-}
-
-void GraspCard::set_up(const QString& note, bool with_list, bool searching) {
-  note_->setText(note);
-  search_->setVisible(searching);
-  list_->setVisible(with_list);
-  plan_->setVisible(with_list);
-  film_->setVisible(with_list && !list_->isColumnHidden(kHeldColumn));
-  film_bar_->setVisible(film_->isVisibleTo(this));
-  fold_->setVisible(with_list);
-  appear();
-}
-
-void GraspCard::place() {
-  const QRect within = parentWidget()->rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
-  const int width = std::min(scaled(kWidth), within.width());
-  const auto height_with = [this, width](int rows) {
-    list_->setFixedHeight(list_->header()->sizeHint().height() + rows * list_->sizeHintForRow(0) +
-                          2);
-    details_->layout()->activate();
-    return layout()->totalHeightForWidth(width);
-  };
-  int rows = list_->topLevelItemCount();
-  int height = height_with(rows);
-  while (height > within.height() && rows > kFewestRows) {
-    height = height_with(--rows);
-  }
-  stand_where_it_hides_least({width, std::min(height, within.height())}, to_be_seen_());
+GraspOrigin GraspSource::origin() const {
+  return !file.empty()    ? GraspOrigin::kFile
+         : !given.empty() ? GraspOrigin::kEdit
+                          : GraspOrigin::kSearch;
 }
 
 GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& session,
@@ -329,7 +118,7 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
   connect(&document_, &Document::opened, this, &GraspTool::end);
   connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
     if (before.scene != document_.scene()) {
-      end();  // what was found is of another scene
+      follow_edit();
     }
   });
   connect(&session_, &PlanningSession::started, this, &GraspTool::end);  // to another goal
@@ -341,33 +130,56 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
       ends_search_->request_stop();
     }
   });
+  connect(card_, &GraspCard::search_requested, this, [this] {
+    if (const auto* object = geometric::find_object(*document_.scene(), object_)) {
+      find(*object, {});
+    }
+  });
+  connect(card_, &GraspCard::keep_requested, this, &GraspTool::keep);
   connect(&test_job_, &LatestJob::failed, card_, &GraspCard::show_untested);
   connect(&job_, &LatestJob::failed, this, [this](const QString& reason) {
-    card_->show_failure(QString::fromStdString(object_), reason);
+    card_->show_failure(QString::fromStdString(object_), reason, source_.origin());
   });
 }
 
 void GraspTool::begin() {
   const geometric::SceneObject* object = editor_.selected_object();
-  if (!object || !document_.problem()) {
+  if (object && document_.problem()) {
+    find(*object, {.file = object->grasps});
+  }
+}
+
+void GraspTool::follow_edit() {
+  const geometric::SceneObject* object = card_->isHidden() || !document_.problem()
+                                             ? nullptr
+                                             : geometric::find_object(*document_.scene(), object_);
+  if (object == nullptr || object->attachment) {
+    end();
     return;
   }
+  const bool is_known = !job_.is_busy() && source_.file.empty() && !found_.empty();
+  find(*object, is_known ? GraspSource{.given = found_} : source_);
+}
+
+void GraspTool::find(const geometric::SceneObject& object, const GraspSource& source) {
   emit handles_welcome(false);
-  object_ = object->name;
+  object_ = object.name;
+  source_ = source;
+  found_ = source.given;
   card_->film().end();
   test_job_.cancel();
   tests_.clear();
   grasps_ = {};
   card_->show_tests(make_hold_test_ != nullptr);
-  card_->show_search(QString::fromStdString(object->name));
+  card_->show_search(QString::fromStdString(object.name));
   ends_search_ = std::make_shared<std::stop_source>();
   // Without a start the motion begins where the robot is shown. Of size 0: the scene has a start.
   geometric::Configuration from;
   if (!document_.scene()->start) {
     from = document_.configuration();
   }
-  job_.run([this, name = object->name, problem = document_.problem(), search = ++search_, from,
-            ends = ends_search_](const std::stop_token& stop) -> LatestJob::Answer {
+  job_.run([this, name = object.name, problem = document_.problem(), search = ++search_, from,
+            source, ends = ends_search_](const std::stop_token& stop) -> LatestJob::Answer {
     const PreparedProblem::Problem prepared = problem->wait(stop);
     if (!prepared) {
       return nullptr;
@@ -391,22 +203,56 @@ void GraspTool::begin() {
           },
           Qt::QueuedConnection);
     };
-    return
-        [this, title = QString::fromStdString(name), revision = problem->revision(), ends, centre_O,
-         found = planning::find_pregrasps(asked, name, {}, ends->get_token(), progress)] {
-          ++search_;  // no progress after the end
-          centre_O_ = centre_O;
-          grasps_ = {found.found, revision};
-          if (grasps_.value.empty()) {
-            card_->show_failure(title, ends->stop_requested()
-                                           ? tr("The search was stopped before a grasp was found.")
-                                           : QString::fromStdString(found.why_none));
-          } else {
-            card_->show_grasps(grasps_.value, ends->stop_requested());
-            test(found.palm);
-          }
-        };
+    planning::MeasuredGrasps measured =
+        grasps_from(source, asked, name, ends->get_token(), progress);
+    auto found = source.origin() == GraspOrigin::kSearch ? to_follow(asked, name, measured.grasps)
+                                                         : source.given;
+    return [this, revision = problem->revision(), ends, centre_O, measured = std::move(measured),
+            found = std::move(found)] {
+      ++search_;  // no progress after the end
+      centre_O_ = centre_O;
+      palm_ = measured.grasps.palm;
+      grasps_ = {measured.grasps.found, revision};
+      found_ = found;
+      take(measured, ends->stop_requested());
+    };
   });
+}
+
+void GraspTool::take(const planning::MeasuredGrasps& measured, bool stopped) {
+  const GraspOrigin origin = source_.origin();
+  if (!grasps_.value.empty()) {
+    card_->show_grasps(grasps_.value, note_of(source_, measured, stopped), origin);
+    test();
+    return;
+  }
+  const QString reason = origin != GraspOrigin::kSearch ? note_of(source_, measured, stopped)
+                         : stopped ? tr("The search was stopped before a grasp was found.")
+                                   : QString::fromStdString(measured.grasps.why_none);
+  card_->show_failure(QString::fromStdString(object_), reason, origin);
+}
+
+void GraspTool::keep() {
+  const std::filesystem::path& scene = document_.scene()->file;
+  const std::string prefix = scene.empty() ? "" : scene.stem().string() + "_";
+  const QString proposed =
+      QString::fromStdString((scene.parent_path() / (prefix + object_ + "_grasps.yaml")).string());
+  const QString file =
+      ask_where_to_save(card_->window(), tr("Keep the grasps"), proposed, tr("Grasps (*.yaml)"));
+  if (file.isEmpty() || grasps_.made_from != document_.revision()) {
+    return;
+  }
+  try {
+    const PreparedProblem::Problem problem = document_.problem()->wait({});
+    geometric::replace_file(
+        file.toStdString(),
+        planning::grasp_file_text(*problem, object_, {}, {grasps_.value, "", palm_}));
+    editor_.keep_grasps(object_, file.toStdString());
+    emit kept(file);
+    find(*geometric::find_object(*document_.scene(), object_), {.file = file.toStdString()});
+  } catch (const std::exception& error) {
+    emit failed(tr("The grasps were not kept"), QString::fromUtf8(error.what()));
+  }
 }
 
 void GraspTool::take_progress(int search, std::vector<planning::Pregrasp> found, double fraction) {
@@ -429,12 +275,12 @@ void GraspTool::look_at(int index) {
                                                      planning::PregraspOptions{}.contact.friction));
 }
 
-void GraspTool::test(int palm) {
+void GraspTool::test() {
   tests_.clear();
   if (make_hold_test_ == nullptr) {
     return;
   }
-  test_job_.run([this, palm, make = make_hold_test_, name = object_, search = search_,
+  test_job_.run([this, palm = palm_, make = make_hold_test_, name = object_, search = search_,
                  grasps = grasps_.value,
                  problem = document_.problem()](const std::stop_token& stop) -> LatestJob::Answer {
     const PreparedProblem::Problem prepared = problem->wait(stop);
@@ -464,6 +310,28 @@ void GraspTool::take_test(int search, FilmedTest test) {
   }
   tests_.push_back(std::move(test));
   card_->show_hold(static_cast<int>(tests_.size()) - 1, tests_.back().result);
+  if (tests_.size() == grasps_.value.size() && !card_->film().is_open()) {
+    rank_by_tests();
+  }
+}
+
+void GraspTool::rank_by_tests() {
+  std::vector<std::size_t> order(tests_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(),
+                           [&](std::size_t i) { return tests_[i].result.loads_held(); });
+  std::vector<planning::Pregrasp> grasps;
+  std::vector<FilmedTest> tests;
+  for (const std::size_t i : order) {
+    grasps.push_back(std::move(grasps_.value[i]));
+    tests.push_back(std::move(tests_[i]));
+  }
+  grasps_.value = std::move(grasps);
+  tests_ = std::move(tests);
+  card_->show_ranked(grasps_.value);
+  for (std::size_t i = 0; i < tests_.size(); ++i) {
+    card_->show_hold(static_cast<int>(i), tests_[i].result);
+  }
 }
 
 void GraspTool::begin_film(int index) {
@@ -573,6 +441,10 @@ void add_grasping(Workbench& workbench) {
   };
   QObject::connect(grasp, &QAction::triggered, &tool, &GraspTool::begin);
   QObject::connect(&tool, &GraspTool::handles_welcome, &workbench, &Workbench::handles_welcome);
+  QObject::connect(&tool, &GraspTool::kept, &workbench, [&workbench](const QString& file) {
+    workbench.log.add(LogPanel::Level::kNote, QObject::tr("Kept grasps in %1").arg(file));
+  });
+  QObject::connect(&tool, &GraspTool::failed, &workbench, &Workbench::show_error);
   QObject::connect(&tool, &GraspTool::planning, &workbench,
                    [&workbench] { workbench.show_panel("plan"); });
   QObject::connect(&workbench.document, &Document::opened, grasp, update_enabled);

@@ -46,17 +46,9 @@ QFormLayout* make_form() {
   return form;
 }
 
-const std::vector<Parameter>& request_parameters() {
-  static const std::vector<Parameter> kAll = [] {
-    planning::PlanRequest request;
-    return geometric::values_of(parameters_of(request));
-  }();
-  return kAll;
-}
-
 // The label of a setting of the request.
 QString label_of(const char* key) {
-  return QString::fromStdString(find_parameter(request_parameters(), key).label);
+  return QString::fromStdString(find_parameter(planning::request_parameters(), key).label);
 }
 
 }  // namespace
@@ -188,14 +180,14 @@ QWidget* PlanPanel::make_settings() {
   seed_->setRange(0, std::numeric_limits<int>::max());
   seed_->setToolTip(tr("The same seed gives the same path, on any number of threads"));
   for (auto& [field, key] : {std::pair{time_limit_, "time_limit"}, std::pair{margin_, "margin"}}) {
-    const Parameter& described = find_parameter(request_parameters(), key);
+    const Parameter& described = find_parameter(planning::request_parameters(), key);
     field->setRange(0.0, described.upper);
     field->setDecimals(1);
     field->setSuffix(QStringLiteral(" %1").arg(QString::fromStdString(described.unit)));
     field->setSpecialValueText(tr("none"));
     field->setToolTip(QString::fromStdString(described.help));
   }
-  const Parameter& threads = find_parameter(request_parameters(), "threads");
+  const Parameter& threads = find_parameter(planning::request_parameters(), "threads");
   threads_->setRange(static_cast<int>(threads.lower), static_cast<int>(threads.upper));
   threads_->setToolTip(QString::fromStdString(threads.help));
 
@@ -268,7 +260,7 @@ QWidget* PlanPanel::make_optimizing() {
   optimize_->setToolTip(
       tr("Optimise the path for the objective above until it converges, is stopped, or the time is "
          "over. The previous path stays among the runs."));
-  optimize_limit_->setRange(0.0, 86400.0);
+  optimize_limit_->setRange(0.0, find_parameter(planning::request_parameters(), "optimize").upper);
   optimize_limit_->setDecimals(1);
   optimize_limit_->setPrefix(tr("for "));
   optimize_limit_->setSuffix(tr(" s"));

@@ -164,29 +164,29 @@ QString DoctorCard::text() const {
 }
 
 // The card is as high as its text, if the view has room; otherwise the text scrolls. It is at the
-// foot of the view, or at its head if that covers less of the colliding bodies.
+// foot of the view, or at its head if that hides less of the colliding bodies.
 void DoctorCard::place() {
   constexpr int kMargin = 12;
   constexpr int kAxes = 108;  // left of it stands the axes cross
-  const QSize room = parentWidget()->size() - QSize(2 * kMargin, 2 * kMargin);
-  const bool beside_axes = room.width() - kAxes > scaled(420);
+  const QRect free = between_high_cards(scaled(320));
+  const QSize room = free.size() - QSize(2 * kMargin, 2 * kMargin);
+  const int axes = std::max(0, kAxes - free.left());
+  const bool beside_axes = room.width() - axes > scaled(420);
   const int width =
-      std::min(beside_axes ? room.width() - kAxes + kMargin : room.width(), scaled(720));
+      std::min(beside_axes ? room.width() - axes + kMargin : room.width(), scaled(720));
   const QMargins around = layout()->contentsMargins();
   const int for_words = width - around.left() - around.right() - 2 * kSpacing -
                         picture_->sizeHint().width() - close_->sizeHint().width();
   const bool has_answers = !show_->isHidden() || !mend_->isHidden();
   const int answers = has_answers ? use_->sizeHint().height() + layout()->spacing() : 0;
-  const int left = beside_axes ? std::max(kAxes, (parentWidget()->width() - width) / 2) : kMargin;
+  const int left =
+      free.left() + (beside_axes ? std::max(axes, (free.width() - width) / 2) : kMargin);
   const std::vector<QPoint> to_be_seen = to_be_seen_();
-  const auto covered = [&](const QRect& card) {
-    return std::ranges::count_if(to_be_seen, [&](const QPoint& p) { return card.contains(p); });
-  };
   const auto stand = [&](int wanted) {
     const int height = std::min(wanted, room.height());
     const QRect head(left, kMargin, width, height);
     const QRect foot(left, parentWidget()->height() - height - kMargin, width, height);
-    setGeometry(covered(head) < covered(foot) ? head : foot);
+    setGeometry(hidden_at(head, to_be_seen) < hidden_at(foot, to_be_seen) ? head : foot);
     layout()->activate();
   };
   stand(around.top() + text_->heightForWidth(for_words) + answers + around.bottom());

@@ -1,6 +1,7 @@
 #include "features/preferences/preferences_dialog.h"
 
 #include "features/workbench.h"
+#include "handway/planning/core/request_parameters.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/typed_input.h"
 #include "widgets/panels/dock_layout.h"
@@ -124,14 +125,17 @@ void PreferencesDialog::add_planning(QFormLayout& form, const QStringList& plann
   add_choice<QString>(form, "usual_planner", tr("Planner of new scenes"), choices,
                       [](Values& values) -> QString& { return values.planner; });
   auto* threads = new QSpinBox;
-  threads->setRange(0, 1024);
+  const auto most = [](const char* key) {
+    return find_parameter(planning::request_parameters(), key).upper;
+  };
+  threads->setRange(0, static_cast<int>(most("threads")));
   threads->setSpecialValueText(tr("One per processor"));
   connect(threads, qOverload<int>(&QSpinBox::valueChanged), this,
           [this](int value) { preferences_.set(&Values::threads, value); });
   show_.emplace_back([this, threads] { show_value(*threads, preferences_.values().threads); });
   add_number(form, "usual_threads", tr("Threads"), threads);
   auto* limit = new QDoubleSpinBox;
-  limit->setRange(0.0, 86400.0);
+  limit->setRange(0.0, most("time_limit"));
   limit->setDecimals(1);
   limit->setSuffix(tr(" s"));
   limit->setSpecialValueText(tr("None"));

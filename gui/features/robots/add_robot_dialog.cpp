@@ -1,7 +1,7 @@
 #include "features/robots/add_robot_dialog.h"
 
 #include "handway/geometric/formats/urdf.h"
-#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/package_path.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/extensions/load_scene.h"

@@ -49,6 +49,8 @@ QString stage_text(planning::StageKind kind) {
       return QObject::tr("Open the hand");
     case planning::StageKind::kRetreat:
       return QObject::tr("Retreat");
+    case planning::StageKind::kLine:
+      return QObject::tr("Straight line");
   }
   return {};
 }
@@ -73,6 +75,8 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
       film_(named("task_film", new FilmBar)),
       keep_(named("task_keep", new QPushButton)),
       plan_(named("task_plan", new QPushButton(tr("Plan")))),
+      edit_(named("task_edit", new QPushButton(tr("Edit")))),
+      editor_(named("task_editor", new ProgramEditor)),
       choices_(new QWidget) {
   note_->setWordWrap(true);
   support_->setAccessibleName(tr("Place on"));
@@ -112,6 +116,17 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
   run_->setToolTip(tr("Run the whole task on the robot, in the panel Devices"));
   connect(run_, &QPushButton::clicked, this, &TaskCard::run_wanted);
   connect(keep_, &QPushButton::clicked, this, &TaskCard::keep_wanted);
+  edit_->setCheckable(true);
+  edit_->setToolTip(tr("Show the steps of the program, to change them"));
+  connect(edit_, &QPushButton::toggled, this, [this](bool shown) {
+    editor_->setVisible(shown);
+    appear();
+  });
+  connect(editor_, &ProgramEditor::edited, this, &TaskCard::steps_edited);
+  for (const auto by_person : {&QTreeWidget::itemClicked, &QTreeWidget::itemActivated}) {
+    connect(list_, by_person, this,
+            [this](QTreeWidgetItem* item) { emit row_chosen(list_->indexOfTopLevelItem(item)); });
+  }
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Find a grasp, a place and the motions between them"));
   connect(plan_, &QPushButton::clicked, this, &TaskCard::plan_wanted);
@@ -133,18 +148,19 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
            choices_,
            in_row({new QLabel(tr("Mass")), {mass_, 1}, new QLabel(tr("Speed")), {speed_, 1}}, 8),
            note_,
+           editor_,
            search_,
            {list_, 1},
            film_,
            in_row({{play_, 1}, {simulate_, 1}, {export_, 1}, {run_, 1}}, 8),
-           in_row({{plan_, 2}, {keep_, 1}}, 8)},
+           in_row({{plan_, 2}, {edit_, 1}, {keep_, 1}}, 8)},
           6),
       {12, 6, 8, 10});
 }
 
-void TaskCard::ask(const QString& title, const QString& program, const QStringList& supports,
-                   bool simulates) {
-  show_steps(title, program);
+void TaskCard::ask(const QString& title, const QStringList& supports, bool simulates) {
+  program_.clear();
+  show_kind(title, false);
   const QSignalBlocker quiet(support_);
   support_->clear();
   support_->addItems(supports);
@@ -152,13 +168,38 @@ void TaskCard::ask(const QString& title, const QString& program, const QStringLi
   ask_again();
 }
 
-void TaskCard::show_steps(const QString& title, const QString& program) {
+void TaskCard::ask_program(const geometric::Program& program, const StepNames& names,
+                           bool simulates) {
+  show_program(program, names);
+  simulates_ = simulates;
+  ask_again();
+}
+
+bool TaskCard::update_supports(const QStringList& supports) {
+  const QSignalBlocker quiet(support_);
+  const QString chosen = support_->currentText();
+  support_->clear();
+  support_->addItems(supports);
+  support_->setCurrentIndex(std::max(0, support_->findText(chosen)));
+  return support_->currentText() == chosen;
+}
+
+void TaskCard::show_program(const geometric::Program& program, const StepNames& names) {
+  program_ = words_of(program);
+  editor_->show_steps(program.steps, names);
+  show_kind(title_of(program), true);
+}
+
+void TaskCard::edit_steps() { edit_->setChecked(true); }
+
+void TaskCard::show_kind(const QString& title, bool is_program) {
   title_->setText(title);
-  program_ = program;
-  choices_->setVisible(program.isEmpty());
-  keep_->setText(program.isEmpty() ? tr("Keep") : tr("Remove"));
-  keep_->setToolTip(program.isEmpty() ? tr("Keep the steps as a program of the scene")
-                                      : tr("Remove the program from the scene"));
+  choices_->setVisible(!is_program);
+  edit_->setVisible(is_program);
+  editor_->setVisible(is_program && edit_->isChecked());
+  keep_->setText(is_program ? tr("Remove") : tr("Keep"));
+  keep_->setToolTip(is_program ? tr("Remove the program from the scene")
+                               : tr("Keep the steps as a program of the scene"));
 }
 
 void TaskCard::ask_again() {
@@ -167,7 +208,14 @@ void TaskCard::ask_again() {
          State::kAsking);
 }
 
-void TaskCard::show_planning() { set_up(tr("Planning all stages…"), State::kWorking); }
+void TaskCard::show_planning(bool again) {
+  if (!again) {
+    edit_->setChecked(false);
+  }
+  set_up(
+      again ? tr("The scene was edited: planning all stages again…") : tr("Planning all stages…"),
+      State::kWorking);
+}
 
 void TaskCard::show_simulating() { set_up(tr("Simulating the grasp…"), State::kWorking); }
 
@@ -206,7 +254,22 @@ void TaskCard::show_failure(const QString& reason,
       item->setToolTip(column, QString::fromStdString(one.reason));
     }
   }
+  reason_ = reason;
   set_up(reason, State::kFailed);
+}
+
+void TaskCard::show_trial(const planning::StageTrials& trial) {
+  set_up(tr("%1: %2 of %3 failed. The first: %4")
+             .arg(stage_text(trial.kind))
+             .arg(trial.failed)
+             .arg(trial.tried)
+             .arg(QString::fromStdString(trial.reason)),
+         State::kFailed);
+}
+
+void TaskCard::show_reason() {
+  list_->setCurrentItem(nullptr);
+  set_up(reason_, State::kFailed);
 }
 
 void TaskCard::show_played(int stage) {
@@ -233,7 +296,8 @@ void TaskCard::set_up(const QString& note, State state) {
   export_->setVisible(state == State::kPlanned);
   run_->setVisible(state == State::kPlanned);
   film_->setVisible(state == State::kPlanned);
-  for (QWidget* asked : std::initializer_list<QWidget*>{choices_, mass_, speed_, keep_, plan_}) {
+  for (QWidget* asked :
+       std::initializer_list<QWidget*>{choices_, mass_, speed_, keep_, edit_, editor_, plan_}) {
     asked->setEnabled(state != State::kWorking);
   }
   appear();

@@ -31,27 +31,6 @@
 namespace handway::gui {
 namespace {
 
-QString title_of(const geometric::Program& program) {
-  return program.name.empty() ? QObject::tr("Program") : QString::fromStdString(program.name);
-}
-
-template <typename Step>
-const Step& as_task_step(const Step& step) {
-  return step;
-}
-planning::MoveStep as_task_step(const geometric::PostureStep& step) { return {{}, step.posture}; }
-
-// The steps of a program: "pick can, place on table, move to start".
-QString words_of(const geometric::Program& program) {
-  QStringList steps;
-  for (const geometric::ProgramStep& step : program.steps) {
-    const planning::TaskStep words =
-        std::visit([](const auto& one) { return planning::TaskStep(as_task_step(one)); }, step);
-    steps << QString::fromStdString(to_string(words));
-  }
-  return steps.join(QStringLiteral(", "));
-}
-
 // Adds a program under a name of its own. A program without a name was the only one: it gets one.
 void add_program(geometric::Program program, std::vector<geometric::Program>& programs) {
   const auto is_taken = [&](const std::string& name) {
@@ -78,7 +57,10 @@ void list_programs(QMenu& menu, const geometric::Scene* scene, TaskTool& tool) {
                                      [&tool, name = program.name] { tool.begin_program(name); });
     action->setToolTip(words_of(program));
   }
-  menu.setEnabled(!menu.isEmpty());
+  menu.addSeparator();
+  QAction* make = menu.addAction(QObject::tr("&New program"), &tool, &TaskTool::begin_new_program);
+  make->setToolTip(QObject::tr("Add a program to the scene, and edit its steps"));
+  menu.setEnabled(scene != nullptr && !scene->robots.empty());
 }
 
 // Words for the stage in which a simulation lost the object.
@@ -92,6 +74,15 @@ QString moment_of_loss(const SimulatedTask& simulated, const FilmedTask& task) {
     default:
       return QObject::tr("while it is carried");
   }
+}
+
+// Returns whether the objects stand where the task puts them: a robot has run it.
+bool is_done(const FilmedTask& task, const planning::SceneState& state) {
+  return task.plan.solved && std::ranges::all_of(task.objects, [&](const std::string& name) {
+           const auto* object = state.find(name);
+           const auto* placed = task.plan.stages.back().state.find(name);
+           return object && placed && object->X_PO.isApprox(placed->X_PO);
+         });
 }
 
 QString verdict_of(const SimulatedTask& simulated, const FilmedTask& task,
@@ -136,7 +127,9 @@ TaskTool::TaskTool(Document& document, SceneEditor& editor, SceneView& view,
   connect(&card_->film(), &FilmBar::shown, this, &TaskTool::show_frame);
   connect(&card_->film(), &FilmBar::ended, this, &TaskTool::show_scene);
   connect(card_, &TaskCard::plan_wanted, this, &TaskTool::start);
-  connect(card_, &TaskCard::changed, this, &TaskTool::forget_plan);
+  connect(card_, &TaskCard::changed, this, &TaskTool::ask_again);
+  connect(card_, &TaskCard::row_chosen, this, &TaskTool::show_row);
+  connect(card_, &TaskCard::steps_edited, this, &TaskTool::change_steps);
   connect(card_, &TaskCard::simulation_wanted, this, &TaskTool::simulate);
   connect(card_, &TaskCard::play_wanted, this,
           [this](bool wanted) { wanted ? play(task_.value.frames) : card_->film().end(); });
@@ -153,8 +146,8 @@ TaskTool::TaskTool(Document& document, SceneEditor& editor, SceneView& view,
           [this](const QString& reason) { card_->show_failure(reason, {}); });
   connect(&document_, &Document::opened, this, &TaskTool::end);
   connect(&document_, &Document::edited, this, [this](const planning::SceneState& before) {
-    if (before.scene != document_.scene() && !is_keeping_) {
-      end();  // the plan is of another scene
+    if (before.scene != document_.scene() && !is_keeping_ && !card_->isHidden()) {
+      follow_edit();
     }
   });
 }
@@ -165,35 +158,158 @@ void TaskTool::begin() {
     return;
   }
   end();
-  QStringList supports;
-  for (const std::string& name : planning::supports_of(*document_.scene(), *object)) {
-    supports.push_back(QString::fromStdString(name));
+  objects_ = {object->name};
+  card_->ask(tr("Pick and place %1").arg(QString::fromStdString(object->name)),
+             supports_of(*object), plugins_.hold_test_maker() != nullptr);
+}
+
+void TaskTool::begin_new_program() {
+  if (!document_.robot()) {
+    return;
   }
-  ask(tr("Pick and place %1").arg(QString::fromStdString(object->name)), {object->name}, supports);
+  geometric::Scene scene = *document_.scene();
+  add_program({scene.programs.empty() ? "" : "program", {geometric::PostureStep{"start"}}},
+              scene.programs);
+  apply(tr("Add program"), std::move(scene));
+  begin_program(document_.scene()->programs.back().name);
+  card_->edit_steps();
 }
 
 void TaskTool::begin_program(const std::string& name) {
-  const std::vector<geometric::Program>& programs = document_.scene()->programs;
-  const auto found = std::ranges::find(programs, name, &geometric::Program::name);
-  if (found == programs.end() || !document_.robot()) {
+  end();
+  const geometric::Program* program = find_program(name);
+  if (program == nullptr || !document_.robot()) {
     return;
   }
-  end();
   try {
-    program_ = *found;
-    const planning::Task task = planning::task_of(*found, *document_.scene());
-    ask(title_of(*found), picked_objects(task), {});
+    take_program(*program);
+    card_->ask_program(*program, step_names(), plugins_.hold_test_maker() != nullptr);
   } catch (const geometric::InputError& error) {
-    program_.reset();
-    emit failed(title_of(*found), QString::fromUtf8(error.what()));
+    emit failed(title_of(*program), QString::fromUtf8(error.what()));
   }
 }
 
-void TaskTool::ask(const QString& title, std::vector<std::string> objects,
-                   const QStringList& supports) {
-  objects_ = std::move(objects);
-  card_->ask(title, program_ ? words_of(*program_) : QString(), supports,
-             plugins_.hold_test_maker() != nullptr);
+const geometric::Program* TaskTool::find_program(const std::string& name) const {
+  const std::vector<geometric::Program>& programs = document_.scene()->programs;
+  const auto found = std::ranges::find(programs, name, &geometric::Program::name);
+  return found == programs.end() ? nullptr : &*found;
+}
+
+void TaskTool::take_program(const geometric::Program& program) {
+  objects_ = picked_objects(planning::task_of(program, *document_.scene()));
+  program_ = program;
+}
+
+QStringList TaskTool::supports_of(const geometric::SceneObject& object) const {
+  QStringList supports;
+  for (const std::string& name : planning::supports_of(*document_.scene(), object)) {
+    supports.push_back(QString::fromStdString(name));
+  }
+  return supports;
+}
+
+void TaskTool::follow_edit() {
+  const bool was_run = is_done(task_.value, document_.state());
+  const Steps steps = update_steps();
+  if (steps == Steps::kGone) {
+    end();
+  } else if (steps == Steps::kTheSame && follows_ && !was_run) {
+    plan_steps(true);
+  } else {
+    ask_again();
+  }
+}
+
+TaskTool::Steps TaskTool::update_steps() {
+  if (!document_.robot()) {
+    return Steps::kGone;
+  }
+  if (program_) {
+    return update_program();
+  }
+  const auto* object = geometric::find_object(*document_.scene(), objects_.front());
+  if (object == nullptr || object->attachment) {
+    return Steps::kGone;
+  }
+  return card_->update_supports(supports_of(*object)) ? Steps::kTheSame : Steps::kChanged;
+}
+
+TaskTool::Steps TaskTool::update_program() {
+  const geometric::Program* program = find_program(program_->name);
+  if (program == nullptr) {
+    return Steps::kGone;
+  }
+  const QString before = words_of(*program_);
+  try {
+    take_program(*program);
+  } catch (const geometric::InputError&) {
+    return Steps::kGone;  // the menu of programs says why
+  }
+  card_->show_program(*program, step_names());
+  return words_of(*program) == before ? Steps::kTheSame : Steps::kChanged;
+}
+
+StepNames TaskTool::step_names() const {
+  const geometric::Scene& scene = *document_.scene();
+  StepNames names;
+  for (const geometric::SceneObject& object : scene.objects) {
+    if (!object.attachment) {
+      names.objects << QString::fromStdString(object.name);
+    }
+  }
+  for (const std::string& name : geometric::standing_names(scene)) {
+    names.supports << QString::fromStdString(name);
+  }
+  for (const std::string& posture : planning::posture_names(scene)) {
+    names.postures << QString::fromStdString(posture);
+  }
+  return names;
+}
+
+void TaskTool::change_steps(const std::vector<geometric::ProgramStep>& steps, const QString& what) {
+  geometric::Scene scene = *document_.scene();
+  const auto program = std::ranges::find(scene.programs, program_->name, &geometric::Program::name);
+  program->steps = steps;
+  apply(what, std::move(scene));
+}
+
+void TaskTool::show_row(int row) {
+  const planning::TaskPlan& plan = task_.value.plan;
+  const auto index = static_cast<std::size_t>(row);
+  if (plan.solved) {
+    show_stage(index);
+  } else if (index < plan.trials.size()) {
+    show_trial(index);
+  }
+}
+
+void TaskTool::show_stage(std::size_t stage) {
+  if (!card_->film().is_open()) {
+    play(task_.value.frames);
+  }
+  const auto first = std::ranges::find_if(
+      frames_, [stage](const TaskFrame& frame) { return frame.moment.stage == stage; });
+  if (first != frames_.end()) {
+    card_->film().pause_at(static_cast<int>(first - frames_.begin()));
+  }
+}
+
+void TaskTool::show_trial(std::size_t trial) {
+  if (std::exchange(shown_trial_, trial) == trial) {
+    hide_trial();
+    card_->show_reason();
+    return;
+  }
+  const planning::StageTrials& shown = task_.value.plan.trials[trial];
+  card_->show_trial(shown);
+  emit handles_welcome(false);
+  view_.set_configuration(shown.q.size() > 0 ? shown.q : document_.configuration());
+}
+
+void TaskTool::hide_trial() {
+  if (std::exchange(shown_trial_, std::nullopt)) {
+    show_scene();
+  }
 }
 
 geometric::Program TaskTool::shown_program() const {
@@ -202,7 +318,7 @@ geometric::Program TaskTool::shown_program() const {
   }
   geometric::Program program{"place " + objects_.front(),
                              {geometric::PickStep{objects_.front()},
-                              geometric::PlaceStep{card_->support().toStdString()}}};
+                              geometric::PlaceStep{{card_->support().toStdString()}}}};
   if (card_->returns()) {
     program.steps.emplace_back(geometric::PostureStep{"start"});
   }
@@ -224,7 +340,7 @@ void TaskTool::keep_or_remove() {
   is_keeping_ = false;
   task_.made_from = document_.revision();  // nothing else was edited
   program_ = document_.scene()->programs.back();
-  card_->show_steps(title_of(*program_), words_of(*program_));
+  card_->show_program(*program_, step_names());
 }
 
 void TaskTool::apply(const QString& text, geometric::Scene scene) {
@@ -234,8 +350,14 @@ void TaskTool::apply(const QString& text, geometric::Scene scene) {
 }
 
 void TaskTool::start() {
+  grasps_.clear();
+  plan_steps(false);
+}
+
+void TaskTool::plan_steps(bool again) {
   forget_plan();
-  card_->show_planning();
+  follows_ = true;
+  card_->show_planning(again);
   planning::SceneState state = editor_.state();
   if (!state.scene->start) {  // the task begins where the robot is shown
     geometric::Scene scene = *state.scene;
@@ -246,13 +368,14 @@ void TaskTool::start() {
   begun.objects = objects_;
   begun.task = planning::task_of(shown_program(), *state.scene);
   begun.timing.speed = card_->speed();
-  job_.run([this, state, begun = std::move(begun), mass = card_->mass(),
+  job_.run([this, state, begun = std::move(begun), mass = card_->mass(), again, grasps = grasps_,
             revision = document_.revision()](const std::stop_token& stop) -> LatestJob::Answer {
     const auto& planners = plugins_.planners();
     const auto planner = planners.create(planners.names().front());
     planning::TaskOptions options;
     options.threads = 2;
     options.grasps.payload = mass;
+    options.first_grasps = grasps;
     FilmedTask filmed = begun;
     try {
       filmed.plan = plan_task(state, filmed.task, *planner, options, stop);
@@ -260,13 +383,13 @@ void TaskTool::start() {
     } catch (const geometric::PreparationStopped&) {
       return nullptr;
     }
-    return [this, filmed = planning::Derived<FilmedTask>{std::move(filmed), revision}] {
-      take(filmed);
+    return [this, again, filmed = planning::Derived<FilmedTask>{std::move(filmed), revision}] {
+      take(filmed, again);
     };
   });
 }
 
-void TaskTool::take(const planning::Derived<FilmedTask>& task) {
+void TaskTool::take(const planning::Derived<FilmedTask>& task, bool again) {
   if (task.made_from != document_.revision()) {
     card_->show_failure(tr("The scene was edited meanwhile. Plan again."), {});
     return;
@@ -274,8 +397,11 @@ void TaskTool::take(const planning::Derived<FilmedTask>& task) {
   task_ = task;
   const planning::TaskPlan& plan = task_.value.plan;
   if (plan.solved) {
+    grasps_ = grasps_of(task_.value.task, plan);
     card_->show_plan(task_.value.stages, plan.time_s);
-    play(task_.value.frames);
+    if (!again) {
+      play(task_.value.frames);
+    }
   } else {
     card_->show_failure(QString::fromStdString(plan.reason), plan.trials);
   }
@@ -310,6 +436,7 @@ void TaskTool::stop() {
     card_->show_simulated(tr("The simulation was stopped."));
   } else {
     job_.cancel();
+    follows_ = false;
     card_->show_failure(tr("The search was stopped."), {});
   }
 }
@@ -371,20 +498,23 @@ void TaskTool::show_scene() {
 
 void TaskTool::forget_plan() {
   card_->film().end();
+  hide_trial();
+  job_.cancel();
+  simulation_job_.cancel();
+  follows_ = false;
   task_ = {};
   simulation_.reset();
   emit plan_forgotten();
+}
+
+void TaskTool::ask_again() {
+  forget_plan();
   card_->ask_again();
 }
 
 void TaskTool::end() {
-  card_->film().end();
-  job_.cancel();
-  simulation_job_.cancel();
-  task_ = {};
-  simulation_.reset();
+  forget_plan();
   program_.reset();
-  emit plan_forgotten();
   card_->hide();
 }
 

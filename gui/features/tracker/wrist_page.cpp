@@ -21,6 +21,7 @@
 #include <QVariant>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <numbers>
 
@@ -34,6 +35,24 @@ constexpr double kBoxHalf = 0.3;    // m
 constexpr double kDefaultReach = 1.0;
 constexpr int kAnySensor = -1;
 constexpr double kMilli = 1e-3;
+
+constexpr double kUsualSpeed = 60.0 * kDegree;  // rad/s
+
+// Settings at first, and their descriptions.
+device::ToolFollowerSettings usual_following() {
+  device::ToolFollowerSettings settings;
+  settings.top_speed = kUsualSpeed;
+  return settings;
+}
+
+geometric::Parameter following_setting(const char* key) {
+  device::ToolFollowerSettings usual = usual_following();
+  return geometric::value_of(find_parameter(parameters_of(usual), key));
+}
+
+QString following_label(const char* key) {
+  return QString::fromStdString(following_setting(key).label);
+}
 
 QuantityField* length_field(const QString& name) {
   auto* field = new QuantityField(QuantityField::Kind::kLength, -kFarthest, kFarthest);
@@ -51,12 +70,13 @@ FollowForm::FollowForm(QWidget* parent)
       sensor_(new QSpinBox),
       button_(new QCheckBox(tr("Track while the button is held"))),
       scale_(named("tracker_scale", new QDoubleSpinBox)),
-      turn_(named("tracker_turn", new QCheckBox(tr("Turn with the wrist")))),
+      turn_(named("tracker_turn", new QCheckBox(following_label("turn")))),
       source_yaw_(
           new QuantityField(QuantityField::Kind::kAngle, -std::numbers::pi, std::numbers::pi)),
       smoothing_(new QSpinBox),
-      speed_(
-          new QuantityField(QuantityField::Kind::kAngularSpeed, kDegree, 2.0 * std::numbers::pi)),
+      speed_(new QuantityField(QuantityField::Kind::kAngularSpeed,
+                               following_setting("top_speed").lower,
+                               following_setting("top_speed").upper)),
       box_(named("tracker_box", new QCheckBox(tr("Keep the tool within a box")))),
       box_fields_(new QWidget),
       limits_reach_(named("tracker_limits_reach", new QCheckBox(tr("Keep it within a reach")))),
@@ -72,31 +92,34 @@ QWidget* FollowForm::build_motion() {
   sensor_->setSpecialValueText(tr("first"));
   sensor_->setToolTip(
       tr("Number of the sensor: Polhemus stations count from 1, senders of datagrams from 0"));
-  scale_->setRange(0.05, 10.0);
-  scale_->setSingleStep(0.05);
-  scale_->setValue(1.0);
+  const device::ToolFollowerSettings usual = usual_following();
+  const geometric::Parameter scale = following_setting("scale");
+  scale_->setRange(scale.lower, scale.upper);
+  scale_->setSingleStep(scale.lower);
+  scale_->setValue(usual.translation_scale);
   scale_->setPrefix(QStringLiteral("× "));
-  scale_->setToolTip(tr("Translation scale, tool per wrist"));
-  turn_->setChecked(true);
+  scale_->setToolTip(QString::fromStdString(scale.help));
+  turn_->setChecked(usual.rotate);
   source_yaw_->setToolTip(
       tr("Rotation of the tracker's source about the vertical axis of the robot's base"));
-  smoothing_->setRange(0, 2000);
-  smoothing_->setValue(50);
+  const geometric::Parameter smoothing = following_setting("smoothing_ms");
+  smoothing_->setRange(static_cast<int>(smoothing.lower), static_cast<int>(smoothing.upper));
+  smoothing_->setValue(static_cast<int>(std::lround(usual.smoothing / kMilli)));
   smoothing_->setSuffix(tr(" ms"));
-  smoothing_->setToolTip(tr("Time constant of the low-pass filter that reduces tremor"));
-  speed_->show_quantity(60.0 * kDegree);
-  speed_->setToolTip(tr("Velocity limit of each joint"));
+  smoothing_->setToolTip(QString::fromStdString(smoothing.help));
+  speed_->show_quantity(usual.top_speed);
+  speed_->setToolTip(QString::fromStdString(following_setting("top_speed").help));
   auto* part = new QWidget;
   auto* form = new QFormLayout(part);
   form->setContentsMargins(0, 0, 0, 0);
   form->setHorizontalSpacing(12);
   form->addRow(tr("Sensor"), sensor_);
   form->addRow(button_);
-  form->addRow(tr("Scale"), scale_);
+  form->addRow(following_label("scale"), scale_);
   form->addRow(turn_);
   form->addRow(tr("Source rotation"), source_yaw_);
-  form->addRow(tr("Smoothing"), smoothing_);
-  form->addRow(tr("Top speed"), speed_);
+  form->addRow(following_label("smoothing_ms"), smoothing_);
+  form->addRow(following_label("top_speed"), speed_);
   const auto notify = [this] { emit settings_edited(); };
   connect(scale_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, notify);
   connect(turn_, &QCheckBox::toggled, this, notify);

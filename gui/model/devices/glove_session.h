@@ -4,6 +4,7 @@
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"

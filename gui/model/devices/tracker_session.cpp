@@ -1,5 +1,6 @@
 #include "model/devices/tracker_session.h"
 
+#include "handway/device/emulators/tracker_signals.h"
 #include "handway/device/emulators/tracker_units.h"
 #include "handway/device/tracker/polhemus_tracker.h"
 #include "handway/device/tracker/udp_tracker.h"

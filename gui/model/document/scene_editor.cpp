@@ -129,6 +129,9 @@ std::optional<Pose> SceneEditor::selected_pose() const {
   if (const geometric::PoseGoal* goal = selected_goal_pose()) {
     return goal->X_WG;
   }
+  if (const geometric::NamedFrame* frame = selected_frame()) {
+    return planning::frame_pose(*state().scene, document_.configuration(), *frame);
+  }
   if (const auto q = posture(selection())) {
     const geometric::RobotInstance& robot = *document_.robot();
     return link_pose(*state().scene, *q, robot.name, robot.model->link(document_.palm()).name);
@@ -317,6 +320,11 @@ void SceneEditor::remove() {
     push(tr("Delete goal pose"), without_goal_pose(state(), std::stoul(selection().name)), {});
     return;
   }
+  if (selected_frame()) {
+    push(tr("Delete %1").arg(words(selection().name)), without_frame(state(), selection().name),
+         {});
+    return;
+  }
   if (can_remove_robot()) {
     const std::string name = selection().robot;
     compose(tr("Remove %1").arg(words(name)),
@@ -413,7 +421,8 @@ void SceneEditor::move_into_group(const std::vector<std::string>& objects,
 
 void SceneEditor::rename(const std::string& name) {
   const std::string& old = selection().name;
-  if (!can_change() || has_several() || name.empty() || name == old) {
+  const bool is_frame = selected_frame() != nullptr;
+  if (!(can_change() || is_frame) || has_several() || name.empty() || name == old) {
     return;
   }
   if (const std::string robot = planning::owner_of_name(*state().scene, name); !robot.empty()) {
@@ -425,6 +434,11 @@ void SceneEditor::rename(const std::string& name) {
     return;
   }
   const std::string unused = planning::unused_name(*state().scene, name);
+  if (is_frame) {
+    push(tr("Rename %1").arg(words(old)), with_renamed_frame(state(), old, unused),
+         selection_of(frame_item(unused)));
+    return;
+  }
   push(tr("Rename %1").arg(words(old)), with_renamed_object(state(), old, unused),
        selection_of(object_item(unused)));
 }
@@ -456,6 +470,13 @@ void SceneEditor::place(const Pose& X_WO) {
     goal.X_WG = X_WO;
     push(tr("Move goal pose"), with_goal_pose(state(), std::stoul(selection().name), goal),
          selection_, "place of goal pose " + selection().name);
+    return;
+  }
+  if (const geometric::NamedFrame* selected = selected_frame()) {
+    geometric::NamedFrame frame = *selected;
+    frame.X_PF = frame.X_PF * selected_pose().value().inverse() * X_WO;
+    push(tr("Move %1").arg(words(frame.name)), with_frame(state(), frame), selection_,
+         "place of frame " + frame.name);
     return;
   }
   if (selection().kind == Kind::kRobot) {
@@ -552,6 +573,11 @@ void SceneEditor::set_solid(const std::vector<std::string>& objects, bool solid)
   }
 }
 
+void SceneEditor::keep_grasps(const std::string& object, const std::filesystem::path& file) {
+  push(tr("Keep grasps of %1").arg(QString::fromStdString(object)),
+       with_changed_object(state(), object, [&](SceneObject& o) { o.grasps = file; }), selection_);
+}
+
 void SceneEditor::attach(const std::string& robot, const std::string& link,
                          const std::vector<std::string>& touching) {
   const geometric::Configuration& q = document_.configuration();
@@ -600,6 +626,38 @@ void SceneEditor::add_goal_pose() {
 void SceneEditor::change_goal_pose(const geometric::PoseGoal& goal) {
   push(tr("Change goal pose"), with_goal_pose(state(), std::stoul(selection().name), goal),
        selection_, "goal pose " + selection().name);
+}
+
+void SceneEditor::add_frame(const Eigen::Vector3d& otherwise) {
+  if (!state().scene) {
+    return;
+  }
+  geometric::NamedFrame frame{planning::unused_name(*state().scene, "frame")};
+  if (const SceneObject* object = selected_object()) {
+    const Pose X_WO = object_pose(*state().scene, document_.configuration(), *object);
+    const geometric::Aabb box = bounds(*state().scene, document_.configuration(), {object->name});
+    const Eigen::Vector3d top(box.centre().x(), box.centre().y(), box.upper.z());
+    frame.parent = object->name;
+    frame.X_PF = X_WO.inverse() * Pose(Eigen::Translation3d(top));
+  } else if (selection().kind == Kind::kLink && document_.robot() &&
+             selection().robot == document_.robot()->name) {
+    frame.parent = selection().name;
+  } else if (selection().is_posture() && document_.robot()) {
+    frame.parent = document_.robot()->model->link(document_.palm()).name;
+  } else {
+    frame.X_PF.translation() = otherwise;
+  }
+  push(tr("Add frame"), with_frame(state(), frame), selection_of(frame_item(frame.name)));
+}
+
+void SceneEditor::fix_frame(const std::string& parent) {
+  const geometric::Configuration& q = document_.configuration();
+  geometric::NamedFrame frame = *selected_frame();
+  const Pose X_WF = selected_pose().value();
+  frame.parent = parent;
+  frame.X_PF = Pose::Identity();
+  frame.X_PF = planning::frame_pose(*state().scene, q, frame).value().inverse() * X_WF;
+  push(tr("Fix %1").arg(words(frame.name)), with_frame(state(), frame), selection_);
 }
 
 void SceneEditor::set_group(const std::vector<std::string>& group) {

@@ -114,8 +114,8 @@ class SceneEditor : public QObject {
   void put_at(const std::vector<std::string>& objects, const Eigen::Vector3d& foot);
   /// Makes objects that aren't locked members of a group, or of none (empty).
   void move_into_group(const std::vector<std::string>& objects, const std::string& group);
-  /// Renames the selection. A name of another object gets a number; that of a link or a robot is
-  /// refused.
+  /// Renames the selected object or frame. A name of another one gets a number; that of a link or a
+  /// robot is refused.
   void rename(const std::string& name);
   /// Moves objects or a robot so that selected_pose() becomes `X_WO`; of a posture it
   /// emits palm_placed().
@@ -132,6 +132,8 @@ class SceneEditor : public QObject {
   void set_locked(const std::vector<std::string>& objects, bool locked);
   /// Sets whether closed shapes are filled; locked objects are not changed.
   void set_solid(const std::vector<std::string>& objects, bool solid);
+  /// Makes a file of grasps that of an object.
+  void keep_grasps(const std::string& object, const std::filesystem::path& file);
   /// Fixes the objects to a link, where all are now; raised by a little if one of them stands on
   /// something, see rise_to_clear(). @param touching links that may touch them.
   void attach(const std::string& robot, const std::string& link,
@@ -155,6 +157,15 @@ class SceneEditor : public QObject {
   }
   /// Changes the selected goal pose.
   void change_goal_pose(const geometric::PoseGoal& goal);
+  /// Adds a frame and selects it: on the top of the selected object, on the selected link of the
+  /// first robot, on the palm of the selected posture, or else in the world, at a place (m).
+  void add_frame(const Eigen::Vector3d& otherwise);
+  /// The selected frame; nullptr if something else is selected.
+  [[nodiscard]] const geometric::NamedFrame* selected_frame() const {
+    return find_frame(state(), selection());
+  }
+  /// Fixes the selected frame to an object or a link, where it is. @param parent empty: the world.
+  void fix_frame(const std::string& parent);
   /// Sets the moving group, see geometric::set_moving_group(). Robots that it combines are composed
   /// in the background.
   void set_group(const std::vector<std::string>& group);

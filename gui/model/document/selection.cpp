@@ -39,6 +39,13 @@ SceneItem object_item(const std::string& name) { return {Kind::kObject, "", name
 
 SceneItem goal_pose_item(std::size_t index) { return {Kind::kGoalPose, "", std::to_string(index)}; }
 
+SceneItem frame_item(const std::string& name) { return {Kind::kFrame, "", name}; }
+
+const geometric::NamedFrame* find_frame(const planning::SceneState& state, const SceneItem& item) {
+  return item.kind == Kind::kFrame && state.scene ? geometric::find_frame(*state.scene, item.name)
+                                                  : nullptr;
+}
+
 const geometric::PoseGoal* find_goal_pose(const planning::SceneState& state,
                                           const SceneItem& item) {
   if (item.kind != Kind::kGoalPose || !state.scene) {
@@ -87,6 +94,9 @@ Selection toggled(const planning::SceneState& state, const Selection& now, const
 
 Selection still_there(const planning::SceneState& state, Selection selection) {
   if (selection.item.kind == Kind::kGoalPose && !find_goal_pose(state, selection.item)) {
+    return {};
+  }
+  if (selection.item.kind == Kind::kFrame && !find_frame(state, selection.item)) {
     return {};
   }
   std::erase_if(selection.objects, [&](const std::string& name) { return !state.find(name); });

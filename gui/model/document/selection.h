@@ -22,12 +22,13 @@ struct SceneItem {
     kStart,
     kGoal,
     kPalm,
-    kGoalPose
+    kGoalPose,
+    kFrame
   };
 
   Kind kind = Kind::kNone;
   std::string robot;  ///< For kRobot and kLink.
-  std::string name;   ///< For kLink, kObject, kGroup; for kGoalPose its number, from 0.
+  std::string name;   ///< For kLink, kObject, kGroup, kFrame; for kGoalPose its number, from 0.
 
   /// A posture of the first robot, that is moved by its palm: where it is, start or goal.
   [[nodiscard]] bool is_posture() const {
@@ -53,6 +54,10 @@ struct Selection {
 
 [[nodiscard]] SceneItem object_item(const std::string& name);
 [[nodiscard]] SceneItem goal_pose_item(std::size_t index);
+[[nodiscard]] SceneItem frame_item(const std::string& name);
+/// The frame that the item stands for; nullptr if it is none of the scene's.
+[[nodiscard]] const geometric::NamedFrame* find_frame(const planning::SceneState& state,
+                                                      const SceneItem& item);
 /// The goal pose that the item stands for; nullptr if it is none of the scene's.
 [[nodiscard]] const geometric::PoseGoal* find_goal_pose(const planning::SceneState& state,
                                                         const SceneItem& item);

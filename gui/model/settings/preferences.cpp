@@ -1,6 +1,7 @@
 #include "model/settings/preferences.h"
 
 #include "handway/geometric/math/units.h"
+#include "handway/planning/core/request_parameters.h"
 
 #include <QSettings>
 
@@ -100,6 +101,10 @@ class Writer {
   QSettings settings_;
 };
 
+double largest_requested(const char* setting) {
+  return find_parameter(planning::request_parameters(), setting).upper;
+}
+
 template <typename Visitor, typename Values>
 void visit(Visitor&& visitor, Values& values) {
   visitor.word("theme", values.theme, kThemes);
@@ -116,8 +121,9 @@ void visit(Visitor&& visitor, Values& values) {
   visitor.flag("view/always_fine", values.always_fine);
   visitor.number("view/frame_limit", values.frame_limit, 0, 1000);
   visitor.text("planning/planner", values.planner);
-  visitor.number("planning/threads", values.threads, 0, 1024);
-  visitor.number("planning/time_limit", values.time_limit, 0.0, 86400.0);
+  visitor.number("planning/threads", values.threads, 0,
+                 static_cast<int>(largest_requested("threads")));
+  visitor.number("planning/time_limit", values.time_limit, 0.0, largest_requested("time_limit"));
   visitor.flag("saving/autosave", values.autosave);
 }
 

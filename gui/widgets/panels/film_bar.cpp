@@ -30,10 +30,7 @@ FilmBar::FilmBar(QWidget* parent)
   speed_->setToolTip(tr("Speed; 1× is the speed of the motion"));
   speed_->setAccessibleName(tr("Speed"));
   connect(play_, &QToolButton::clicked, this, [this] { set_playing(!timer_.isActive()); });
-  connect(slider_, &QSlider::valueChanged, this, [this](int frame) {
-    set_playing(false);
-    show_frame(frame);
-  });
+  connect(slider_, &QSlider::valueChanged, this, &FilmBar::pause_at);
   connect(speed_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           [this] { set_playing(timer_.isActive()); });
   connect(&timer_, &QTimer::timeout, this, &FilmBar::go_on);
@@ -51,6 +48,11 @@ void FilmBar::begin(int frames) {
     set_playing(true);
     show_frame(0);
   }
+}
+
+void FilmBar::pause_at(int frame) {
+  set_playing(false);
+  show_frame(frame);
 }
 
 void FilmBar::end() {

@@ -21,6 +21,8 @@ class FilmBar : public QWidget {
 
   /// Plays moments 0 to `frames` - 1, beginning with the first.
   void begin(int frames);
+  /// Shows a moment, at a pause. @pre is_open(), and `frame` is one of the moments.
+  void pause_at(int frame);
   /// Shows no moment any more, and can't be used until the next begin().
   void end();
   /// Returns whether moments are shown, playing or at a pause.

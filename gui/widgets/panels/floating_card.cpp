@@ -70,14 +70,40 @@ void FloatingCard::stand_where_it_hides_least(const QSize& size,
        {Qt::AlignRight | Qt::AlignBottom, Qt::AlignLeft | Qt::AlignBottom,
         Qt::AlignLeft | Qt::AlignTop, Qt::AlignRight | Qt::AlignTop}) {
     const QRect there = QStyle::alignedRect(Qt::LeftToRight, corner, size, within);
-    const auto covered =
-        std::ranges::count_if(to_be_seen, [&](const QPoint& p) { return there.contains(p); });
-    if (covered < least) {
-      least = covered;
+    const std::ptrdiff_t hidden = hidden_at(there, to_be_seen);
+    if (hidden < least) {
+      least = hidden;
       best = there;
     }
   }
   setGeometry(best);
+}
+
+std::ptrdiff_t FloatingCard::hidden_at(const QRect& place,
+                                       const std::vector<QPoint>& to_be_seen) const {
+  constexpr std::ptrdiff_t kCard = 1000;  // points that count as much as a card
+  const auto points =
+      std::ranges::count_if(to_be_seen, [&](const QPoint& p) { return place.contains(p); });
+  const auto cards = std::ranges::count_if(
+      others(), [&](const FloatingCard* other) { return place.intersects(other->geometry()); });
+  return points + kCard * cards;
+}
+
+QRect FloatingCard::between_high_cards(int least) const {
+  const QRect host = parentWidget()->rect();
+  QRect between = host;
+  for (const FloatingCard* other : others()) {
+    const QRect there = other->geometry();
+    if (2 * there.height() <= host.height()) {
+      continue;
+    }
+    if (there.center().x() < host.center().x()) {
+      between.setLeft(std::max(between.left(), there.right() + 1));
+    } else {
+      between.setRight(std::min(between.right(), there.left() - 1));
+    }
+  }
+  return between.width() < least ? host : between;
 }
 
 QList<FloatingCard*> FloatingCard::others() const {

@@ -5,6 +5,7 @@
 #include <QPoint>
 #include <QSize>
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -35,9 +36,16 @@ class FloatingCard : public QFrame {
   [[nodiscard]] QToolButton* make_fold(const QString& name, QWidget& details);
   /// Moves it, as large as it has to be, to the lower right, above others that are there.
   void stand_at_lower_right();
-  /// Moves it, with this size, to the corner of the host where it covers the fewest of some points.
-  /// The lower right is the first choice.
+  /// Moves it, with this size, to the corner of the host where it hides least. The lower right is
+  /// the first choice.
   void stand_where_it_hides_least(const QSize& size, const std::vector<QPoint>& to_be_seen);
+  /// Returns how much it hides at a place: the number of these points, and far more for another
+  /// card.
+  [[nodiscard]] std::ptrdiff_t hidden_at(const QRect& place,
+                                         const std::vector<QPoint>& to_be_seen) const;
+  /// Returns the middle part of the host between other cards that are higher than half of it; all
+  /// of the host if that part is narrower than `least`.
+  [[nodiscard]] QRect between_high_cards(int least) const;
   /// Returns the other cards over the same widget.
   [[nodiscard]] QList<FloatingCard*> others() const;
   void showEvent(QShowEvent* event) override;
