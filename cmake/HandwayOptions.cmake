@@ -46,8 +46,10 @@ endif()
 set(HANDWAY_TEST_TIMEOUT 300)  # s
 if(HANDWAY_SANITIZE)
   set(HANDWAY_TEST_TIMEOUT 900)
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
-                      -fno-omit-frame-pointer)
+  # A null pointer that is used ends the program anyway, and this processor reads from any address.
+  # Checks of every access for these would make searches in the tests much slower.
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,alignment,object-size
+                      -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
   # GCC takes instrumented code of libraries for uninitialised.
   add_compile_options(-Wno-maybe-uninitialized -Wno-uninitialized)

@@ -37,6 +37,9 @@ function(handway_library name)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   _handway_warnings(${target})
   handway_use_headers(${target} handway_library_headers)
+  if(HANDWAY_SANITIZE)
+    target_compile_options(${target} PRIVATE -O2)  # The tests run what is here most.
+  endif()
   # Before 1.0, minor versions may change the interface.
   set_target_properties(
     ${target} PROPERTIES VERSION ${PROJECT_VERSION}
@@ -127,7 +130,7 @@ function(handway_test name)
     set(label fast)
   endif()
   # What they test is optimised; tests themselves are not worth the compiler's time.
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${name} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
   # GCC 12 takes "text" + std::string() for an overflow (its PR 105651).
   target_compile_options(${name} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
                                          -Wno-stringop-overread)

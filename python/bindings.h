@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <stop_token>
+#include <string>
 
 /// The parts of the module handway._core.
 
@@ -44,5 +45,9 @@ void bind_tasks(pybind11::module_& module);
 /// Exceptions of `work` are passed on.
 /// @pre the caller holds the lock.
 void run_interruptible(const std::function<void(std::stop_token)>& work);
+
+/// Warns a Python program (UserWarning). @throws pybind11::error_already_set if it takes warnings
+/// for errors. @pre the caller holds the lock.
+void warn(const std::string& sentence);
 
 }  // namespace handway::python

@@ -3,10 +3,12 @@
 #include "handway/device/emulators/arm_emulator.h"
 #include "handway/device/emulators/hand_emulator.h"
 #include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
+#include "keyword_settings.h"
 #include "planner_model.h"
 #include "robot_connection.h"
 #include "scene_model.h"
@@ -37,11 +39,10 @@ std::unique_ptr<RobotConnection> connect(const SceneModel& scene, const std::str
   return connection;
 }
 
-py::dict run(RobotConnection& connection, const planning::TimedPath& motion, double start,
-             double following) {
+py::dict run(RobotConnection& connection, const planning::TimedPath& motion,
+             const py::kwargs& settings) {
   device::MotionTolerances tolerances;
-  tolerances.start = start;
-  tolerances.following = following;
+  set_from_keywords(parameters_of(tolerances), settings);
   RobotConnection::Outcome outcome;
   run_interruptible(
       [&](const std::stop_token& stop) { outcome = connection.run(motion, tolerances, stop); });
@@ -125,20 +126,21 @@ py::dict map_recording(const py::object& file, const std::string& mapping,
 }  // namespace
 
 void bind_devices(py::module_& module) {
+  device::MotionTolerances tolerances;
   py::class_<RobotConnection> connection(
       module, "Connection",
       "Connection to the devices of a scene's robot. `with scene.connect(...) as robot:` stops\n"
       "and disconnects them at the end.");
   connection
-      .def("run", &run, py::arg("motion"), py::kw_only(), py::arg("start_tolerance") = 0.01,
-           py::arg("following_tolerance") = 0.2,
-           "Runs a motion to its end. Ctrl-C stops it, and so does stop() from another thread.\n\n"
-           "It begins only if it is free in the scene from where the robot is measured.\n"
-           "motion: a cleared one, made by Scene.time(). start_tolerance: largest distance of a\n"
-           "joint from the motion's start, rad. following_tolerance: largest following error of a\n"
-           "joint, rad. Returns a dict: done, started, fault (the reason why it was not done;\n"
-           "empty if it was stopped on request), time (s of the motion),\n"
-           "stop_sent_ms, at_rest_ms (-1: not seen), largest_errors (rad, by joint).")
+      .def("run", &run, py::arg("motion"),
+           ("Runs a motion to its end. Ctrl-C stops it, and so does stop() from another thread.\n\n"
+            "It begins only if it is free in the scene from where the robot is measured.\n"
+            "motion: a cleared one, made by Scene.time().\n" +
+            keywords_text(parameters_of(tolerances)) +
+            "\nReturns a dict: done, started, fault (the reason why it was not done;\n"
+            "empty if it was stopped on request), time (s of the motion),\n"
+            "stop_sent_ms, at_rest_ms (-1: not seen), largest_errors (rad, by joint).")
+               .c_str())
       .def("stop", &RobotConnection::stop, py::call_guard<py::gil_scoped_release>(),
            "Stops all devices at once and ends a running motion. Any thread may call it.")
       .def("close", &RobotConnection::close, py::call_guard<py::gil_scoped_release>(),

@@ -3,6 +3,7 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/mesh/depth_camera.h"
 #include "handway/geometric/mesh/point_cloud.h"
 #include "handway/geometric/setup/mounting.h"
 #include "handway/geometric/setup/moving_group.h"
@@ -11,10 +12,11 @@
 #include "handway/planning/edits/cloud_import.h"
 #include "handway/planning/edits/robot_edits.h"
 #include "handway/planning/edits/scene_edits.h"
+#include "handway/planning/grasps/given_grasps.h"
+#include "keyword_settings.h"
 #include "planner_model.h"
 #include "scene_questions.h"
 
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -140,6 +142,14 @@ std::unique_ptr<SceneModel> with_object_at(const SceneModel& model, const std::s
   return changed(model, std::move(scene));
 }
 
+std::unique_ptr<SceneModel> with_frame(const SceneModel& model, const std::string& name,
+                                       const Array& X_PF, const std::string& on) {
+  const geometric::NamedFrame frame{name, on, pose_from(X_PF, "X_PF")};
+  const planning::SceneState state =
+      planning::with_frame({std::make_shared<Scene>(model.scene())}, frame);
+  return changed(model, std::make_shared<Scene>(*state.scene));
+}
+
 std::unique_ptr<SceneModel> with_query(const SceneModel& model, const std::optional<Array>& start,
                                        const std::optional<Array>& goal,
                                        const py::object& goal_pose) {
@@ -237,29 +247,45 @@ geometric::PointCloud cloud_from(const Array& points) {
   return cloud;
 }
 
-double length_from(double value, double least, double most, const char* argument) {
-  if (!(value >= least && value <= most)) {
+std::unique_ptr<SceneModel> with_grasps(const SceneModel& model, const std::string& object,
+                                        const py::object& file) {
+  return made(planning::with_grasps(state_of(model), object, file_name_from(file, "file")));
+}
+
+geometric::DepthCamera camera_from(const std::array<double, 4>& values) {
+  const auto is_valid = [](double value) { return value > 0.0 && value < 1e5; };
+  if (!std::ranges::all_of(values, is_valid)) {
     throw InputError(
-        {argument, "", std::to_string(value), fmt::format("{:g} to {:g} m", least, most), ""});
+        {"hidden_from", "", "another number", "fx, fy, cx, cy in pixels, above 0", ""});
   }
-  return value;
+  geometric::DepthCamera camera;
+  camera.focal = {values[0], values[1]};
+  camera.centre = {values[2], values[3]};
+  return camera;
+}
+
+/// Describes the settings of an import, in SI units.
+std::vector<geometric::BoundParameter> keywords_of(planning::CloudImport& import) {
+  return in_si_units(parameters_of(import));
 }
 
 std::unique_ptr<SceneModel> with_cloud(const SceneModel& model, const std::string& name,
-                                       const Array& points, const py::object& X_WC, double cell,
-                                       double radius, double margin, bool robots,
+                                       const Array& points, const py::object& X_WC, bool robots,
                                        const ObjectNames& cut_out, bool outliers,
-                                       bool find_objects) {
+                                       const std::optional<std::array<double, 4>>& hidden_from,
+                                       const py::kwargs& settings) {
   check_name(model.scene(), name);
   planning::CloudImport import;
   import.name = name;
   import.X_WC = pose_or_identity(X_WC, "X_WC");
-  import.cells.size = length_from(cell, geometric::kSmallestCell, geometric::kLargestCell, "cell");
-  import.cells.radius = length_from(radius, 0.0, geometric::most_radius(cell), "radius");
-  import.finds_objects = find_objects;
-  import.bodies = {!robots, cut_out, length_from(margin, 0.0, 1.0, "margin")};
+  set_from_keywords(keywords_of(import), settings);
+  import.bodies.robots = !robots;
+  import.bodies.objects = cut_out;
   if (outliers) {
     import.outliers.reset();
+  }
+  if (hidden_from) {
+    import.hidden_from = camera_from(*hidden_from);
   }
   const SceneState state = state_of(model);
   const planning::ImportedCloud cloud =
@@ -304,9 +330,7 @@ py::array_t<double> object_pose_of(const SceneModel& model, const std::string& n
   const geometric::Configuration at =
       q.is_none() ? posture_of(model)
                   : vector_from(py::cast<Array>(q), model.robot().variable_count(), "q");
-  const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> X_WO =
-      object_pose(model.scene(), at, object).matrix();
-  return py::array_t<double>({4, 4}, X_WO.data());
+  return pose_array(object_pose(model.scene(), at, object));
 }
 
 // The scene after an edit of some of its objects, which are there.
@@ -412,6 +436,7 @@ std::vector<std::string> export_scene(const SceneModel& model, const std::string
 }  // namespace
 
 void bind_editing(py::module_& module) {
+  planning::CloudImport import;
   auto scene = py::reinterpret_borrow<py::class_<SceneModel>>(module.attr("Scene"));
   scene
       .def("with_robot", &with_robot, py::arg("model"), py::arg("name") = "", py::kw_only(),
@@ -425,26 +450,35 @@ void bind_editing(py::module_& module) {
            "objects: a list of dicts with the keys that objects of scene files have, such as\n"
            "{\"name\": \"can\", \"cylinder\": {\"radius\": 0.03, \"length\": 0.2},\n"
            "\"pose\": {\"xyz\": [0.5, 0, 0.1]}}.")
-      .def(
-          "with_cloud", &with_cloud, py::arg("name"), py::arg("points"),
-          py::arg("X_WC") = py::none(), py::kw_only(), py::arg("cell") = 0.01,
-          py::arg("radius") = 0.0, py::arg("margin") = 0.02, py::arg("robots") = false,
-          py::arg("cut_out") = ObjectNames(), py::arg("outliers") = false,
-          py::arg("find_objects") = false,
-          "Returns this scene with points of a camera as an object called name.\n\n"
-          "points: [n, 3], m, or [n, 6] with colours from 0 to 255, in a frame at X_WC, [4, 4],\n"
-          "in the world. All cells of a grid of edge cell (m) that have a point, or are nearer to\n"
-          "one than radius (m), are solid. Points nearer than margin (m) to the objects cut_out\n"
-          "are left out, and to the robots at the start and what they carry, unless robots is\n"
-          "true; so are single points, unless outliers is true. With find_objects, tables and "
-          "what\n"
-          "stands on them become primitives, called surface and object, in place of their points.")
+      .def("with_cloud", &with_cloud, py::arg("name"), py::arg("points"),
+           py::arg("X_WC") = py::none(), py::kw_only(), py::arg("robots") = false,
+           py::arg("cut_out") = ObjectNames(), py::arg("outliers") = false,
+           py::arg("hidden_from") = py::none(),
+           ("Returns this scene with points of a camera as an object called name.\n\n"
+            "points: [n, 3], m, or [n, 6] with colours from 0 to 255, in a frame at X_WC, [4, 4],\n"
+            "in the world. All cells of a grid that have a point are solid. Points of the objects\n"
+            "cut_out are left out, and those of the robots at the start and what they carry,\n"
+            "unless robots is true; so are single points, unless outliers is true. Objects that\n"
+            "are found are called surface and object.\n"
+            "hidden_from: fx, fy, cx, cy (pixels) of the depth camera at X_WC, in its optical\n"
+            "frame: what the points hide from it becomes an object as well, called name and\n"
+            "hidden.\n" +
+            keywords_text(keywords_of(import)))
+               .c_str())
       .def("without_object", &without_object, py::arg("name"),
            "Returns this scene without the object called name and the settings about it.")
       .def(
           "with_object_at", &with_object_at, py::arg("name"), py::arg("X_PO"),
           "Returns this scene with the object called name at X_PO, [4, 4], m: in the world, or in\n"
           "the link that carries it.")
+      .def("with_frame", &with_frame, py::arg("name"), py::arg("X_PF"), py::kw_only(),
+           py::arg("on") = "",
+           "Returns this scene with a frame called name, in place of the one of that name.\n\n"
+           "X_PF: its pose [4, 4], m, in the object or link of the first robot called on; in the\n"
+           "world if on is empty.")
+      .def("with_grasps", &with_grasps, py::arg("object"), py::arg("file"),
+           "Returns this scene with a file of grasps (YAML or JSON) as those of an object: tasks\n"
+           "pick it with these first.")
       .def("with_query", &with_query, py::arg("start") = py::none(), py::arg("goal") = py::none(),
            py::kw_only(), py::arg("goal_pose") = py::none(),
            "Returns this scene with another start or goal.\n\n"

@@ -61,6 +61,12 @@ void run_interruptible(const std::function<void(std::stop_token)>& work) {
   done.get();
 }
 
+void warn(const std::string& sentence) {
+  if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) {
+    throw py::error_already_set();
+  }
+}
+
 namespace {
 
 // Bound member functions accept None for their object, as a null pointer, unless configured

@@ -2,10 +2,11 @@
 #include "bindings.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
-#include "handway/planning/grasps/given_grasps.h"
+#include "handway/planning/grasps/grasp_list.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/timing/time_path.h"
+#include "handway/planning/timing/timing_settings.h"
 #include "handway/sampling/postures/principal_components.h"
 #include "keyword_settings.h"
 #include "planner_model.h"
@@ -23,7 +24,6 @@
 #include <iterator>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,13 +36,17 @@ namespace {
 using geometric::InputError;
 using planning::TimedPath;
 
+/// Describes the settings of timing, in SI units.
+std::vector<geometric::BoundParameter> keywords_of(planning::TimingSettings& settings) {
+  return in_si_units(parameters_of(settings));
+}
+
 TimedPath time_path(const SceneModel& scene, const Array& array, const std::string& name,
-                    double speed, double period, bool jerk) {
+                    const py::kwargs& keywords) {
   const planning::Path path{batch_from(array, scene.robot().variable_count(), "path").rows};
-  planning::TimingOptions options;
-  options.speed = speed;
-  options.period = period;
-  options.limit_jerk = jerk;
+  planning::TimingSettings settings;
+  set_from_keywords(keywords_of(settings), keywords);
+  planning::TimingOptions options = timing_options(settings, scene.robot());
   TimedPath timed;
   run_interruptible([&](const std::stop_token& stop) {
     options.stop = stop;
@@ -141,18 +145,12 @@ planning::MakeHoldTest need_hold_test() {
   return make;
 }
 
-// Finds grasps, or measures those of a file.
-planning::Pregrasps found_or_given(const planning::PlanningProblem& problem,
-                                   const std::string& object,
-                                   const std::optional<std::filesystem::path>& given,
-                                   const planning::PregraspOptions& options,
-                                   const std::stop_token& stop) {
-  if (!given) {
-    return planning::find_pregrasps(problem, object, options, stop);
-  }
-  return planning::measure_given_grasps(
-             problem, object, planning::read_given_grasps(*given, problem, object), options, stop)
-      .grasps;
+/// Describes the settings of search and simulation but the number of grasps, which is `most`.
+std::vector<geometric::BoundParameter> keywords_of(planning::GraspRequest& request) {
+  std::vector<geometric::BoundParameter> keywords = parameters_of(request.search);
+  std::erase_if(keywords, [](const auto& keyword) { return keyword.key == "count"; });
+  std::ranges::move(parameters_of(request.hold), std::back_inserter(keywords));
+  return keywords;
 }
 
 py::list grasps(const SceneModel& scene, const std::string& object, int most, std::uint64_t seed,
@@ -164,35 +162,23 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, st
   if (test.value_or(0) < 0) {
     throw InputError({"test", "", std::to_string(*test), "0 or more", ""});
   }
-  planning::PregraspOptions options;
-  planning::HoldConditions conditions;
-  std::vector<geometric::BoundParameter> parameters = parameters_of(options);
-  set_from_text(parameters.front(), std::to_string(most));
-  parameters.erase(parameters.begin());
-  std::ranges::move(parameters_of(conditions), std::back_inserter(parameters));
-  set_from_keywords(parameters, settings);
-  options.seed = seed;
-  conditions.mass = options.payload;
-  conditions.contact = options.contact;
+  planning::GraspRequest request;
+  set_from_text(find_parameter(parameters_of(request.search), "count"), std::to_string(most));
+  set_from_keywords(keywords_of(request), settings);
+  request.search.seed = seed;
+  request.holding = test;
+  request.from = given.value_or(std::filesystem::path());
   const planning::MakeHoldTest make_hold_test =
-      test ? (*test > 0 ? need_hold_test() : nullptr) : plugin_manager().hold_test_maker();
-  const int wanted = make_hold_test == nullptr ? 0 : test.value_or(most);
-  options.spares = 2 * std::min(wanted, most);
-  std::vector<planning::TestedGrasp> ranked;
+      test.value_or(0) > 0 ? need_hold_test() : plugin_manager().hold_test_maker();
+  planning::GraspList list;
   run_interruptible([&](const std::stop_token& stop) {
-    planning::Pregrasps grasps = found_or_given(scene.problem(), object, given, options, stop);
-    if (wanted > 0 && !grasps.found.empty()) {
-      ranked = planning::rank_by_tests(*make_hold_test(scene.problem(), object, grasps.palm),
-                                       std::move(grasps.found), static_cast<std::size_t>(wanted),
-                                       conditions, options.threads, stop);
-    } else {
-      std::ranges::transform(
-          grasps.found, std::back_inserter(ranked),
-          [](const planning::Pregrasp& grasp) { return planning::TestedGrasp{grasp}; });
-    }
+    list = planning::list_grasps(scene.problem(), object, request, make_hold_test, stop);
   });
+  for (const std::string& sentence : list.left_out) {
+    warn(sentence);
+  }
   py::list answers;
-  for (const auto& [grasp, hold] : ranked | std::views::take(most)) {
+  for (const auto& [grasp, hold] : list.grasps) {
     py::dict answer;
     answer["q"] = to_array(grasp.q);
     answer["score"] = grasp.score;
@@ -295,33 +281,33 @@ void bind_motion(py::module_& module) {
         return "<handway.Motion of " + std::to_string(t.preflight.duration) + " s, " +
                (t.cleared() ? "cleared>" : "not cleared>");
       });
+  planning::TimingSettings timing;
+  planning::GraspRequest request;
   auto scene = py::reinterpret_borrow<py::class_<SceneModel>>(module.attr("Scene"));
   scene
       .def("time", &time_path, py::arg("path"), py::kw_only(), py::arg("name") = "path",
-           py::arg("speed") = 1.0, py::arg("period") = 0.004, py::arg("jerk") = false,
-           "Returns the fastest motion along a path within the robot's limits.\n\n"
-           "path: [waypoints, variables], rad or m. name: name of exported files.\n"
-           "speed: share of full speed, above 0 and at most 1. period: time between points, s.\n"
-           "jerk: True to limit jerk, too.")
-      .def(
-          "grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
-          py::arg("seed") = 1, py::arg("test") = std::nullopt, py::arg("given") = std::nullopt,
-          "Returns grasps of an object, the best first.\n\n"
-          "object: name of a fixed object. most: largest number of grasps. seed: seed of the\n"
-          "samples. test: simulate until so many hold, and rank these first; None: as most, where\n"
-          "MuJoCo is installed; 0: simulate none. given: file of grasps (YAML or JSON) to measure\n"
-          "instead of a search. Settings (table in the manual): samples, the "
-          "number of palm poses to try; friction, the coefficient between hand and\n"
-          "object; payload, the mass of the object, kg; force (N), torque (N m) and stiffness\n"
-          "(N m/rad) of the simulation.\n"
-          "Returns dicts: q, closed and squeezed\n"
-          "[variables], the configurations before contact, in contact and pushing; score;\n"
-          "epsilon (N) and volume of the grasp wrench space; holding_force (N, the largest\n"
-          "contact force that holds the payload, or None); contacts, dicts with finger, link,\n"
-          "point and normal (in the object's frame) and distance (m); doubt, a reason to\n"
-          "distrust it, or empty; source, where a given grasp is in its file; fingers,\n"
-          "enclosure, clearance (m); hold, None or a dict of the simulation: held (in all six\n"
-          "directions), squeeze, directions and lift, each with held, shift (m) and turn (rad).");
+           ("Returns the fastest motion along a path within the robot's limits.\n\n"
+            "path: [waypoints, variables], rad or m. name: name of exported files.\n" +
+            keywords_text(keywords_of(timing)))
+               .c_str())
+      .def("grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
+           py::arg("seed") = 1, py::arg("test") = std::nullopt, py::arg("given") = std::nullopt,
+           ("Returns grasps of an object, the best first.\n\n"
+            "object: name of a fixed object. most: largest number of grasps of a search. seed: "
+            "seed\n"
+            "of the samples. test: simulate until so many hold, and rank these first; None: as\n"
+            "most, where MuJoCo is installed; 0: simulate none. given: file of grasps (YAML or\n"
+            "JSON) to measure instead of a search.\n" +
+            keywords_text(keywords_of(request)) +
+            "\nReturns dicts: q, closed and squeezed\n"
+            "[variables], the configurations before contact, in contact and pushing; score;\n"
+            "epsilon (N) and volume of the grasp wrench space; holding_force (N, the largest\n"
+            "contact force that holds the payload, or None); contacts, dicts with finger, link,\n"
+            "point and normal (in the object's frame) and distance (m); doubt, a reason to\n"
+            "distrust it, or empty; source, where a given grasp is in its file; fingers,\n"
+            "enclosure, clearance (m); hold, None or a dict of the simulation: held (in all six\n"
+            "directions), squeeze, directions and lift, each with held, shift (m) and turn (rad).")
+               .c_str());
   module.def(
       "find_pmds", &find_pmds, py::arg("postures"), py::arg("joints"), py::kw_only(),
       py::arg("free") = std::vector<std::string>(), py::arg("directions") = 4, py::arg("hand") = "",

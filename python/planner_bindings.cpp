@@ -1,13 +1,13 @@
 #include "arrays.h"
 #include "bindings.h"
-#include "handway/geometric/io/input_error.h"
+#include "handway/planning/core/request_parameters.h"
+#include "keyword_settings.h"
 #include "planner_model.h"
 #include "scene_questions.h"
 
 #include <pybind11/stl.h>
 
-#include <cmath>
-#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +16,6 @@ namespace py = pybind11;
 namespace handway::python {
 namespace {
 
-using geometric::InputError;
 using geometric::Parameter;
 
 std::vector<std::string> options_of(const Parameter& parameter) {
@@ -38,27 +37,9 @@ py::dict parameters_of(const PlannerModel& planner) {
   return parameters;
 }
 
-planning::PlanRequest request_of(std::uint64_t seed, int threads, double time_limit,
-                                 double resolution, double margin) {
-  if (threads < 1 || threads > 1024) {
-    throw InputError({"threads", "", std::to_string(threads), "a number from 1 to 1024", ""});
-  }
-  if (!(time_limit > 0.0)) {
-    throw InputError({"time_limit", "", std::to_string(time_limit), "more than 0 s", ""});
-  }
-  if (!(resolution > 0.0) || !std::isfinite(resolution)) {
-    throw InputError({"resolution", "", std::to_string(resolution), "more than 0 m", ""});
-  }
-  if (!(margin >= 0.0) || !std::isfinite(margin)) {
-    throw InputError({"margin", "", std::to_string(margin), "0 m or more", ""});
-  }
-  planning::PlanRequest request;
-  request.seed = seed;
-  request.threads = threads;
-  request.time_limit_s = time_limit;
-  request.resolution = resolution;
-  request.margin = margin;
-  return request;
+/// Describes the settings of a request, in SI units.
+std::vector<geometric::BoundParameter> keywords_of(planning::PlanRequest& request) {
+  return in_si_units(planning::parameters_of(request));
 }
 
 std::optional<geometric::Configuration> end_of(const SceneModel& scene,
@@ -71,11 +52,14 @@ std::optional<geometric::Configuration> end_of(const SceneModel& scene,
 }
 
 PlanOutcome plan(PlannerModel& planner, const SceneModel& scene, const std::optional<Array>& start,
-                 const std::optional<Array>& goal, std::uint64_t seed, int threads,
-                 double time_limit, double resolution, double margin, const py::object& goal_pose) {
+                 const std::optional<Array>& goal, std::uint64_t seed, const py::object& goal_pose,
+                 const py::kwargs& settings) {
+  planning::PlanRequest request;
+  request.seed = seed;
+  set_from_keywords(keywords_of(request), settings);
   const planning::PlanningProblem problem = scene.problem_between(
       end_of(scene, start, "start"), end_of(scene, goal, "goal"), goal_poses_from(goal_pose));
-  return planner.plan(problem, request_of(seed, threads, time_limit, resolution, margin));
+  return planner.plan(problem, request);
 }
 
 void set_all(PlannerModel& planner, const py::kwargs& values) {
@@ -115,7 +99,8 @@ void bind_parameter(py::module_& module) {
 }
 
 void bind_planner_class(py::module_& module) {
-  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  planning::PlanRequest usual;
+  const std::string settings = keywords_text(keywords_of(usual));
   py::class_<PlannerModel>(module, "Planner",
                            "Planner of paths, with settings by key: planner[\"rho_a\"] = 0.01.\n\n"
                            "It runs once at a time; a second call raises RuntimeError.")
@@ -140,23 +125,19 @@ void bind_planner_class(py::module_& module) {
       .def("__getitem__", &PlannerModel::get, py::arg("key"))
       .def("__setitem__", &PlannerModel::set, py::arg("key"), py::arg("value"))
       .def("set", &set_all, "Sets parameters by keyword: planner.set(rho_a=0.01, smooth=False).")
-      .def("plan", &plan, py::arg("scene"), py::kw_only(), py::arg("start") = py::none(),
-           py::arg("goal") = py::none(), py::arg("seed") = 1, py::arg("threads") = 1,
-           py::arg("time_limit") = kNoLimit, py::arg("resolution") = 5e-5, py::arg("margin") = 0.0,
-           py::arg("goal_pose") = py::none(),
-           "Finds a path that is free of collisions, and certifies its clearance.\n\n"
+      .def(
+          "plan", &plan, py::arg("scene"), py::kw_only(), py::arg("start") = py::none(),
+          py::arg("goal") = py::none(), py::arg("seed") = 1, py::arg("goal_pose") = py::none(),
+          ("Finds a path that is free of collisions, and certifies its clearance.\n\n"
            "start, goal: [variables], rad or m; the scene's if not given.\n"
            "goal_pose: a PoseGoal, or several of which one is to be reached; goal is then for the\n"
            "joints that don't move their links.\n"
-           "seed: seed of all random choices. threads: their number, which does not affect the\n"
-           "path.\n"
-           "time_limit: time limit, s. resolution: edges closer than this to anything are "
-           "rejected,\n"
-           "m.\n"
-           "margin: distance that the robot keeps from everything, where the ends allow it, m.\n\n"
-           "Other Python threads run meanwhile; Ctrl-C stops it. If no path is found, the Result "
-           "is\n"
-           "not solved. Raises InputError if the problem can't be planned at all.")
+           "seed: seed of all random choices.\n" +
+           settings +
+           "\nOther Python threads run meanwhile; Ctrl-C stops it. If no path is found, the "
+           "Result\n"
+           "is not solved. Raises InputError if the problem can't be planned at all.")
+              .c_str())
       .def("__repr__",
            [](const PlannerModel& p) { return "<handway.Planner " + p.planner().name() + ">"; });
 }

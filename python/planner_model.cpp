@@ -1,6 +1,7 @@
 #include "planner_model.h"
 
 #include "bindings.h"
+#include "keyword_settings.h"
 
 #include <functional>
 #include <stdexcept>
@@ -24,14 +25,6 @@ namespace {
 
 using geometric::Parameter;
 using planning::PlannerRegistry;
-
-/// Writes a value as the command line does: true, 3, 0.01, joint.
-std::string setting_text(const py::object& value) {
-  if (py::isinstance<py::bool_>(value)) {
-    return value.cast<bool>() ? "true" : "false";
-  }
-  return py::str(value);
-}
 
 }  // namespace
 

@@ -23,6 +23,14 @@ using geometric::Configuration;
 using geometric::InputError;
 using geometric::RobotModel;
 
+py::dict frames_of(const SceneModel& model) {
+  py::dict frames;
+  for (const geometric::NamedFrame& frame : model.scene().frames) {
+    frames[py::str(frame.name)] = py::make_tuple(frame.parent, pose_array(frame.X_PF));
+  }
+  return frames;
+}
+
 py::object optional_array(const std::optional<Configuration>& q) {
   return q ? py::object(to_array(*q)) : py::object(py::none());
 }
@@ -101,9 +109,7 @@ py::array_t<double> read_path(const SceneModel& scene, const py::object& file) {
   const std::string name = file_name_from(file, "file");
   const planning::Path path = planning::read_path(scene.robot(), name, &rest);
   if (const std::string warning = rest.remark(name); !warning.empty()) {
-    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) {
-      throw py::error_already_set();
-    }
+    warn(warning);
   }
   return to_array(path.waypoints, scene.robot().variable_count());
 }
@@ -165,6 +171,10 @@ void bind_contents(py::class_<SceneModel>& scene) {
       .def_property_readonly(
           "goal", [](const SceneModel& s) { return optional_array(s.scene().goal); },
           "Goal configuration, [variables], rad or m; None if the scene has none.")
+      .def_property_readonly(
+          "frames", &frames_of,
+          "Frames of the scene: a dict from names to pairs of parent and pose in it [4, 4], m.\n"
+          "The parent is an object or a link of the first robot; empty: the world.")
       .def_property_readonly(
           "goal_poses", [](const SceneModel& s) { return s.scene().goal_poses; },
           "Goals as poses of a link; empty if the scene has none.")

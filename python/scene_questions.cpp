@@ -157,11 +157,6 @@ using geometric::PoseGoal;
 
 using RowMajorPose = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 
-py::array_t<double> pose_array(const Pose& X) {
-  const RowMajorPose matrix = X.matrix();
-  return py::array_t<double>({4, 4}, matrix.data());
-}
-
 // Reads one number for all axes, or three.
 Eigen::Vector3d tolerance_from(const Array& array, const std::string& argument) {
   const Eigen::Vector3d tolerance = array.ndim() == 0
@@ -196,6 +191,11 @@ Eigen::MatrixXd jacobian_at(const SceneModel& scene, int link, const Configurati
 }
 
 }  // namespace
+
+py::array_t<double> pose_array(const Pose& X) {
+  const RowMajorPose matrix = X.matrix();
+  return py::array_t<double>({4, 4}, matrix.data());
+}
 
 geometric::Pose pose_from(const Array& array, const std::string& argument) {
   if (array.ndim() != 2 || array.shape(0) != 4 || array.shape(1) != 4) {

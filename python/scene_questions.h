@@ -58,6 +58,9 @@ namespace handway::python {
 /// @throws InputError if it is no rigid transform.
 [[nodiscard]] geometric::Pose pose_from(const Array& array, const std::string& argument);
 
+/// Returns the matrix of a pose, [4, 4], m.
+[[nodiscard]] pybind11::array_t<double> pose_array(const geometric::Pose& X);
+
 /// Goal poses: one, a list, or None.
 [[nodiscard]] std::vector<geometric::PoseGoal> goal_poses_from(const pybind11::object& goals);
 

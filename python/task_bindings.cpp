@@ -2,6 +2,7 @@
 #include "bindings.h"
 #include "handway/geometric/formats/program_steps.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/core/request_parameters.h"
 #include "handway/planning/tasks/task.h"
 #include "handway/planning/tasks/task_file.h"
 #include "keyword_settings.h"
@@ -50,40 +51,113 @@ void allow_keys(const py::dict& step, const std::set<std::string>& known) {
   }
 }
 
+bool is_list_of_names(const py::object& value) {
+  return (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) &&
+         py::len(value) > 0 && py::isinstance<py::str>(value[py::int_(0)]);
+}
+
+// One name, or several.
+std::vector<std::string> names_from(const py::object& names) {
+  return py::isinstance<py::str>(names) ? std::vector<std::string>{names.cast<std::string>()}
+                                        : names.cast<std::vector<std::string>>();
+}
+
 planning::PlaceStep place_from(const py::dict& step) {
-  allow_keys(step, {"place", "lower", "retreat"});
+  allow_keys(step, {"place", "on", "lower", "retreat"});
   planning::PlaceStep place;
-  if (py::isinstance<py::str>(step["place"])) {
-    place.support = step["place"].cast<std::string>();
+  const py::object where = step["place"];
+  if (py::isinstance<py::str>(where) || is_list_of_names(where)) {
+    place.supports = names_from(where);
+    if (step.contains("on")) {
+      throw InputError({"steps", "on", "names in \"place\", too", "a pose in \"place\"", ""});
+    }
   } else {
-    place.pose = pose_from(step["place"].cast<Array>(), "place");
+    place.pose = pose_from(where.cast<Array>(), "place");
+    place.supports = step.contains("on") ? names_from(step["on"]) : std::vector<std::string>();
   }
   place.lower = length_from(step, "lower", place.lower);
   place.retreat = length_from(step, "retreat", place.retreat);
   return place;
 }
 
-planning::TaskStep step_from(const SceneModel& scene, const py::dict& step) {
+planning::TaskStep move_from(const SceneModel& scene, const py::dict& step) {
+  allow_keys(step, {"move", "in"});
+  const py::object to = step["move"];
+  if (py::isinstance<geometric::PoseGoal>(to)) {
+    planning::PoseStep move{to.cast<geometric::PoseGoal>()};
+    move.goal.reference = step.contains("in") ? step["in"].cast<std::string>() : std::string();
+    return move;
+  }
+  allow_keys(step, {"move"});
+  if (py::isinstance<py::str>(to)) {
+    return planning::move_to_posture(scene.scene(), to.cast<std::string>(), "steps");
+  }
+  return planning::MoveStep{vector_from(to.cast<Array>(), scene.robot().variable_count(), "move"),
+                            "a configuration"};
+}
+
+planning::LineStep line_from(const py::dict& step) {
+  allow_keys(step, {"line", "in"});
+  planning::LineStep line;
+  line.shift = vector_from(step["line"].cast<Array>(), 3, "line");
+  line.reference = step.contains("in") ? step["in"].cast<std::string>() : std::string();
+  if (!(line.shift.norm() > 0.0 && line.shift.norm() <= geometric::kLongestStraightMotion)) {
+    throw InputError(
+        {"steps", "line", fmt::format("a length of {:g} m", line.shift.norm()),
+         fmt::format("a length above 0, up to {:g} m", geometric::kLongestStraightMotion), ""});
+  }
+  return line;
+}
+
+void append_steps(const SceneModel& scene, const py::object& steps, planning::Task& task);
+
+void append_alternatives(const SceneModel& scene, const py::dict& step, planning::Task& task) {
+  allow_keys(step, {"first_of"});
+  const std::size_t index = task.size();
+  task.emplace_back(planning::FirstOfStep{});
+  planning::FirstOfStep first_of;
+  for (const py::object& steps : step["first_of"].cast<std::vector<py::object>>()) {
+    const std::size_t begin = task.size();
+    append_steps(scene, steps, task);
+    first_of.lengths.push_back(task.size() - begin);
+    if (task.size() == begin) {
+      throw InputError({"steps", "first_of", "an empty list", "lists with at least one step", ""});
+    }
+    first_of.words += (first_of.words.empty() ? "" : " or ") + to_string(task[begin]);
+  }
+  if (first_of.lengths.size() < 2) {
+    throw InputError({"steps", "first_of", fmt::format("{} lists", first_of.lengths.size()),
+                      "at least two lists of steps", ""});
+  }
+  task[index] = std::move(first_of);
+}
+
+void append_step(const SceneModel& scene, const py::dict& step, planning::Task& task) {
   if (step.contains("pick")) {
     allow_keys(step, {"pick", "approach", "lift"});
     planning::PickStep pick{step["pick"].cast<std::string>()};
     pick.approach = length_from(step, "approach", pick.approach);
     pick.lift = length_from(step, "lift", pick.lift);
-    return pick;
+    task.emplace_back(std::move(pick));
+  } else if (step.contains("place")) {
+    task.emplace_back(place_from(step));
+  } else if (step.contains("line")) {
+    task.emplace_back(line_from(step));
+  } else if (step.contains("first_of")) {
+    append_alternatives(scene, step, task);
+  } else if (step.contains("move")) {
+    task.push_back(move_from(scene, step));
+  } else {
+    allow_keys(step, {"pick", "place", "move", "line", "first_of"});
+    throw InputError({"steps", "", "an empty dict",
+                      "a dict with the key pick, place, move, line or first_of", ""});
   }
-  if (step.contains("place")) {
-    return place_from(step);
+}
+
+void append_steps(const SceneModel& scene, const py::object& steps, planning::Task& task) {
+  for (const py::dict& step : steps.cast<std::vector<py::dict>>()) {
+    append_step(scene, step, task);
   }
-  allow_keys(step, {"move"});
-  if (!step.contains("move")) {
-    throw InputError({"steps", "", "an empty dict", "a dict with the key pick, place or move", ""});
-  }
-  if (py::isinstance<py::str>(step["move"])) {
-    return planning::move_to_posture(scene.scene(), step["move"].cast<std::string>(), "steps");
-  }
-  return planning::MoveStep{
-      vector_from(step["move"].cast<Array>(), scene.robot().variable_count(), "move"),
-      "a configuration"};
 }
 
 planning::Task task_of(const SceneModel& scene, const py::object& steps) {
@@ -91,22 +165,23 @@ planning::Task task_of(const SceneModel& scene, const py::object& steps) {
     return planning::program_task(scene.scene(), steps.cast<std::string>());
   }
   planning::Task task;
-  for (const py::dict& step : steps.cast<std::vector<py::dict>>()) {
-    task.push_back(step_from(scene, step));
-  }
+  append_steps(scene, steps, task);
   return task;
 }
 
+/// Describes the options that are keyword arguments.
+std::vector<geometric::BoundParameter> keywords_of(planning::TaskOptions& options) {
+  std::vector<geometric::BoundParameter> keywords = parameters_of(options);
+  keywords.insert(keywords.begin(), planning::threads_parameter(options.threads, "the result"));
+  return keywords;
+}
+
 TaskPlan plan_task(PlannerModel& planner, const SceneModel& scene, const py::object& steps,
-                   std::uint64_t seed, int threads, const py::kwargs& settings) {
+                   std::uint64_t seed, const py::kwargs& settings) {
   const planning::Task task = task_of(scene, steps);
-  if (threads < 1 || threads > 1024) {
-    throw InputError({"threads", "", std::to_string(threads), "a number from 1 to 1024", ""});
-  }
   planning::TaskOptions options;
   options.seed = seed;
-  options.threads = threads;
-  set_from_keywords(parameters_of(options), settings);
+  set_from_keywords(keywords_of(options), settings);
   return planner.plan_task(scene, task, options);
 }
 
@@ -134,7 +209,7 @@ void bind_stage(py::module_& module) {
   py::class_<TaskStage>(module, "TaskStage", "Stage of a planned task: a path in its own scene.")
       .def_property_readonly(
           "kind", [](const TaskStage& stage) { return to_string(stage.kind); },
-          "Kind: approach, reach, close, lift, carry, lower, open, retreat or move.")
+          "Kind: approach, reach, close, lift, carry, lower, open, retreat, move or line.")
       .def_readonly("step", &TaskStage::step, "Index of the step that it belongs to.")
       .def_property_readonly("scene", &scene_of,
                              "Scene of the stage: what the hand carries is attached, and the\n"
@@ -176,22 +251,26 @@ void bind_tasks(py::module_& module) {
         return plan.solved ? fmt::format("<handway.TaskPlan of {} stages>", plan.stages.size())
                            : std::string("<handway.TaskPlan, not solved>");
       });
+  planning::TaskOptions usual;
   py::object planner = module.attr("Planner");
   planner.attr("plan_task") = py::cpp_function(
       &plan_task, py::is_method(planner), py::name("plan_task"), py::arg("scene"), py::arg("steps"),
-      py::kw_only(), py::arg("seed") = 1, py::arg("threads") = 1,
-      "Plans a task: picks objects, carries them and places them.\n\n"
-      "scene: the scene in which the task begins, at its start.\n"
-      "steps: dicts, each with one of the keys pick (the name of an object; with approach and\n"
-      "lift, m), place (the name of the object on which it is placed, or its pose [4, 4] in the\n"
-      "world; with lower and retreat, m) and move (\"start\", the name of a posture, or a\n"
-      "configuration [variables]); or the name of a program of the scene, \"\" for its only one.\n"
-      "seed: seed of all random choices. threads: their number, which does not affect the\n"
-      "result. Settings (table in the manual): motion_time, the time limit of one motion that\n"
-      "is not straight, s; grasps and places, how many of them to try at most; friction between\n"
-      "hand and object; payload, the mass of the object, kg; samples of the grasp search.\n\n"
-      "Returns a TaskPlan. Raises InputError for steps that can't follow each other and for\n"
-      "names that the scene lacks.");
+      py::kw_only(), py::arg("seed") = 1,
+      ("Plans a task: picks objects, carries them and places them.\n\n"
+       "scene: the scene in which the task begins, at its start.\n"
+       "steps: dicts, each with one of the keys pick (the name of an object; with approach and\n"
+       "lift, m), place (the name of the object or frame on which it is placed, or its pose\n"
+       "[4, 4] in the world; with lower and retreat, m), move (\"start\", the name of a posture, "
+       "a\n"
+       "configuration [variables], or a PoseGoal, with in, the object or frame to which its pose\n"
+       "is relative), line (a vector, m, by which the palm moves; with in, an object or frame\n"
+       "along whose axes, or \"palm\") and first_of (lists of steps, of which the first that is\n"
+       "possible is done); or the name of a program of the scene, \"\" for its only one.\n"
+       "seed: seed of all random choices.\n" +
+       keywords_text(keywords_of(usual)) +
+       "\nReturns a TaskPlan. Raises InputError for steps that can't follow each other and for\n"
+       "names that the scene lacks.")
+          .c_str());
 }
 
 }  // namespace handway::python

@@ -1,4 +1,5 @@
 #include "bench_report.h"
+#include "bench_table.h"
 #include "campaign_command.h"
 #include "collision_bench.h"
 #include "commands.h"
@@ -201,7 +202,7 @@ void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw geometric::InputError(
+    throw geometric::OutputError(
         {folder.string(), "", error.message(), "a folder to write to", "Choose another --out"});
   }
 }

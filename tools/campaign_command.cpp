@@ -135,7 +135,7 @@ void make_out_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw geometric::InputError(
+    throw geometric::OutputError(
         {folder.string(), "", error.message(), "a folder to write to", "Choose another --out"});
   }
 }

@@ -9,6 +9,7 @@
 #include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
 #include "numbers.h"
+#include "parameter_options.h"
 #include "printing.h"
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -39,15 +41,13 @@ struct CloudOptions {
   std::vector<double> rpy_deg{0.0, 0.0, 0.0};
   bool is_optical = false;
   std::string name = "cloud";
-  double cell_mm = 10.0;
+  planning::CloudImport import;  ///< Its described settings.
   CLI::Option* cell = nullptr;
-  double radius_mm = 0.0;
-  double margin_mm = 20.0;
   bool keeps_robot = false;
   bool keeps_outliers = false;
   std::vector<double> box;
   std::vector<std::string> cut_out;
-  bool finds_objects = false;
+  bool hides = false;
 };
 
 Eigen::Vector3d vector_at(const std::vector<double>& values, std::size_t first = 0) {
@@ -64,6 +64,13 @@ Pose pose_of(const CloudOptions& options) {
   return X_WC;
 }
 
+geometric::DepthCamera camera_of(const CloudOptions& options) {
+  geometric::DepthCamera camera = options.depth;
+  camera.focal = {options.camera.at(0), options.camera.at(1)};
+  camera.centre = {options.camera.at(2), options.camera.at(3)};
+  return camera;
+}
+
 geometric::PointCloud read_points(const CloudOptions& options) {
   if (options.camera.empty()) {
     if (geometric::is_image_file(options.file)) {
@@ -78,10 +85,19 @@ geometric::PointCloud read_points(const CloudOptions& options) {
     }
     return std::move(read.cloud);
   }
-  geometric::DepthCamera camera = options.depth;
-  camera.focal = {options.camera.at(0), options.camera.at(1)};
-  camera.centre = {options.camera.at(2), options.camera.at(3)};
-  return geometric::read_depth_image(options.file, camera);
+  geometric::PointCloud cloud = geometric::read_depth_image(options.file, camera_of(options));
+  constexpr double kNearest = 0.05;  // m; no camera measures nearer
+  double farthest = 0.0;
+  for (const Eigen::Vector3f& point : cloud.points) {
+    farthest = std::max(farthest, static_cast<double>(point.z()));
+  }
+  if (farthest < kNearest) {
+    print_error(
+        "handway: {}: the farthest depth is {:g} m; is --depth-unit right? It is 1 for "
+        "depths in m\n",
+        options.file.string(), farthest);
+  }
+  return cloud;
 }
 
 void print_cloud(const fs::path& file, const geometric::PointCloud& cloud) {
@@ -96,17 +112,11 @@ void print_cloud(const fs::path& file, const geometric::PointCloud& cloud) {
 }
 
 planning::CloudImport import_of(const CloudOptions& options, const geometric::PointCloud& cloud) {
-  planning::CloudImport import;
+  planning::CloudImport import = options.import;
   import.name = options.name;
   import.X_WC = pose_of(options);
-  import.cells = geometric::usual_cells(cloud);
-  if (options.cell->count() > 0) {
-    import.cells.size = geometric::metres(options.cell_mm);
-  }
-  import.cells.radius = geometric::metres(options.radius_mm);
-  if (import.cells.radius > geometric::most_radius(import.cells.size)) {
-    throw geometric::InputError({"--radius-mm", "", fmt::format("{:g}", options.radius_mm),
-                                 "at most five times the cell", "Make the cells larger"});
+  if (options.cell->count() == 0) {
+    import.cells.size = geometric::usual_cells(cloud).size;
   }
   if (!options.box.empty()) {
     import.box = geometric::Aabb{vector_at(options.box), vector_at(options.box, 3)};
@@ -114,8 +124,11 @@ planning::CloudImport import_of(const CloudOptions& options, const geometric::Po
   if (options.keeps_outliers) {
     import.outliers.reset();
   }
-  import.finds_objects = options.finds_objects;
-  import.bodies = {!options.keeps_robot, options.cut_out, geometric::metres(options.margin_mm)};
+  if (options.hides) {
+    import.hidden_from = camera_of(options);
+  }
+  import.bodies.robots = !options.keeps_robot;
+  import.bodies.objects = options.cut_out;
   return import;
 }
 
@@ -146,6 +159,10 @@ int add_to_scene(const CloudOptions& options, geometric::PointCloud cloud) {
   print_out(
       "Left out: {} points outside of the box, {} of robots and cut-out objects, {} outliers\n",
       made.outside, made.of_bodies, made.outliers);
+  if (options.hides) {
+    print_out("Hidden: {} cells of {:g} mm\n", made.hidden,
+              geometric::millimetres(import.cells.size));
+  }
   for (const geometric::SceneObject& object : made.objects) {
     print_object(object);
   }
@@ -205,32 +222,24 @@ void add_placing(CLI::App& command, CloudOptions& options) {
       "that of its body (x forwards, z up)");
 }
 
-void add_filters(CLI::App& command, CloudOptions& options) {
-  options.cell =
-      command
-          .add_option("--cell-mm", options.cell_mm,
-                      "Edge of the cells that become solid (default 10; of an octomap, "
-                      "its own)")
-          ->check(number_in(1e3 * geometric::kSmallestCell, 1e3 * geometric::kLargestCell));
+void add_hidden_space(CLI::App& command, CloudOptions& options) {
   command
-      .add_option("--radius-mm", options.radius_mm,
-                  "All cells nearer to a point than this become solid")
-      ->check(number_in(0.0, 1e3))
-      ->capture_default_str();
+      .add_flag("--hidden", options.hides,
+                "Of a depth image: make what its points hide an object as well, within --box or "
+                "the bounding box of all points; else it is free")
+      ->needs(command.get_option("--camera"));
+}
+
+void add_filters(CLI::App& command, CloudOptions& options) {
+  add_parameter_options(command, parameters_of(options.import));
+  options.cell = command.get_option("--cell-mm");
+  options.cell->default_str("10; of an octomap its own");
   command
       .add_option("--box", options.box,
                   "Leave out points outside of a box of the world, m (X0 Y0 Z0 X1 Y1 Z1)")
       ->expected(6)
       ->check(number_in(-1e3, 1e3));
-  command
-      .add_option("--margin-mm", options.margin_mm,
-                  "Leave out points nearer than this to robots, what they carry, and --cut-out")
-      ->check(number_in(0.0, 1e3))
-      ->capture_default_str();
   command.add_option("--cut-out", options.cut_out, "Objects whose points are left out");
-  command.add_flag("--find-objects", options.finds_objects,
-                   "Find tables and what stands on them: boxes, upright cylinders and spheres, in "
-                   "place of their points");
   command.add_flag("--keep-robot", options.keeps_robot, "Keep the points of robots");
   command.add_flag("--keep-outliers", options.keeps_outliers, "Keep single points");
 }
@@ -250,6 +259,7 @@ void add_cloud_command(CLI::App& app, int& exit_code) {
   command->add_option("--name", options->name, "Name of the object")->capture_default_str();
   add_placing(*command, *options);
   add_filters(*command, *options);
+  add_hidden_space(*command, *options);
   command->callback([options, &exit_code] { exit_code = run_cloud(*options); });
 }
 

@@ -170,11 +170,18 @@ std::string data_card(const Json& settings, const std::map<int, Json>& entries) 
       entries.size(), solved,
       entries.empty() ? 0.0 : 100.0 * solved / static_cast<double>(entries.size()), frames,
       duration);
+  const bool is_bag = settings["format"] == "mcap";
   card +=
-      "Each file has `time` (s), `values` [frames, columns] and `names` of the columns: the joints "
-      "(rad or m), the poses in the world of the palm and of each picked object (`.x`, `.y`, `.z` "
-      "in m, `.qx`, `.qy`, `.qz`, `.qw`), and `stage`, an index into the episode's `stages` in "
-      "`episodes.jsonl`. `dataset.json` has all settings.\n\n"
+      is_bag
+          ? "Each file is a bag of ROS 2 in MCAP: `/joint_states` has the joints (rad or m), and "
+            "`stage`, an index into the episode's `stages` in `episodes.jsonl`; `/palm` and a "
+            "topic for each picked object have their poses in the frame `world`. "
+          : "Each file has `time` (s), `values` [frames, columns] and `names` of the columns: "
+            "the joints (rad or m), the poses in the world of the palm and of each picked "
+            "object (`.x`, `.y`, `.z` in m, `.qx`, `.qy`, `.qz`, `.qw`), and `stage`, an index "
+            "into the episode's `stages` in `episodes.jsonl`. ";
+  card +=
+      "`dataset.json` has all settings.\n\n"
       "Every motion is certified to be free of collisions along its whole length, in the scene of "
       "each stage, and passes the pre-flight check. The motions are planned, not measured: objects "
       "are assumed not to move in the hand, and contact forces are not simulated.\n";
@@ -353,7 +360,7 @@ void add_dataset_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
   dataset->add_option("--format", command->format, "Format of the files")
-      ->check(CLI::IsMember({"npz", "h5", "csv"}))
+      ->check(CLI::IsMember({"npz", "h5", "csv", "mcap"}))
       ->capture_default_str();
   dataset->add_option("--jobs", command->jobs, "Episodes at a time (default: one per core)")
       ->check(CLI::Range(1, 1024));

@@ -7,6 +7,7 @@
 #include "handway/planning/edits/scene_edits.h"
 #include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
+#include "handway/planning/grasps/given_grasps.h"
 #include "numbers.h"
 #include "printing.h"
 
@@ -286,6 +287,43 @@ void add_unmount(CLI::App& command, const std::shared_ptr<EditOptions>& options)
   unmount.add_option("robot", *robot, "Robot that is mounted")->required();
 }
 
+void add_frame(CLI::App& command, const std::shared_ptr<EditOptions>& options) {
+  struct Settings {
+    std::string name;
+    std::string on;
+    std::vector<double> xyz{0.0, 0.0, 0.0};
+    std::vector<double> rpy_deg{0.0, 0.0, 0.0};
+  };
+  auto settings = std::make_shared<Settings>();
+  CLI::App& frame = add_edit(
+      command, options, "frame", "Add a named frame, or replace the one of its name",
+      [settings](const SceneState& state, const Configuration& /*q*/) {
+        return with_frame(
+            state, {settings->name, settings->on, pose_of(settings->xyz, settings->rpy_deg)});
+      });
+  frame.add_option("name", settings->name, "Name of the frame")->required();
+  frame.add_option("--on", settings->on,
+                   "Object or link of the first robot that it is fixed to; else the world");
+  add_triple_option(frame, "--xyz", settings->xyz, "Position in the object, link or world, m");
+  add_triple_option(frame, "--rpy-deg", settings->rpy_deg, "Roll, pitch and yaw there, degrees");
+}
+
+void add_grasps(CLI::App& command, const std::shared_ptr<EditOptions>& options) {
+  struct Settings {
+    std::string object;
+    std::filesystem::path file;
+  };
+  auto settings = std::make_shared<Settings>();
+  CLI::App& grasps =
+      add_edit(command, options, "grasps", "Make a file of grasps that of an object, for tasks",
+               [settings](const SceneState& state, const Configuration& /*q*/) {
+                 planning::need_object(*state.scene, settings->object);
+                 return with_grasps(state, settings->object, settings->file);
+               });
+  grasps.add_option("object", settings->object, "Object of the scene")->required();
+  grasps.add_option("file", settings->file, "File of grasps (YAML or JSON)")->required();
+}
+
 void add_remove(CLI::App& command, const std::shared_ptr<EditOptions>& options) {
   auto names = std::make_shared<ObjectNames>();
   CLI::App& remove =
@@ -304,7 +342,7 @@ void add_edit_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("edit", "Edit a scene file");
   command->require_subcommand(1);
   for (const auto& add : {add_align, add_distribute, add_move, add_array, add_drop, add_attach,
-                          add_detach, add_mount, add_unmount, add_remove}) {
+                          add_detach, add_frame, add_grasps, add_mount, add_unmount, add_remove}) {
     add(*command, options);
   }
 }

@@ -202,7 +202,7 @@ void add_glove_generate(CLI::App& glove, int& exit_code) {
       ->check(CLI::Range(1, kMostSamples))
       ->capture_default_str();
   command->add_option("--rate", options->rate, "Rows per second")
-      ->check(positive_number())
+      ->check(number_in(0.5, 1e4))
       ->capture_default_str();
   command->add_option("--out", options->out, "Recording to write (CSV)")->required();
   command->callback([options, &exit_code] {

@@ -5,6 +5,7 @@
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/retargeting/mapping_check.h"
+#include "handway/device/retargeting/mapping_fit.h"
 #include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"

@@ -30,11 +30,12 @@ struct GivenPose {
 };
 
 std::optional<std::vector<double>> numbers_of(const std::string& text) {
+  constexpr double kLargest = 1e6;  // as in scene files
   std::vector<double> numbers;
   for (const std::string& part : CLI::detail::split(text, ',')) {
     double number = 0.0;
     if (!CLI::detail::lexical_cast(CLI::detail::trim_copy(part), number) ||
-        !std::isfinite(number)) {
+        !(std::abs(number) <= kLargest)) {
       return std::nullopt;
     }
     numbers.push_back(number);
@@ -124,7 +125,9 @@ void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options) {
       ->check([](const std::string& text) {
         return given_pose_of(text)
                    ? std::string()
-                   : "\"" + text + "\" is not [LINK:]X,Y,Z or [LINK:]X,Y,Z,ROLL,PITCH,YAW";
+                   : "\"" + text +
+                         "\" is not [LINK:]X,Y,Z or [LINK:]X,Y,Z,ROLL,PITCH,YAW with numbers "
+                         "within ±1000000";
       });
   command.add_option(
       "--goal-link", options.link,

@@ -4,8 +4,8 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
-#include "handway/planning/grasps/given_grasps.h"
 #include "handway/planning/grasps/grasp_file.h"
+#include "handway/planning/grasps/grasp_list.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "numbers.h"
@@ -20,15 +20,14 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <stop_token>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace handway::tools {
@@ -39,44 +38,28 @@ using Json = nlohmann::ordered_json;
 struct GraspOptions {
   std::filesystem::path scene;
   std::string object;
-  planning::PregraspOptions search;
-  planning::HoldConditions hold;  ///< Friction and mass are those of the search.
-  std::optional<int> test;        ///< Grasps that shall hold; if not given, all that are listed.
+  planning::GraspRequest request;
   bool margins = false;
   std::vector<std::string> group;
-  std::filesystem::path from;  ///< File of grasps to measure; empty: grasps are searched for.
   std::filesystem::path out;
   std::filesystem::path report;
 };
 
-// Grasps that shall hold: by default all that are listed.
-int wanted(const GraspOptions& options) { return options.test.value_or(options.search.most); }
+using Margins = std::vector<planning::HoldMargins>;
 
-/// Grasps of a search, simulated as far as that was asked for.
-struct TestedGrasps {
-  std::vector<planning::TestedGrasp> ranked;
-  std::vector<planning::HoldMargins>
-      margins;  ///< One for each of the first; none if not asked for.
-  std::vector<std::string> assumptions;
-};
-
-TestedGrasps test_grasps(const GraspOptions& options, const planning::PluginManager& plugins,
-                         const planning::PlanningProblem& problem, planning::Pregrasps grasps,
-                         const std::stop_token& stop) {
-  const auto test = plugins.hold_test_maker()(problem, options.object, grasps.palm);
-  const auto count = static_cast<std::size_t>(wanted(options));
-  TestedGrasps tested{planning::rank_by_tests(*test, std::move(grasps.found), count, options.hold,
-                                              options.search.threads, stop),
-                      {},
-                      test->assumptions()};
-  if (tested.ranked.size() > static_cast<std::size_t>(options.search.most)) {
-    tested.ranked.resize(static_cast<std::size_t>(options.search.most));
+// The margins of the grasps that shall hold, from the first; none if not asked for.
+Margins margins_of(const GraspOptions& options, const planning::GraspList& list,
+                   const std::stop_token& stop) {
+  Margins margins;
+  if (!options.margins || !list.test) {
+    return margins;
   }
-  for (std::size_t i = 0; options.margins && i < std::min(count, tested.ranked.size()); ++i) {
-    tested.margins.push_back(
-        planning::hold_margins(*test, tested.ranked[i].grasp, options.hold, stop));
+  const auto holding = static_cast<std::size_t>(options.request.holding.value_or(1));
+  for (const auto& [grasp, hold] : list.grasps | std::views::take(holding)) {
+    margins.push_back(
+        planning::hold_margins(*list.test, grasp, conditions_of(options.request), stop));
   }
-  return tested;
+  return margins;
 }
 
 Json list_of(const Eigen::VectorXd& v) { return std::vector<double>(v.begin(), v.end()); }
@@ -137,41 +120,39 @@ Json json_of(const planning::Pregrasp& grasp) {
 }
 
 Json report_of(const GraspOptions& options, const planning::PlanningProblem& problem,
-               const std::string& why_none, const TestedGrasps& grasps, double time_s) {
+               const planning::GraspList& list, const Margins& margins) {
+  const planning::PregraspOptions& search = options.request.search;
   Json joints = Json::array();
   for (int v = 0; v < problem.model().variable_count(); ++v) {
     joints.push_back(problem.model().variable(v).name);
   }
   Json found = Json::array();
-  for (std::size_t i = 0; i < grasps.ranked.size(); ++i) {
-    found.push_back(json_of(grasps.ranked[i].grasp));
-    if (const auto& hold = grasps.ranked[i].hold) {
+  for (std::size_t i = 0; i < list.grasps.size(); ++i) {
+    found.push_back(json_of(list.grasps[i].grasp));
+    if (const auto& hold = list.grasps[i].hold) {
       found.back()["hold"] = json_of(*hold);
-      if (i < grasps.margins.size()) {
-        add_margins(grasps.margins[i], found.back()["hold"]);
+      if (i < margins.size()) {
+        add_margins(margins[i], found.back()["hold"]);
       }
     }
   }
+  const auto assumptions = list.test ? list.test->assumptions() : std::vector<std::string>();
   return {{"object", options.object},
-          {"reason", why_none},
-          {"friction", options.search.contact.friction},
-          {"patch_radius_mm", geometric::millimetres(options.search.contact.patch_radius)},
-          {"payload_kg", options.search.payload},
-          {"seed", options.search.seed},
-          {"threads", options.search.threads},
-          {"time_s", time_s},
+          {"reason", list.why_none},
+          {"friction", search.contact.friction},
+          {"patch_radius_mm", geometric::millimetres(search.contact.patch_radius)},
+          {"payload_kg", search.payload},
+          {"seed", search.seed},
+          {"threads", search.threads},
+          {"time_s", list.search_time},
           {"joints", joints},
           {"grasps", found},
-          {"hold_assumptions", grasps.assumptions},
+          {"hold_assumptions", assumptions},
           {"version", kVersion}};
 }
 
-// The columns of the margins; of a grasp without them, empty.
-std::string margin_columns(const TestedGrasps& grasps, std::size_t rank) {
-  if (rank >= grasps.margins.size()) {
-    return {};
-  }
-  const planning::HoldMargins& margins = grasps.margins[rank];
+// The columns of margins.
+std::string margin_columns(const planning::HoldMargins& margins) {
   const auto column = [](const std::optional<double>& number, const char* form, double unit) {
     return number ? fmt::format(fmt::runtime(form), *number * unit) : std::string("-");
   };
@@ -181,24 +162,22 @@ std::string margin_columns(const TestedGrasps& grasps, std::size_t rank) {
 }
 
 // The columns of a simulated grasp; of another one, empty.
-std::string hold_columns(const TestedGrasps& grasps, std::size_t rank) {
-  const std::optional<planning::HoldResult>& hold = grasps.ranked[rank].hold;
+std::string hold_columns(const std::optional<planning::HoldResult>& hold) {
   if (!hold) {
     return {};
   }
   return fmt::format(" {:>6} {:>8}", fmt::format("{}/6", hold->directions_held()),
                      hold->lift->held
                          ? fmt::format("{:.1f}", geometric::millimetres(hold->lift->shift))
-                         : "dropped") +
-         margin_columns(grasps, rank);
+                         : "dropped");
 }
 
-std::string hold_titles(const GraspOptions& options) {
+std::string hold_titles(const planning::GraspList& list, const Margins& margins) {
   std::string titles;
-  if (wanted(options) > 0) {
+  if (list.test) {
     titles += fmt::format(" {:>6} {:>8}", "held", "lift, mm");
   }
-  if (wanted(options) > 0 && options.margins) {
+  if (!margins.empty()) {
     titles += fmt::format(" {:>8} {:>8} {:>8}", "friction", "mass, kg", "off, mm");
   }
   return titles;
@@ -213,97 +192,68 @@ std::string remark(const planning::Pregrasp& grasp) {
   return text;
 }
 
-void print_grasps(const TestedGrasps& grasps, const GraspOptions& options) {
-  print_out("Friction {}, payload {} kg\n", options.search.contact.friction,
-            options.search.payload);
+void print_grasps(const planning::GraspList& list, const Margins& margins,
+                  const planning::PregraspOptions& search) {
+  print_out("Friction {}, payload {} kg\n", search.contact.friction, search.payload);
   print_out("{:>4} {:>6} {:>8} {:>8} {:>8} {:>8} {:>10}{}\n", "rank", "score", "epsilon",
-            "contacts", "touching", "force, N", "clear, mm", hold_titles(options));
-  for (std::size_t i = 0; i < grasps.ranked.size(); ++i) {
-    const planning::Pregrasp& grasp = grasps.ranked[i].grasp;
-    print_out("{:>4} {:>6.2f} {:>8.3f} {:>8} {:>8} {:>8} {:>10.0f}{}{}\n", i + 1, grasp.score,
+            "contacts", "touching", "force, N", "clear, mm", hold_titles(list, margins));
+  for (std::size_t i = 0; i < list.grasps.size(); ++i) {
+    const planning::Pregrasp& grasp = list.grasps[i].grasp;
+    print_out("{:>4} {:>6.2f} {:>8.3f} {:>8} {:>8} {:>8} {:>10.0f}{}{}{}\n", i + 1, grasp.score,
               grasp.quality.epsilon, grasp.contacts.size(), touching_fingers(grasp),
               grasp.holding_force ? fmt::format("{:.1f}", *grasp.holding_force) : "-",
-              geometric::millimetres(grasp.clearance), hold_columns(grasps, i), remark(grasp));
+              geometric::millimetres(grasp.clearance), hold_columns(list.grasps[i].hold),
+              i < margins.size() ? margin_columns(margins[i]) : "", remark(grasp));
   }
 }
 
-// Grasps are simulated by default where that is possible.
-void set_tests(bool can_simulate, GraspOptions& options) {
-  if (options.test.value_or(0) > 0 && !can_simulate) {
+void write_grasps(const GraspOptions& options, const planning::PlanningProblem& problem,
+                  const planning::GraspList& list) {
+  planning::Pregrasps listed{{}, "", list.palm};
+  std::ranges::transform(list.grasps, std::back_inserter(listed.found),
+                         &planning::TestedGrasp::grasp);
+  geometric::replace_file(options.out, planning::grasp_file_text(problem, options.object,
+                                                                 options.request.search, listed));
+}
+
+int find_grasps(const GraspOptions& options) {
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  if (options.request.holding.value_or(0) > 0 && plugins.hold_test_maker() == nullptr) {
     throw geometric::InputError({"--test", "", "no plugin that simulates grasps",
                                  "the plugin simulate_mujoco", "Build Handway with libmujoco-dev"});
   }
-  if (!options.test && !can_simulate) {
-    options.test = 0;
-  }
-  options.search.spares = 2 * std::min(wanted(options), options.search.most);
-}
-
-// Searches for grasps, or measures those of a file: then all are listed.
-planning::Pregrasps found_or_given(const planning::PlanningProblem& problem, GraspOptions& options,
-                                   const std::stop_token& stop) {
-  if (options.from.empty()) {
-    return planning::find_pregrasps(problem, options.object, options.search, stop);
-  }
-  const std::vector<planning::GivenGrasp> given =
-      planning::read_given_grasps(options.from, problem, options.object);
-  planning::MeasuredGrasps measured =
-      planning::measure_given_grasps(problem, options.object, given, options.search, stop);
-  for (const std::string& sentence : measured.left_out) {
-    print_error("{}\n", sentence);
-  }
-  if (measured.grasps.found.empty()) {
-    measured.grasps.why_none = fmt::format("None of the {} given is possible.", given.size());
-  }
-  options.search.most = static_cast<int>(given.size());
-  return std::move(measured.grasps);
-}
-
-int find_grasps(GraspOptions options) {
-  planning::PluginManager plugins;
-  plugins.load_plugins(planning::plugin_directory());
-  set_tests(plugins.hold_test_maker() != nullptr, options);
   planning::SceneState loaded = planning::load_scene(options.scene, plugins);
   set_group(options.group, loaded);
   const planning::PlanningProblem problem =
       planning::make_problem(loaded.scene, loaded.basis, {}, planning::GoalNeed::kOptional);
   print_warnings(problem);
   std::stop_source stop;
-  planning::Pregrasps found;
-  TestedGrasps grasps;
-  std::chrono::duration<double> time{};
+  planning::GraspList list;
+  Margins margins;
   {
     const StopsOnInterrupt guard(stop);
-    const auto begin = std::chrono::steady_clock::now();
-    found = found_or_given(problem, options, stop.get_token());
-    time = std::chrono::steady_clock::now() - begin;
-    if (wanted(options) > 0 && !found.found.empty()) {
-      grasps = test_grasps(options, plugins, problem, found, stop.get_token());
-    } else {
-      std::ranges::transform(
-          found.found, std::back_inserter(grasps.ranked),
-          [](const planning::Pregrasp& grasp) { return planning::TestedGrasp{grasp}; });
-    }
+    list = planning::list_grasps(problem, options.object, options.request,
+                                 plugins.hold_test_maker(), stop.get_token());
+    margins = margins_of(options, list, stop.get_token());
+  }
+  for (const std::string& sentence : list.left_out) {
+    print_error("{}\n", sentence);
   }
   if (!options.report.empty()) {
-    geometric::replace_file(
-        options.report,
-        report_of(options, problem, found.why_none, grasps, time.count()).dump(2) + "\n");
+    geometric::replace_file(options.report,
+                            report_of(options, problem, list, margins).dump(2) + "\n");
   }
-  if (grasps.ranked.empty()) {
+  if (list.grasps.empty()) {
     print_out("No grasp of {} found. {}\n", options.object,
-              stop.stop_requested() ? "The search was interrupted." : found.why_none);
+              stop.stop_requested() ? "The search was interrupted." : list.why_none);
     return kNoPath;
   }
   if (!options.out.empty()) {
-    found.found.clear();
-    std::ranges::transform(grasps.ranked, std::back_inserter(found.found),
-                           &planning::TestedGrasp::grasp);
-    geometric::replace_file(
-        options.out, planning::grasp_file_text(problem, options.object, options.search, found));
+    write_grasps(options, problem, list);
   }
-  print_grasps(grasps, options);
-  return grasps.ranked.front().grasp.doubt.empty() ? kDone : kNoPath;
+  print_grasps(list, margins, options.request.search);
+  return list.grasps.front().grasp.doubt.empty() ? kDone : kNoPath;
 }
 
 }  // namespace
@@ -316,29 +266,27 @@ void add_grasp_command(CLI::App& app, int& exit_code) {
       ->add_option("object", options->object,
                    "Object of the scene that the robot does not hold yet")
       ->required();
-  add_parameter_options(*command, parameters_of(options->search));
-  add_seed_option(*command, options->search.seed);
-  add_threads_option(*command, options->search.threads, "which grasps are found");
+  add_parameter_options(*command, parameters_of(options->request.search));
+  add_seed_option(*command, options->request.search.seed);
+  add_threads_option(*command, options->request.search.threads, "which grasps are found");
   command
       ->add_option(
-          "--test", options->test,
+          "--test", options->request.holding,
           "Simulate grasps, six forces and a lift each, until so many hold, and list these "
           "first; 0 simulates none (default: as --count)")
       ->check(CLI::Range(0, 1000));
   command->add_flag("--margins", options->margins,
                     "Also simulate the least friction, the largest mass and the largest position "
                     "error with which these grasps hold");
-  add_parameter_options(*command, parameters_of(options->hold));
+  add_parameter_options(*command, parameters_of(options->request.hold));
   add_group_option(*command, options->group);
-  command->add_option("--from", options->from,
+  command->add_option("--from", options->request.from,
                       "File of grasps (YAML or JSON) to measure instead of a search");
   command->add_option("--out", options->out, "File for the grasps (YAML)");
   command->add_option("--report", options->report, "File for the report (JSON)");
   command->callback([options, &exit_code] {
-    options->hold.contact = options->search.contact;
-    options->hold.mass = options->search.payload;
     if (options->margins) {
-      options->test = std::max(options->test.value_or(1), 1);
+      options->request.holding = std::max(options->request.holding.value_or(1), 1);
     }
     exit_code = find_grasps(*options);
   });

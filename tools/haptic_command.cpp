@@ -1,16 +1,17 @@
 #include "commands.h"
 #include "emulated_device.h"
+#include "handway/device/core/trajectory_client.h"
 #include "handway/device/emulators/haptic_emulator.h"
 #include "handway/device/haptic/haptic_device.h"
 #include "handway/device/ros/ros_robot.h"
 #include "handway/execution/guidance/guidance_run.h"
 #include "handway/execution/motion/motion_target.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/table_text.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/timing/kinematic_limits.h"
-#include "numbers.h"
 #include "parameter_options.h"
 #include "printing.h"
 #include "scene_file_watch.h"
@@ -41,7 +42,7 @@ namespace {
 /// the commanded joints of the robot (rad). Rows are written as they come.
 class HapticLog {
  public:
-  /// @param file empty: nothing is written. @throws InputError if it can't be written.
+  /// @param file empty: nothing is written. @throws OutputError if it can't be written.
   HapticLog(const std::filesystem::path& file, const geometric::RobotModel& model);
 
   void add(const execution::GuidanceSample& sample);
@@ -59,11 +60,11 @@ HapticLog::HapticLog(const std::filesystem::path& file, const geometric::RobotMo
   out_.open(file, std::ios::binary | std::ios::trunc);
   std::string header = "time,progress,place,button,deviation,force.x,force.y,force.z";
   for (int v = 0; v < model.variable_count(); ++v) {
-    header += "," + model.variable(v).name;
+    header += "," + geometric::csv_cell(model.variable(v).name);
   }
   out_ << header << '\n' << std::flush;
   if (!out_) {
-    throw geometric::InputError(
+    throw geometric::OutputError(
         {file.string(), "", std::strerror(errno), "a file to write to", ""});
   }
 }
@@ -95,7 +96,7 @@ struct GuideChoice {
   std::string link;
   std::filesystem::path log;
   device::ForceGuideSettings guide;
-  double start_tolerance = 0.01;
+  device::MotionTolerances tolerances;
   bool yes = false;
 };
 
@@ -180,7 +181,7 @@ int report(const execution::GuidanceOutcome& outcome, const device::ForceGuide& 
   }
   if (outcome.arrived) {
     print_out("done: the path's end is reached\n");
-    return log.good() ? kDone : kInvalidInput;
+    return log.good() ? kDone : kNotWritten;
   }
   std::fflush(stdout);
   if (!outcome.fault.empty()) {
@@ -218,7 +219,7 @@ int guide(const GuideChoice& choice) {
   }
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
-  robots.connect(input.path.waypoints.front(), choice.start_tolerance, stop.get_token());
+  robots.connect(input.path.waypoints.front(), choice.tolerances.start, stop.get_token());
   handle->connect(stop.get_token());
   print_out(
       "{}: path of the tool {:.2f} m, of the operator's hand {:.2f} m; forces up to {:.2f} N\n",
@@ -289,15 +290,10 @@ void add_haptic_guide(CLI::App& haptic, int& exit_code) {
                       "Link that the handle represents (default: the arm's last)");
   command->add_option("--log", choice->log, "File for the log (CSV)");
   command->add_option("--limits", choice->timing.limits, "Velocity limits (joint_limits.yaml)");
-  const auto number = [command](const char* name, double& value, double least, double most,
-                                const char* text) {
-    command->add_option(name, value, text)->check(number_in(least, most))->capture_default_str();
-  };
-  number("--speed", choice->timing.settings.speed, 0.001, 1.0,
-         "Speed of the robot, as a share of its joints' velocity limits");
+  add_parameter_options(*command,
+                        {find_parameter(parameters_of(choice->timing.settings), "speed"),
+                         find_parameter(parameters_of(choice->tolerances), "start_tolerance")});
   add_parameter_options(*command, parameters_of(choice->guide));
-  number("--start-tolerance", choice->start_tolerance, 1e-5, 1.0,
-         "Largest distance of a joint from the path's start, rad");
   command->callback([choice, &exit_code] { exit_code = guide(*choice); });
 }
 

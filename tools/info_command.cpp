@@ -2,6 +2,7 @@
 #include "handway/device/retargeting/workspace_overlap.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_problem.h"
@@ -99,7 +100,7 @@ void print_robot(const geometric::RobotInstance& robot) {
         return other.name == joint && other.type != geometric::JointType::kFixed;
       });
     });
-    print_out("  group {}: {} joint{}\n", group.name, count, count == 1 ? "" : "s");
+    print_out("  group {}: {}\n", group.name, geometric::plural(count, "joint"));
   }
   for (const geometric::RobotPart& part : robot.parts) {
     print_out("  part {}: {}{}\n", part.name, part.model->name(),

@@ -56,6 +56,19 @@ void add_file_options(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+// Refuses empty texts for the options of all commands: they would act as if the option were
+// missing.
+void refuse_empty_texts(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    option->check([](const std::string& text) {
+      return std::string(text.empty() ? "found an empty text, expected a value" : "");
+    });
+  }
+  for (CLI::App* command : app.get_subcommands({})) {
+    refuse_empty_texts(*command);
+  }
+}
+
 // Prints the messages of CLI11, which quote the arguments.
 int exit_of(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
@@ -97,6 +110,7 @@ int run(int argc, char** argv) {
   add_recording_command(app, exit_code);
   add_tracker_command(app, exit_code);
   add_reproduce_command(app, exit_code);
+  refuse_empty_texts(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {

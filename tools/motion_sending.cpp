@@ -4,7 +4,7 @@
 #include "handway/execution/motion/motion_log.h"
 #include "handway/execution/motion/motion_run.h"
 #include "handway/execution/motion/scene_watch.h"
-#include "numbers.h"
+#include "parameter_options.h"
 #include "printing.h"
 
 #include <CLI/CLI.hpp>
@@ -126,7 +126,7 @@ int report(const std::vector<MotionTarget>& targets, const execution::MotionOutc
   }
   if (outcome.done) {
     print_out("done: {:.2f} s\n", duration);
-    return log.good() ? kDone : kInvalidInput;
+    return log.good() ? kDone : kNotWritten;
   }
   std::fflush(stdout);
   if (!outcome.collision.empty()) {
@@ -157,17 +157,9 @@ CLI::Option* add_send_options(CLI::App& command, SendOptions& options) {
                 "Let the robot move; without this option everything is checked only")
       ->needs(to);
   command.add_option("--log", options.log, "File for planned and measured joints (CSV)")->needs(to);
-  const auto tolerance = [&command, to](const char* name, double& value, const char* text) {
-    command.add_option(name, value, text)
-        ->needs(to)
-        ->check(positive_number())
-        ->check(CLI::Range(1e-5, 1.0))
-        ->capture_default_str();
-  };
-  tolerance("--start-tolerance", options.tolerances.start,
-            "Largest distance of a joint from the path's start, rad");
-  tolerance("--following-tolerance", options.tolerances.following,
-            "Largest following error of a joint during a motion, rad");
+  for (CLI::Option* tolerance : add_parameter_options(command, parameters_of(options.tolerances))) {
+    tolerance->needs(to);
+  }
   return to;
 }
 

@@ -50,8 +50,8 @@ class PathTable {
       return;
     }
     const char separator = geometric::separator_of(lines.front().text);
-    for (const std::string_view name : geometric::cells(lines.front().text, separator)) {
-      columns_.emplace(std::string(name), columns_.size());
+    for (const std::string& name : geometric::cell_names(lines.front().text, separator)) {
+      columns_.emplace(name, columns_.size());
     }
     if (!columns_.contains("problem")) {
       throw InputError({fmt::format("{}:{}", file_.string(), lines.front().number), "header",

@@ -1,13 +1,13 @@
 #include "parameter_options.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/core/request_parameters.h"
 #include "numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <variant>
 
 namespace handway::tools {
@@ -60,12 +60,14 @@ CLI::Option* add_parameter_option(CLI::App& command, const std::string& name,
       ->default_str(to_text(value_of(parameter)));
 }
 
-void add_parameter_options(CLI::App& command, const std::vector<BoundParameter>& parameters) {
+std::vector<CLI::Option*> add_parameter_options(CLI::App& command,
+                                                const std::vector<BoundParameter>& parameters) {
+  std::vector<CLI::Option*> options;
   for (const BoundParameter& parameter : parameters) {
-    std::string name = "--" + parameter.key;
-    std::ranges::replace(name, '_', '-');
-    add_parameter_option(command, name, parameter);
+    options.push_back(
+        add_parameter_option(command, geometric::option_name(parameter.key), parameter));
   }
+  return options;
 }
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {
@@ -75,10 +77,7 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
 }
 
 void add_threads_option(CLI::App& command, int& threads, const std::string& result) {
-  command
-      .add_option("--threads", threads, "Number of threads; " + result + " does not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_parameter_options(command, {planning::threads_parameter(threads, result)});
 }
 
 }  // namespace handway::tools

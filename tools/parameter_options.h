@@ -15,9 +15,9 @@ namespace handway::tools {
 
 /// Adds an option for each setting: `--period-ms 4` for "period_ms". A switch that is off becomes a
 /// flag that turns it on, `--jerk`; one that is on, a flag that turns it off, `--no-blend`. The
-/// members that the settings are bound to outlive the command.
-void add_parameter_options(CLI::App& command,
-                           const std::vector<geometric::BoundParameter>& parameters);
+/// members that the settings are bound to outlive the command. @returns the options.
+std::vector<CLI::Option*> add_parameter_options(
+    CLI::App& command, const std::vector<geometric::BoundParameter>& parameters);
 
 /// Adds the option of one setting under a name of its own. @returns the option.
 CLI::Option* add_parameter_option(CLI::App& command, const std::string& name,

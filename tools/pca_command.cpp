@@ -1,8 +1,10 @@
 #include "basis_figures.h"
+#include "basis_quality.h"
 #include "commands.h"
 #include "figures_program.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/hand/joint_recording.h"
 #include "handway/device/retargeting/fingertip_errors.h"
@@ -18,8 +20,8 @@
 #include "handway/report/studies/basis_study_document.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/posture_table.h"
+#include "mapped_recording.h"
 #include "numbers.h"
-#include "posture_study.h"
 #include "printing.h"
 
 #include <CLI/CLI.hpp>
@@ -544,9 +546,9 @@ void add_steps(CLI::App& command, RecordingSteps& steps) {
   command.add_flag("--drop-duplicates", steps.drop_duplicates,
                    "Leave out rows that are equal to the previous row");
   command.add_option("--resample", steps.resample, "Resample to this constant rate, Hz")
-      ->check(positive_number());
+      ->check(number_in(1e-3, 1e15));
   command.add_option("--low-pass", steps.low_pass, "Cut-off frequency of a low-pass filter, Hz")
-      ->check(positive_number());
+      ->check(number_in(1e-3, 1e6));
 }
 
 }  // namespace

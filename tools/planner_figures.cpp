@@ -13,6 +13,7 @@
 #include "handway/sampling/postures/principal_components.h"
 #include "handway/sampling/sequences/low_discrepancy.h"
 #include "handway/sampling/sequences/random_stream.h"
+#include "mapped_recording.h"
 #include "posture_study.h"
 
 #include <fmt/format.h>

@@ -4,6 +4,7 @@
 #include "handway/geometric/io/alike_lines.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/plural.h"
 #include "printing.h"
 
 #include <CLI/CLI.hpp>
@@ -91,8 +92,9 @@ void print_info(const FileInfo& info) {
             info.contents.kind.description);
   if (info.table) {
     const RecordedTable& table = *info.table;
-    print_out("  {} rows of {}, {:.4g} s at {:.4g} Hz\n  {} columns: {}\n", table.times.size(),
-              unit_of(table), duration_of(table), rate_of(table), table.names.size(),
+    print_out("  {} of {}, {:.4g} s at {:.4g} Hz\n  {}: {}\n",
+              geometric::plural(table.times.size(), "row"), unit_of(table), duration_of(table),
+              rate_of(table), geometric::plural(table.names.size(), "column"),
               fmt::join(table.names, ", "));
     for (const std::string& warning : geometric::merged_alike(table.warnings)) {
       print_out("  warning: {}\n", warning);
@@ -133,13 +135,13 @@ int convert(const std::vector<fs::path>& files, const fs::path& out) {
   for (const std::string& warning : geometric::merged_alike(table.warnings)) {
     print_out("warning: {}\n", warning);
   }
-  print_out("{} rows of {} columns, {:.4g} s, in {}\n", table.times.size(), table.names.size(),
-            duration_of(table), out.string());
+  print_out("{} of {}, {:.4g} s, in {}\n", geometric::plural(table.times.size(), "row"),
+            geometric::plural(table.names.size(), "column"), duration_of(table), out.string());
   return kDone;
 }
 
 std::string check_ending(const std::string& file) {
-  const std::vector<std::string>& endings = device::recorded_table_endings();
+  const std::vector<std::string> endings = device::recorded_table_endings();
   const bool known = std::ranges::any_of(
       endings, [&](const std::string& ending) { return geometric::has_extension(file, ending); });
   return known ? "" : fmt::format("{} must end in one of {}", file, fmt::join(endings, ", "));
@@ -173,7 +175,10 @@ void add_recording_command(CLI::App& app, int& exit_code) {
       "convert", "Write recordings as CSV, NumPy or HDF5; several are put one after the other");
   auto out = std::make_shared<fs::path>();
   add_files(*converted, *files);
-  converted->add_option("--out", *out, "File to write: .csv, .npz, .h5 or .hdf5")
+  converted
+      ->add_option("--out", *out,
+                   fmt::format("File to write, with one of the endings {}",
+                               fmt::join(device::recorded_table_endings(), ", ")))
       ->check(check_ending)
       ->required();
   converted->callback([files, out, &exit_code] { exit_code = convert(*files, *out); });

@@ -6,6 +6,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/report/rendering/csv.h"
+#include "mapped_recording.h"
 #include "planner_figures.h"
 #include "posture_study.h"
 #include "reproduce_report.h"
@@ -168,7 +169,8 @@ report::Part drawing_of(const PostureFigure& figure, const Studied& one) {
 /// published files, the recordings of people in it, mapped by the paper's Table 1, and draws those
 /// of `figures` that are figures of postures to `postures/RECORDING`. The numbers of 7 and 10 are
 /// in `figure_7.csv` and `figure_10.csv` beside it.
-/// @throws InputError if a file can't be written or the recording that ships can't be read.
+/// @throws OutputError if a file can't be written, InputError if the recording that ships can't be
+/// read.
 std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures, bool shipped_only,
                                                  const fs::path& folder) {
   if (std::ranges::none_of(figures, [](int f) { return posture_figures().contains(f); })) {

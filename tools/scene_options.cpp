@@ -1,6 +1,7 @@
 #include "scene_options.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/plural.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/setup/moving_group.h"
@@ -28,7 +29,7 @@ void print_warning_lines(const std::vector<std::string>& warnings) {
     return;
   }
   const std::size_t count = warnings.size();
-  std::string summary = fmt::format("{} warning{}\n", count, count == 1 ? "" : "s");
+  std::string summary = geometric::plural(count, "warning") + "\n";
   for (const std::string& warning : warnings) {
     summary += fmt::format("  warning: {}\n", warning);
   }

@@ -191,8 +191,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   simulate->add_option("what", command->what,
                        "Path (CSV) of a scene in which the hand carries an object, or a program "
                        "of the scene, or a task file");
-  const std::vector<geometric::BoundParameter> timing = parameters_of(command->timing);
-  add_parameter_option(*simulate, "--speed", timing.front());
+  add_parameter_options(*simulate, {find_parameter(parameters_of(command->timing), "speed")});
   add_parameter_options(*simulate, parameters_of(command->hold));
   simulate->add_option("--report", command->report, "File for the report (JSON)");
   simulate->callback([command, &exit_code] { exit_code = run(*command); });

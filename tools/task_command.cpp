@@ -3,6 +3,7 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/table_text.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_file.h"
@@ -78,11 +79,12 @@ struct PlannedTask {
 std::string program_csv(const planning::Motion& motion) {
   std::string text = "stage,time";
   for (int v = 0; v < motion.model->variable_count(); ++v) {
-    text += "," + motion.model->variable(v).name;
+    text.append(",").append(geometric::csv_cell(motion.model->variable(v).name));
   }
   text += '\n';
   for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
-    fmt::format_to(std::back_inserter(text), "{},{}", stage_at(motion, point.time)->name,
+    fmt::format_to(std::back_inserter(text), "{},{}",
+                   geometric::csv_cell(stage_at(motion, point.time)->name),
                    planning::csv_time(point.time));
     for (const double value : point.position) {
       fmt::format_to(std::back_inserter(text), ",{}", value);

@@ -39,14 +39,13 @@ planning::Task task_of(const TaskRequest& request, const geometric::Scene& scene
   if (!request.pick.empty()) {
     task.emplace_back(planning::PickStep{request.pick});
   }
-  if (!request.place_on.empty()) {
-    task.emplace_back(planning::PlaceStep{request.place_on});
-  }
-  if (!request.place_at.empty()) {
-    const std::vector<double>& n = request.place_at;
-    planning::PlaceStep place;
-    place.pose = geometric::pose_from_rpy({n[0], n[1], n[2]}, geometric::radians(n[3]),
-                                          geometric::radians(n[4]), geometric::radians(n[5]));
+  if (!request.place_on.empty() || !request.place_at.empty()) {
+    planning::PlaceStep place{request.place_on};
+    if (!request.place_at.empty()) {
+      const std::vector<double>& n = request.place_at;
+      place.pose = geometric::pose_from_rpy({n[0], n[1], n[2]}, geometric::radians(n[3]),
+                                            geometric::radians(n[4]), geometric::radians(n[5]));
+    }
     task.emplace_back(place);
   }
   if (!request.then.empty()) {
@@ -70,19 +69,22 @@ void add_task_request(CLI::App& command, TaskRequest& request) {
   CLI::Option* file = command.add_option("--task", request.task,
                                          "Program of the scene by its name, or a task file (YAML)");
   CLI::Option* pick = command.add_option("--pick", request.pick, "Object to grasp")->excludes(file);
-  CLI::Option* on = command
-                        .add_option("--place-on", request.place_on,
-                                    "Object on which the grasped object is placed, anywhere")
-                        ->needs(pick);
+  command
+      .add_option("--place-on", request.place_on,
+                  "Object on which the grasped object is placed, anywhere; if given several times, "
+                  "on the first on which that is possible")
+      ->needs(pick)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       .add_option("--place-at", request.place_at,
-                  "Pose in the world at which it is placed instead, m and degrees")
+                  "Pose at which it is placed, in the world or, with --place-on, in that object's "
+                  "frame, m and degrees")
       ->type_name("X,Y,Z,ROLL,PITCH,YAW")
       ->delimiter(',')
       ->expected(6)
       ->check(number_in(-1e3, 1e3))
-      ->needs(pick)
-      ->excludes(on);
+      ->needs(pick);
   command
       .add_option("--then", request.then,
                   "Posture at the end: start, or one of the scene or the robot")

@@ -21,13 +21,13 @@ struct TaskRequest {
   std::filesystem::path scene;
   std::filesystem::path task;  ///< A program of the scene, or a file; empty: the steps below.
   std::string pick;
-  std::string place_on;
+  std::vector<std::string> place_on;
   std::vector<double> place_at;  ///< m, and degrees; empty: not given.
   std::string then;              ///< Posture at the end; empty: none.
   std::string planner;
   std::vector<std::string> settings;
   std::vector<std::string> group;
-  planning::TaskOptions options;
+  planning::TaskOptions options = {.threads = 2};
 };
 
 /// A task of a scene.

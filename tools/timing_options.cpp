@@ -63,7 +63,10 @@ TimingInput read_timing_input(const TimingChoice& choice, const planning::Plugin
 
 planning::TimedPath run_timing(const TimingChoice& choice, const planning::PluginManager& plugins) {
   const TimingInput input = read_timing_input(choice, plugins);
-  return run_timing(choice, input, input.problem.start, planning::TimingOptions{}.start_tolerance);
+  // A continuous joint of the scene's start stands for all its turns.
+  const planning::Configuration start =
+      input.problem.model().nearest_equivalent(input.path.waypoints.front(), input.problem.start);
+  return run_timing(choice, input, start, planning::TimingOptions{}.start_tolerance);
 }
 
 planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& input,

@@ -2,6 +2,7 @@
 #include "emulated_device.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/core/device_stream.h"
+#include "handway/device/emulators/tracker_signals.h"
 #include "handway/device/emulators/tracker_units.h"
 #include "handway/device/tracker/polhemus_tracker.h"
 #include "handway/device/tracker/tracker.h"

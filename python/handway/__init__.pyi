@@ -191,11 +191,8 @@ class Planner:
         start: Union[npt.ArrayLike, None] = None,
         goal: Union[npt.ArrayLike, None] = None,
         seed: int = 1,
-        threads: int = 1,
-        time_limit: float = ...,
-        resolution: float = 5e-5,
-        margin: float = 0.0,
         goal_pose: Union[PoseGoal, Sequence[PoseGoal], None] = None,
+        **settings: float,
     ) -> Result: ...
     def plan_task(
         self,
@@ -203,7 +200,6 @@ class Planner:
         steps: str | Sequence[dict[str, Any]],
         *,
         seed: int = 1,
-        threads: int = 1,
         **settings: float,
     ) -> TaskPlan: ...
 
@@ -238,6 +234,8 @@ class Scene:
     def start(self) -> Union[_Floats, None]: ...
     @property
     def goal(self) -> Union[_Floats, None]: ...
+    @property
+    def frames(self) -> dict[str, tuple[str, _Floats]]: ...
     @property
     def goal_poses(self) -> list[PoseGoal]: ...
     @property
@@ -279,9 +277,7 @@ class Scene:
         path: npt.ArrayLike,
         *,
         name: str = "path",
-        speed: float = 1.0,
-        period: float = 0.004,
-        jerk: bool = False,
+        **settings: float,
     ) -> Motion: ...
     def measure_motion(
         self, path: npt.ArrayLike, *, postures: Union[_File, None] = None
@@ -313,15 +309,15 @@ class Scene:
         points: npt.ArrayLike,
         X_WC: Union[npt.ArrayLike, None] = None,
         *,
-        cell: float = 0.01,
-        radius: float = 0.0,
-        margin: float = 0.02,
         robots: bool = False,
         cut_out: Sequence[str] = ...,
         outliers: bool = False,
-        find_objects: bool = False,
+        hidden_from: Union[tuple[float, float, float, float], None] = None,
+        **settings: float,
     ) -> Scene: ...
     def without_object(self, name: str) -> Scene: ...
+    def with_frame(self, name: str, X_PF: npt.ArrayLike, *, on: str = "") -> Scene: ...
+    def with_grasps(self, object: str, file: _File) -> Scene: ...
     def with_object_at(self, name: str, X_PO: npt.ArrayLike) -> Scene: ...
     def object_pose(self, name: str, q: Union[npt.ArrayLike, None] = None) -> _Floats: ...
     def aligned(self, objects: Sequence[str], *, axis: str = "x", to: str = "centre") -> Scene: ...
@@ -396,9 +392,7 @@ class Connection:
     def run(
         self,
         motion: Motion,
-        *,
-        start_tolerance: float = 0.01,
-        following_tolerance: float = 0.2,
+        **settings: float,
     ) -> dict[str, Any]: ...
     def stop(self) -> None: ...
     def close(self) -> None: ...

@@ -1,8 +1,11 @@
 #include "planner_tables.h"
 
+#include "handway/device/core/trajectory_client.h"
 #include "handway/device/emulators/device_emulator.h"
 #include "handway/device/haptic/force_guide.h"
+#include "handway/device/tracker/tool_follower.h"
 #include "handway/planning/core/request_parameters.h"
+#include "handway/planning/edits/cloud_import.h"
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/tasks/task.h"
 #include "handway/planning/timing/timing_settings.h"
@@ -99,23 +102,40 @@ std::string planner_tables(const planning::PlannerRegistry& registry) {
 std::string settings_tables() {
   planning::PlanRequest request;
   planning::TimingSettings timing;
+  device::MotionTolerances tolerances;
   planning::PregraspOptions grasps;
   planning::HoldConditions hold;
   planning::TaskOptions task;
+  planning::CloudImport cloud;
+  device::ToolFollowerSettings follower;
   device::ForceGuideSettings guide;
   device::LineFaultSettings line;
   const auto section = [](const char* title, const char* users, auto& settings) {
     return fmt::format("\n## {}\n\nFor {}.\n\n{}", title, users,
                        table(geometric::values_of(parameters_of(settings))));
   };
-  return section("Planning", "`handway plan`, where the time limit is 300 s, and the panel *Plan*",
+  return section("Planning",
+                 "`handway plan`, where the time limit is 300 s, and the panel *Plan*; in Python "
+                 "`Planner.plan()`",
                  request) +
-         section("Timing", "`handway time`, `export` and `send`, and the export dialog", timing) +
+         section("Timing",
+                 "`handway time`, `export` and `send`, and the export dialog; in Python "
+                 "`Scene.time()`",
+                 timing) +
+         section("Running motions",
+                 "`handway send` and `task`, and the start of `haptic guide`; in Python "
+                 "`Connection.run()`",
+                 tolerances) +
          section("Search for grasps",
                  "`handway grasp`; in Python `Scene.grasps()`, where `count` is `most`", grasps) +
          section("Simulation of grasps", "`handway grasp --test`; in Python `Scene.grasps(test=…)`",
                  hold) +
          section("Tasks", "`handway task`; in Python `Planner.plan_task()`", task) +
+         section("Point clouds",
+                 "`handway cloud` and the dialog of the window; in Python `Scene.with_cloud()`",
+                 cloud) +
+         section("Following a wrist",
+                 "the page *Wrist* of the window, where the top speed is 60°/s", follower) +
          section("Haptic guidance", "`handway haptic guide`", guide) +
          section("Faults of a line", "`handway glove emulate` and `handway tracker emulate`",
                  line) +

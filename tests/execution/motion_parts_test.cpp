@@ -35,7 +35,7 @@ const TaskOfTheCan& can_task() {
   static const TaskOfTheCan kTask = [] {
     const planning::SceneState scene = planning::load_scene(
         test::source_dir() / "scenes/can_on_table.yaml", planning::PluginManager());
-    const planning::Task task{planning::PickStep{"can"}, planning::PlaceStep{"table"}};
+    const planning::Task task{planning::PickStep{"can"}, planning::PlaceStep{{"table"}}};
     const planning::TaskPlan plan =
         plan_task(scene, task, *planning::PlannerRegistry().create("auto"));
     planning::TimingOptions options;

@@ -1,4 +1,5 @@
 /// Output of trackers, and input of emulated ones: the second byte chooses model and format.
+#include "handway/device/emulators/tracker_signals.h"
 #include "handway/device/emulators/tracker_units.h"
 #include "handway/device/tracker/polhemus_parser.h"
 #include "pieces.h"

@@ -15,6 +15,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -95,6 +96,24 @@ TEST_F(PathCsv, ReadsJointTrajectories) {
   EXPECT_THAT(changed("[0.2, 0.1", "[0.1"), HasSubstr("positions"));
 }
 
+TEST_F(PathCsv, PassesOverOtherJointsOfTrajectories) {
+  JointsAtRest rest{planar_configuration(0, 0)};
+  const Path path = read_path(model_,
+                              file("joint_names: [head_pan, shoulder]\npoints:\n"
+                                   "- positions: [7, 0.1]\n- positions: [8, 0.2]\n"),
+                              &rest);
+  EXPECT_EQ(path.waypoints.at(1), planar_configuration(0.2, 0));
+  EXPECT_THAT(rest.passed_over, testing::ElementsAre("head_pan"));
+  EXPECT_THAT(refusal("joint_names: [head_pan]\npoints:\n- positions: [7]\n"),
+              AllOf(HasSubstr("head_pan"), HasSubstr("a joint of robot")));
+}
+
+TEST_F(PathCsv, RefusesSeveralTrajectories) {
+  EXPECT_THAT(refusal("trajectory:\n- joint_trajectory: {joint_names: [elbow], points: []}\n"
+                      "- joint_trajectory: {joint_names: [elbow], points: []}\n"),
+              AllOf(HasSubstr("path.csv:2"), HasSubstr("2 trajectories"), HasSubstr("a file")));
+}
+
 TEST_F(PathCsv, ReadsBackTheSameBits) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> angle(0.0, 1.0);
@@ -110,6 +129,15 @@ TEST_F(PathCsv, ReadsBackTheSameBits) {
     EXPECT_EQ(again.waypoints[i], path.waypoints[i]) << i;  // no tolerance
   }
   EXPECT_EQ(to_csv(again, model_), to_csv(path, model_));
+}
+
+TEST_F(PathCsv, QuotesNamesWithSeparators) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  robot.joints.front().name = "shoulder, left; upper";
+  const RobotModel model(std::move(robot));
+  const Path path{{planar_configuration(0.1, 0.2), planar_configuration(0.3, 0.2)}};
+  write_path_csv(path, model, folder_.path() / "path.csv");
+  EXPECT_EQ(read_path(model, folder_.path() / "path.csv").waypoints, path.waypoints);
 }
 
 TEST_F(PathCsv, NamesEveryMovingJoint) {
@@ -189,8 +217,8 @@ TEST_F(PathCsv, PassesOverColumnsThatAreNoJoint) {
                               &rest);
   EXPECT_EQ(path.waypoints.at(1)[0], 0.2);
   EXPECT_THAT(rest.remark("arm.csv"),
-              HasSubstr("ignored columns, which name no joint of the robot: battery, frame_index, "
-                        "wrist"));
+              HasSubstr("ignored names that no moving joint of the robot has: battery, "
+                        "frame_index, wrist"));
 }
 
 TEST_F(PathCsv, RefusesColumnsThatAreSlips) {
@@ -235,6 +263,61 @@ TEST_F(PathCsv, TakesDegreesOnlyWhereTheHeaderNamesThem) {
   EXPECT_NEAR(path.waypoints.at(0)[0], 0.5 * M_PI, 1e-12);
   EXPECT_THAT(refusal("shoulder,elbow,thumb,left,right\n0,0,0,0,0\n45,10,0,0,0\n"),
               AllOf(HasSubstr("joint shoulder"), HasSubstr("45"), HasSubstr("look like degrees")));
+}
+
+TEST_F(PathCsv, TakesUnitsInBracketsAndInARowOfTheirOwn) {
+  const double half_turn = 0.5 * M_PI;
+  for (const char* text :
+       {"time,shoulder,elbow,thumb,left,right\nms,deg,rad,,,\n0,90,0,0,0,0\n20,45,0,0,0,0\n",
+        "shoulder [turns],elbow [mrad],thumb,left,right\n0.25,0,0,0,0\n0.125,0,0,0,0\n",
+        "shoulder [rad/s],shoulder [deg],elbow,thumb,left,right\n7,90,0,0,0,0\n7,45,0,0,0,0\n"}) {
+    EXPECT_NEAR(read(text).waypoints.at(0)[0], half_turn, 1e-12) << text;
+  }
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  robot.joints.front().type = geometric::JointType::kPrismatic;
+  const Path path = read_path(RobotModel(std::move(robot)),
+                              file("shoulder [mm],elbow,thumb,left,right\n20,0,0,0,0\n"
+                                   "30,0,0,0,0\n"));
+  EXPECT_NEAR(path.waypoints.at(1)[0], 0.03, 1e-12);
+}
+
+TEST_F(PathCsv, ReadsBackAnyNamesOfJoints) {
+  for (const std::string prefix : {"=", "+", "-", "@", "\"", "5\", ", "; ", "a\"\","}) {
+    geometric::RobotDescription robot = test::planar_hand_arm();
+    robot.groups.clear();
+    for (geometric::Joint& joint : robot.joints) {
+      joint.name = prefix + joint.name + "\"";
+      if (joint.mimic) {
+        joint.mimic->joint = prefix + joint.mimic->joint + "\"";
+      }
+    }
+    const RobotModel model(std::move(robot));
+    Path path;
+    path.waypoints = {planar_configuration(0.1, 0.2, 0.3, 0.4, 0.5),
+                      planar_configuration(0.2, 0.2, 0.3, 0.4, 0.5)};
+    const fs::path written = file("");
+    write_path_csv(path, model, written);
+    const Path again = read_path(model, written);
+    ASSERT_THAT(again.waypoints, SizeIs(2)) << prefix;
+    EXPECT_EQ(again.waypoints[0], path.waypoints[0]) << prefix;
+    EXPECT_EQ(again.waypoints[1], path.waypoints[1]) << prefix;
+  }
+}
+
+// A continuous joint may have turned several times.
+TEST_F(PathCsv, TakesSeveralTurnsWhereTheUnitIsClear) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  robot.joints.front().limits.lower = -std::numeric_limits<double>::infinity();
+  robot.joints.front().limits.upper = std::numeric_limits<double>::infinity();
+  const RobotModel model(std::move(robot));
+  const auto last_shoulder = [&](const std::string& header, double start) {
+    JointsAtRest rest{planar_configuration(start, 0, 0.3, 0.4, 0.6)};
+    return read_path(model, file("time," + header + "\n0,20\n1,18\n"), &rest).waypoints.at(1)[0];
+  };
+  EXPECT_EQ(last_shoulder("shoulder", 20.0), 18.0);
+  EXPECT_EQ(last_shoulder("shoulder [rad]", 0.0), 18.0);
+  EXPECT_THAT(refusal_of([&] { last_shoulder("shoulder", 0.0); }),
+              AllOf(HasSubstr("turns without end"), HasSubstr("or \"shoulder [rad]\"")));
 }
 
 TEST_F(PathCsv, IsNotReadToWhereItIsCutOff) {
@@ -290,6 +373,11 @@ TEST_F(PathCsv, RefusesCoupledJointsThatDoNotFollow) {
   EXPECT_THAT(refusal(std::string(kHeader) + kRow + "1,0.1,0.2,0.3,0.4,0.25,0.6,0.3\n"),
               AllOf(HasSubstr("path.csv:3"), HasSubstr("left_tip"), HasSubstr("0.25"),
                     HasSubstr("0.2"), HasSubstr("coupled to joint left")));
+}
+
+TEST_F(PathCsv, TakesJointsFromThoseThatFollowThem) {
+  const Path path = read("shoulder,elbow,thumb,left_tip,right\n0,0,0,0.2,0\n0,0,0,0.3,0\n");
+  EXPECT_NEAR(path.waypoints.at(1)[model_.find_variable("left").value()], 0.6, 1e-12);
 }
 
 TEST_F(PathCsv, NeedsTwoWaypoints) {

@@ -119,6 +119,17 @@ TEST_F(PoseGoals, AreReachedByWhatMovesOrNotAtAll) {
   EXPECT_THAT(this->problem().goal_fault, HasSubstr("out of reach")) << "no joint moves it";
 }
 
+TEST_F(PoseGoals, BeyondAllNumbersAreOutOfReach) {
+  PoseGoal goal;
+  goal.link = "link_6";
+  goal.X_WG.translation().x() = 1e300;
+  scene_.goal_poses.push_back(goal);
+  const PlanningProblem problem = this->problem();
+  EXPECT_TRUE(problem.goal.allFinite());
+  EXPECT_THAT(problem.goal_fault, HasSubstr("misses goal pose of link link_6"));
+  EXPECT_THAT(pose_goal_miss(scene_, start_), HasSubstr("misses goal pose of link link_6"));
+}
+
 TEST_F(PoseGoals, ArePlannedToAndPassTheCheck) {
   add_goal(away());
   const PlanningProblem problem = this->problem();

@@ -10,6 +10,7 @@ import ast
 import importlib.resources
 import os
 import random
+import re
 import signal
 import sys
 import tempfile
@@ -25,20 +26,29 @@ LONGEST_CALL = 5.0  # s; a call that is longer is interrupted, and has to end so
 LONGEST_END = 5.0  # s
 
 
+def settings_of(owner, function, arguments):
+    """Names of the settings that a stub has as **settings; the docstring lists them."""
+    if function.args.kwarg is None:
+        return []
+    text = getattr(getattr(handway, owner), function.name).__doc__
+    return [key for key in re.findall(r"^(\w+): ", text, re.MULTILINE) if key not in arguments]
+
+
 def stubbed_functions():
-    """(owner, name, arguments) of all functions, methods and classes' constructors."""
+    """(owner, name, arguments, settings) of all functions, methods and classes' constructors."""
     text = importlib.resources.files(handway).joinpath("__init__.pyi").read_text()
     for node in ast.parse(text).body:
         if isinstance(node, ast.FunctionDef):
-            yield None, node.name, [a.arg for a in node.args.args + node.args.kwonlyargs]
+            yield None, node.name, [a.arg for a in node.args.args + node.args.kwonlyargs], []
         elif isinstance(node, ast.ClassDef):
-            yield None, node.name, []
+            yield None, node.name, [], []
             for member in node.body:
                 if isinstance(member, ast.FunctionDef):
                     arguments = [a.arg for a in member.args.args[1:] + member.args.kwonlyargs]
-                    yield node.name, member.name, arguments
+                    settings = settings_of(node.name, member, arguments)
+                    yield node.name, member.name, arguments, settings
                 elif isinstance(member, ast.AnnAssign):
-                    yield node.name, member.target.id, None
+                    yield node.name, member.target.id, None, []
 
 
 def uninitialised():
@@ -124,7 +134,7 @@ def main(seed, seconds):
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         while time.monotonic() < end:
-            owner, name, arguments = chance.choice(functions)
+            owner, name, arguments, settings = chance.choice(functions)
             pool = values + made
             if owner is None:
                 target = getattr(handway, name)
@@ -148,7 +158,7 @@ def main(seed, seconds):
             positional = [chance.choice(pool) for _ in range(count)]
             keywords = {
                 argument: chance.choice(pool)
-                for argument in (arguments or [])[count:]
+                for argument in (arguments or [])[count:] + settings
                 if chance.random() < 0.3
             }
             if name == "plan":

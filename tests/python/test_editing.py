@@ -32,12 +32,28 @@ class Editing(unittest.TestCase):
         self.assertFalse(scene.with_cloud("scan", points, X).collides(scene.start))
         found = scene.with_cloud("scan", points, find_objects=True)
         self.assertEqual(found.objects, scene.objects + ["surface"])
-        with self.assertRaisesRegex(handway.InputError, "0.001 to 1 m"):
+        with self.assertRaisesRegex(handway.InputError, "cell.*0.001 to 1"):
             scene.with_cloud("scan", points, cell=0)
+        with self.assertRaisesRegex(handway.InputError, "five times the cell"):
+            scene.with_cloud("scan", points, radius=0.06)
+        with self.assertRaisesRegex(handway.InputError, "pixels"):
+            scene.with_cloud("scan", points, hidden_from=(0, 1, 1, 1))
         with self.assertRaisesRegex(handway.InputError, "taken"):
             scene.with_cloud("can", points)
         with self.assertRaisesRegex(handway.InputError, "no points"):
             scene.with_cloud("scan", np.zeros((0, 3)))
+
+    def test_makes_what_points_hide_solid(self):
+        scene = can_on_table()
+        u, v = np.meshgrid(np.arange(41), np.arange(41))
+        depth = np.where(u > 30, 1.3, 1.0)  # m: a plate, and the floor beside it
+        points = np.stack([(u - 20) / 100 * depth, (v - 20) / 100 * depth, depth], axis=-1)
+        X = np.diag([1.0, -1.0, -1.0, 1.0])  # a camera that looks down
+        X[:3, 3] = [2.5, 0, 1.3]
+        seen = scene.with_cloud(
+            "scan", points.reshape(-1, 3), X, cell=0.02, hidden_from=(100, 100, 20, 20)
+        )
+        self.assertEqual(seen.objects, scene.objects + ["scan", "scan hidden"])
 
     def test_changes_what_collides(self):
         scene = can_on_table()
@@ -45,6 +61,16 @@ class Editing(unittest.TestCase):
         X = scene.link_pose("palm", scene.start)
         there = scene.with_object_at("can", X)
         self.assertTrue(there.collides(scene.start))
+
+    def test_keeps_grasps_for_an_object(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "grasps.json"
+            file.write_text('[{"pose": [9, 0, 0, 0, 0, 0, 1], "joints": {}}]')
+            scene = can_on_table().with_grasps("can", file)
+            with self.assertWarnsRegex(UserWarning, "the arm does not get there"):
+                self.assertEqual(scene.grasps("can", given=file), [])
+            with self.assertRaisesRegex(handway.InputError, "no_such_file"):
+                scene.with_grasps("can", "no_such_file.yaml")
 
     def test_arranges_objects(self):
         scene = can_on_table()
@@ -149,6 +175,16 @@ class Motions(unittest.TestCase):
             self.assertEqual(len(motion.export("csv", folder)), 1)
             with self.assertRaises(handway.InputError):
                 motion.export("cvs", folder)
+
+    def test_are_timed_by_the_settings_of_the_command_line(self):
+        scene = can_on_table()
+        path = scene.planner().plan(scene, seed=1).path
+        motion = scene.time(path, period=0.02, blend=False)
+        self.assertAlmostEqual(motion.times[1] - motion.times[0], 0.02)
+        with self.assertRaisesRegex(handway.InputError, "period.*from 0.0001 to 1"):
+            scene.time(path, period=2.0)
+        with self.assertRaisesRegex(TypeError, "arc_clearance"):
+            scene.time(path, velocity=2.0)
 
     def test_that_hit_something_are_not(self):
         scene = can_on_table()

@@ -148,6 +148,18 @@ class Planning(unittest.TestCase):
             with self.assertRaisesRegex(handway.InputError, next(iter(wrong))):
                 planner.plan(scene, **wrong)
 
+    def test_takes_the_settings_of_a_request_in_si_units(self):
+        scene = can_on_table()
+        planner = scene.planner()
+        hit = scene.configuration({"joint_2": 2.0})
+        for good in ({"time_limit": float("inf")}, {"margin": 1.0}, {"resolution": 1e-7}):
+            self.assertEqual(planner.plan(scene, start=hit, **good).status, "start invalid")
+        with self.assertRaisesRegex(handway.InputError, "from 0 to 1"):
+            planner.plan(scene, margin=1.5)
+        with self.assertRaisesRegex(TypeError, "threads, time_limit, margin, resolution"):
+            planner.plan(scene, patience=60)
+        self.assertRegex(planner.plan.__doc__, r"\nmargin: [^(]*\(0\s+to\s+1\s+m;\s+default\s+0\)")
+
 
 class Paths(unittest.TestCase):
     def test_through_obstacles_are_not_valid(self):

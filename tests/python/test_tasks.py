@@ -38,6 +38,34 @@ class Tasks(unittest.TestCase):
         self.assertGreater(np.linalg.norm(moved[:2, 3]), 0.01)
         self.assertLess(abs(moved[2, 3]), 1e-3)
 
+    def test_move_along_lines_to_poses_and_to_alternatives(self):
+        far = np.eye(4)
+        far[0, 3] = 50.0
+        steps = [
+            {"line": [0, 0, 0.02]},
+            {"first_of": [
+                [{"move": handway.PoseGoal("palm", far), "in": "can"}],
+                [{"line": [0, 0, 0.03], "in": "table"}],
+            ]},
+        ]
+        plan = self.scene.planner().plan_task(self.scene, steps)
+        self.assertTrue(plan.solved, plan.reason)
+        self.assertEqual([(stage.kind, stage.step) for stage in plan.stages], [("line", 0), ("line", 3)])
+        self.assertIn("out of reach", plan.trials[1]["reason"])
+        for wrong in ([{"line": [0, 0]}], [{"line": [0, 0, 0]}], [{"first_of": [steps]}]):
+            with self.assertRaises(handway.InputError, msg=str(wrong)):
+                self.scene.planner().plan_task(self.scene, wrong)
+
+    def test_place_in_frames(self):
+        place = np.eye(4)
+        place[2, 3] = 0.5
+        scene = self.scene.with_frame("place", place, on="table")
+        parent, pose = scene.frames["place"]
+        self.assertEqual(parent, "table")
+        np.testing.assert_allclose(pose, place)
+        with self.assertRaises(handway.InputError):
+            scene.with_frame("can", place)
+
     def test_say_what_failed(self):
         far = np.eye(4)
         far[0, 3] = 5.0

@@ -1,6 +1,7 @@
 /// The recording that ships, and the basis made from it.
 #include "handway/device/emulators/glove_signals.h"
 #include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/sampling/postures/pmd_basis.h"

@@ -9,7 +9,7 @@
 namespace handway::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef HANDWAY_SANITIZED
 constexpr double kSlowness = 10.0;
 #else
 constexpr double kSlowness = 1.0;

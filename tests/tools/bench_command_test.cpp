@@ -134,7 +134,7 @@ TEST_F(HandwayBench, RefusesWhatItCanNotMeasure) {
   EXPECT_EQ(scene.exit_code, 3);
   EXPECT_THAT(scene.err, HasSubstr("none.yaml"));
   const Outcome folder = line_.run("bench open.yaml --checks --out open.yaml");
-  EXPECT_EQ(folder.exit_code, 3);
+  EXPECT_EQ(folder.exit_code, 1);
   EXPECT_THAT(folder.err, HasSubstr("open.yaml"));
   line_.replace("post.yaml", "-0.4", "-0.066");
   EXPECT_EQ(line_.run("bench post.yaml --seeds 3").exit_code, 4) << "the start collides";

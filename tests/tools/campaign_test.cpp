@@ -203,10 +203,10 @@ TEST_F(HandwayCampaign, RefusesBadFilesAndOptions) {
 TEST_F(HandwayCampaign, SaysWhenTheFolderCannotBeWritten) {
   line_.write("file", "in the way");
   const Outcome file = line_.run("bench study.yaml --out file/study");
-  EXPECT_EQ(file.exit_code, 3);
+  EXPECT_EQ(file.exit_code, 1);
   EXPECT_THAT(file.err, AllOf(HasSubstr("file/study"), HasSubstr("--out")));
   const Outcome device = line_.run("bench study.yaml --out /proc/self");
-  EXPECT_EQ(device.exit_code, 3);
+  EXPECT_EQ(device.exit_code, 1);
   EXPECT_THAT(device.err, HasSubstr("/proc/self"));
 }
 
@@ -215,7 +215,7 @@ TEST_F(HandwayCampaign, SaysWhenTheDiskIsFullAndGoesOnLater) {
   line_.replace("study.yaml", "seeds: 10", "seeds: 60");
   const Outcome full =
       shell("trap '' XFSZ; ulimit -f 400; '" HANDWAY_PROGRAM "' bench study.yaml --jobs 2");
-  EXPECT_EQ(full.exit_code, 3) << full.err;
+  EXPECT_EQ(full.exit_code, 1) << full.err;
   EXPECT_THAT(full.err, AllOf(HasSubstr("runs.sqlite"), HasSubstr("--resume")));
   const std::size_t kept = run_count(line_.folder() / "study" / "runs.sqlite");
   const Outcome rest = line_.run("bench study.yaml --resume");

@@ -1,6 +1,7 @@
 /// `handway cloud`: points of a camera in a scene, and its exit codes.
 #include "command_line.h"
 #include "handway/geometric/formats/scene_file.h"
+#include "handway/geometric/setup/placing.h"
 #include "handway_test/paths.h"
 
 #include <fmt/format.h>
@@ -54,6 +55,32 @@ TEST_F(CloudCommand, FindsTheTableAndTheBlockOnIt) {
   EXPECT_THAT(run.out, HasSubstr("Object surface: box of 500 × 500 × 20 mm"));
   EXPECT_THAT(run.out,
               HasSubstr("Object object: box of 100 × 100 × 100 mm at (-0.750, -0.850, 1.050) m"));
+}
+
+TEST_F(CloudCommand, MakesWhatADepthImageHidesAnObject) {
+  // A grey image of 41 x 41 pixels: 1000 mm everywhere, seen from 1.5 m above the floor.
+  std::string bytes = "\x93NUMPY\x01";
+  const std::string header = "{'descr': '<u2', 'fortran_order': False, 'shape': (41, 41), }";
+  bytes += std::string("\0", 1) + static_cast<char>(header.size()) + std::string("\0", 1) + header;
+  for (int i = 0; i < 41 * 41; ++i) {
+    bytes += "\xE8\x03";
+  }
+  const std::string image = line_.write("depth.npy", bytes).string();
+  const std::string camera = " --camera 100 100 20 20 --xyz -3 0 1.5 --rpy-deg 180 0 0";
+  const Outcome run = line_.run("cloud " + image + camera + " --scene " + shipped() +
+                                " --box -4 -1 0 -2 1 2 --cell-mm 50 --hidden --out seen.yaml");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("cells of 50 mm"));
+  const geometric::Scene scene = geometric::read_scene(line_.folder() / "seen.yaml");
+  const geometric::SceneObject* hidden = find_object(scene, "cloud hidden");
+  ASSERT_NE(hidden, nullptr);
+  const geometric::Aabb box = geometric::bounds(scene, *scene.start, {"cloud hidden"});
+  EXPECT_NEAR(box.lower.z(), 0.0, 1e-9);
+  EXPECT_LT(box.upper.z(), 0.5) << "the surface is at 0.5 m";
+  EXPECT_EQ(
+      line_.run("cloud " + table() + " --scene " + shipped() + " --hidden --out s.yaml").exit_code,
+      2)
+      << "no camera";
 }
 
 TEST_F(CloudCommand, RefusesWhatItCannotUse) {

@@ -217,18 +217,44 @@ TEST_F(Handway, SaysThatAPathIsNotValid) {
 }
 
 TEST_F(Handway, RefusesWrongUsage) {
-  for (const std::string arguments :
-       {"", "fly", "plan", "plan open.yaml --fast", "plan open.yaml --threads 0",
-        "plan open.yaml --threads two", "plan open.yaml --seed -1", "plan open.yaml --time-limit 0",
-        "plan open.yaml --time-limit nan", "plan open.yaml --set rho_a", "plan open.yaml --out",
-        "check open.yaml", "check open.yaml path.csv --resolution-mm 0",
-        "check open.yaml path.csv --resolution-mm -1",
-        "check open.yaml path.csv --resolution-mm nan",
-        "check open.yaml path.csv --resolution-mm 1e-12", "info"}) {
+  for (const std::string arguments : {"",
+                                      "fly",
+                                      "plan",
+                                      "plan open.yaml --fast",
+                                      "plan open.yaml --threads 0",
+                                      "plan open.yaml --threads two",
+                                      "plan open.yaml --seed -1",
+                                      "plan open.yaml --time-limit 0",
+                                      "plan open.yaml --seed 18446744073709551616",
+                                      "plan open.yaml --time-limit nan",
+                                      "plan open.yaml --set rho_a",
+                                      "plan open.yaml --out",
+                                      "check open.yaml",
+                                      "check open.yaml path.csv --resolution-mm 0",
+                                      "check open.yaml path.csv --resolution-mm -1",
+                                      "check open.yaml path.csv --resolution-mm nan",
+                                      "check open.yaml path.csv --resolution-mm 1e-12",
+                                      "info",
+                                      "pca one.csv --from nan",
+                                      "pca one.csv --low-pass 1e-300",
+                                      "glove generate --out g.csv --samples 5 --rate 1e-300"}) {
     const Outcome run = line_.run(arguments);
     EXPECT_EQ(run.exit_code, kWrongUsage) << arguments << "\n" << run.out << run.err;
     EXPECT_THAT(run.err, Not(IsEmpty())) << arguments;
   }
+}
+
+TEST_F(Handway, RefusesEmptyTexts) {
+  for (const std::string arguments :
+       {"plan open.yaml --out ''", "plan open.yaml --report ''", "plan ''", "info ''",
+        "plan open.yaml --robot ''", "bench open.yaml --out ''", "bench ''",
+        "edit drop open.yaml --out ''", "recording convert '' --out a.csv"}) {
+    const Outcome run = line_.run(arguments);
+    EXPECT_EQ(run.exit_code, kWrongUsage) << arguments << "\n" << run.out << run.err;
+    EXPECT_THAT(run.err, HasSubstr("found an empty text, expected a value")) << arguments;
+  }
+  EXPECT_THAT(line_.run("plan open.yaml --out ''").err,
+              StartsWith("--out: found an empty text, expected a value"));
 }
 
 TEST_F(Handway, HelpsAndNamesItsVersion) {
@@ -444,7 +470,7 @@ TEST_F(Handway, SaysWhyAPoseCannotBeComeTo) {
   expect_refusal("plan open.yaml --goal-pose plm:0.3,0,0", "plm, which is no link of the robot",
                  "Did you mean \"palm\"?");
   expect_refusal("plan open.yaml --goal-pose base:0.3,0,0", "base, which no joint moves");
-  for (const std::string bad : {"1,2", "1,2,3,4", "1,2,x", "palm:", "1,2,nan"}) {
+  for (const std::string bad : {"1,2", "1,2,3,4", "1,2,x", "palm:", "1,2,nan", "1e300,0,0"}) {
     EXPECT_EQ(line_.run("plan open.yaml --goal-pose " + bad).exit_code, kWrongUsage) << bad;
   }
 }

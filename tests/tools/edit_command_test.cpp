@@ -53,6 +53,18 @@ TEST_F(EditCommand, AlignsDistributesAndDrops) {
   EXPECT_NEAR(place(edited(boxes(), "move a b --by 0.1 0 -0.2"), "b").z(), 0.8, 1e-9);
 }
 
+TEST_F(EditCommand, AddsFrames) {
+  const geometric::Scene scene =
+      edited(boxes(), "frame place --on a --xyz 0 0 0.05 --rpy-deg 0 0 90");
+  ASSERT_EQ(scene.frames.size(), 1U);
+  EXPECT_EQ(scene.frames[0].parent, "a");
+  EXPECT_NEAR(scene.frames[0].X_PF.translation().z(), 0.05, 1e-12);
+  const Outcome taken = line_.run("edit frame " + boxes() + " b --out x.yaml");
+  EXPECT_EQ(taken.exit_code, 3);
+  EXPECT_THAT(taken.err, HasSubstr("the name \"b\", which is used"));
+  EXPECT_EQ(line_.run("edit frame " + boxes() + " place --on d --out x.yaml").exit_code, 3);
+}
+
 TEST_F(EditCommand, CopiesInRowsAndAroundAnAxis) {
   const geometric::Scene rows = edited(boxes(), "array a --count 2 1 2 --spacing 0.2 0 0.3");
   EXPECT_EQ(rows.objects.size(), 6U);
@@ -85,6 +97,17 @@ TEST_F(EditCommand, TakesAHandOffAndMountsItAgain) {
       line_.run("edit mount edited.yaml hand --link arm/flange_link --xyz 0 0 0.02 --out on.yaml");
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(geometric::read_scene(line_.folder() / "on.yaml").robots.size(), 1U);
+}
+
+TEST_F(EditCommand, KeepsAFileOfGraspsForAnObject) {
+  static_cast<void>(
+      line_.write("grasps.json", R"([{"pose": [0.1, 0, 0, 0, 0, 0, 1], "joints": {}}])"));
+  const geometric::Scene kept = edited(shipped(), "grasps can grasps.json");
+  EXPECT_EQ(find_object(kept, "can")->grasps, line_.folder() / "grasps.json");
+  EXPECT_THAT(line_.read("edited.yaml"), HasSubstr("    grasps: grasps.json\n"));
+  const Outcome broken = line_.run("edit grasps " + shipped() + " can edited.yaml --out x.yaml");
+  EXPECT_EQ(broken.exit_code, 3);
+  EXPECT_THAT(broken.err, HasSubstr("grasps"));
 }
 
 TEST_F(EditCommand, RefusesInWords) {

@@ -150,7 +150,7 @@ TEST(GloveRecord, SaysWhenItCanNotWrite) {
   const CommandLine line;
   const Outcome outcome =
       line.run("glove record --device " + emulator.read_line() + " --out no/such/folder/hand.csv");
-  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("no/such/folder"));
 }
 

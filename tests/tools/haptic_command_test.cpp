@@ -93,6 +93,12 @@ TEST_F(Haptic, LeadsNoRobotThroughASceneThatWasEdited) {
   close(reader);
 }
 
+TEST_F(Haptic, EndsIfItsLogCannotBeWritten) {
+  const Outcome run = guide(emulate(), "--log no/such/folder/log.csv");
+  EXPECT_EQ(run.exit_code, 1) << run.out;
+  EXPECT_THAT(run.err, HasSubstr("no/such/folder/log.csv"));
+}
+
 TEST_F(Haptic, RefusesWhatMakesNoSense) {
   EXPECT_THAT(guide("arm://localhost").err, HasSubstr("haptic://HOST"));
   EXPECT_EQ(guide("haptic://localhost:1").exit_code, 3);

@@ -60,7 +60,7 @@ TEST(HandwayProblems, RefuseAFolderThatCannotBeWritten) {
   const CommandLine line;
   line.write("file", "in the way");
   const Outcome run = line.run("problems --out file/a --count 1");
-  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.err, HasSubstr("file/a"));
   EXPECT_EQ(line.run("problems --count 1").exit_code, 2);
 }

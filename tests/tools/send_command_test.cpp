@@ -113,6 +113,15 @@ TEST_F(Send, WritesALogThatIsComparedWithThePlan) {
   EXPECT_EQ(line_.run("compare path.csv").exit_code, 3);
 }
 
+TEST_F(Send, EndsIfItsLogCannotBeWritten) {
+  emulate({}, {});
+  std::string words = send("--yes");
+  words.replace(words.find("log.csv"), std::string("log.csv").size(), "no/such/folder/log.csv");
+  const Outcome run = line_.run(words);
+  EXPECT_EQ(run.exit_code, 1) << run.out;
+  EXPECT_THAT(run.err, HasSubstr("no/such/folder/log.csv"));
+}
+
 TEST_F(Send, MovesNothingWithoutYes) {
   emulate({}, {});
   const Outcome done = line_.run(send(""));

@@ -194,7 +194,7 @@ TEST_F(HandwayVariants, RefuseOptionsThatMeanNothing) {
     EXPECT_EQ(line_.run("bench open.yaml " + arguments).exit_code, 2) << arguments;
   }
   const Outcome run = line_.run("bench open.yaml --variants 2 --write open.yaml");
-  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.err, AllOf(HasSubstr("open.yaml"), HasSubstr("a folder to write to")));
 }
 

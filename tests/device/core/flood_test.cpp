@@ -10,6 +10,7 @@
 #include "handway/device/emulators/hand_emulator.h"
 #include "handway/device/emulators/haptic_emulator.h"
 #include "handway/device/emulators/ros_emulator.h"
+#include "handway/device/emulators/tracker_signals.h"
 #include "handway/device/emulators/tracker_units.h"
 #include "handway/device/glove/cyberglove.h"
 #include "handway/device/glove/glove.h"

@@ -1,5 +1,6 @@
 #include "handway/device/glove/glove_calibration.h"
 
+#include "handway/device/glove/angle_ranges.h"
 #include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"

@@ -1,6 +1,7 @@
 #include "handway/device/glove/hand_mapping.h"
 
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway_test/paths.h"

@@ -201,6 +201,20 @@ TEST_F(LandmarkDump, FindsHandsInJsonOfAnyNesting) {
   expect_angles(read("lines.jsonl", lines), "lines");
 }
 
+TEST_F(LandmarkDump, KeepsTimesWhoseUnitIsNamed) {
+  std::string lines;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    std::string row = json(world(frame));
+    std::erase(row, '\n');
+    lines += fmt::format("{{\"timestamp_us\": {}, \"hand\": {}}}\n", 10'000'000 * frame, row);
+  }
+  EXPECT_NEAR(read("lines.jsonl", lines).times[1], 10.0, 1e-9);
+  const Recording recording = read("hand.csv", table("time [s]," + header("{a}{n}"), [](int frame) {
+                                     return fmt::format("{},{}", 10 * frame, cells(world(frame)));
+                                   }));
+  EXPECT_NEAR(recording.times[1], 10.0, 1e-9) << "not 10 ms";
+}
+
 TEST_F(LandmarkDump, LeavesOutFramesWithoutAHand) {
   const Recording recording =
       read("hand.csv", table(header("{a}{n}"), [](int frame) {

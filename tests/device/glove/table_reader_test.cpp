@@ -181,6 +181,22 @@ TEST_F(Tables, ReadSpreadsheetsWithDecimalCommasAndNamesOfOthers) {
               testing::Contains(AllOf(HasSubstr("degrees"), HasSubstr("passed over: Subject"))));
 }
 
+TEST_F(Tables, ReadUnitsInARowBelowTheNames) {
+  const Recording recording =
+      read("t,IndexMPJ,IndexPIJ\nms,deg,deg\n0,1.5,2.25\n20,2,3\n40,2.5,4\n");
+  ASSERT_EQ(recording.values.rows(), 3);
+  EXPECT_NEAR(recording.times[1], 0.02, 1e-12);
+  EXPECT_NEAR(value(recording, 0, "IndexPIJ"), 2.25 * kDegree, 1e-12);
+}
+
+TEST_F(Tables, KeepRadWhereTheNamesSaySo) {
+  EXPECT_EQ(value(read("IndexMPJ [rad],IndexPIJ [rad]\n1,2\n2,1\n"), 0, "IndexPIJ"), 2.0);
+  EXPECT_THAT(test::refusal_of([&] {
+                static_cast<void>(read("IndexMPJ [rad],IndexPIJ [rad]\n0.5,0.2\n8.5,0.3\n"));
+              }),
+              AllOf(HasSubstr("IndexMPJ"), HasSubstr("8.5"), HasSubstr("an angle in rad")));
+}
+
 TEST_F(Tables, ReadTheNamesOfKinMus) {
   const Recording recording = read(
       "CMC1_F,CMC1_A,MCP1_F,IP1_F,MCP2_F,PIP2_F,MCP2-3_A,W_F\n"

@@ -1,6 +1,7 @@
 /// Recordings of a robot hand's own joints, as drivers, plotters and scripts write them.
 #include "handway/device/hand/joint_recording.h"
 
+#include "handway/device/recordings/recorded_table.h"
 #include "handway/geometric/math/units.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
@@ -114,6 +115,42 @@ TEST_F(JointRecording, KeepsUnitsOfItsColumns) {
   const Recording recording = read("mcp [deg],pip_deg\n1,2\n3,4\n");
   EXPECT_NEAR(recording.values(1, 1), 4.0 * geometric::kDegree, kTolerance);
   EXPECT_NEAR(read("mcp_rad,pip_rad\n1,2\n3,7\n").values(1, 1), 7.0, kTolerance);
+  expect_two_rows("mcp [actual],mcp [A],pip (measured)\n0.1,9,0.2\n0.3,9,0.4\n", 0.01);
+}
+
+TEST_F(JointRecording, KeepsUnitsOfColumnsOfArrays) {
+  RecordedTable table;
+  table.names = {"mcp [deg]", "pip_deg"};
+  table.times = Eigen::Vector2d(0.0, 0.1);
+  table.values = Eigen::Matrix2d{{1.0, 2.0}, {3.0, 4.0}};
+  const std::filesystem::path file = folder_.path() / "joints.npz";
+  write_recorded_table(table, file);
+  const Recording recording = read_joint_recording(file, *hand_);
+  EXPECT_LT((recording.values - table.values * geometric::kDegree).cwiseAbs().maxCoeff(),
+            kTolerance);
+}
+
+TEST_F(JointRecording, DoesNotTakeAJointsOwnNameForAUnit) {
+  build("mcp_deg");
+  expect_two_rows("mcp_deg,pip\n0.1,0.2\n0.3,0.4\n", 0.01);
+}
+
+TEST_F(JointRecording, RefusesPositionsInUnknownUnits) {
+  EXPECT_EQ(test::refusal_of([&] { read("mcp [ticks],pip\n1,2\n3,4\n"); }),
+            file_.string() +
+                ":1: column \"mcp [ticks]\": found the unit \"ticks\", expected rad, mrad, deg or "
+                "turns, or m, cm or mm. Convert its values to one of them.");
+}
+
+TEST_F(JointRecording, NamesTimesInUnknownUnits) {
+  for (const char* time : {"time [ticks]", "time_ticks"}) {
+    const Recording recording =
+        read(time + std::string(",mcp,pip\n0,0.1,0.2\n1,0.3,0.4\n2,0.3,0.4\n"));
+    EXPECT_EQ(recording.times[2], 2.0);
+    EXPECT_THAT(recording.warnings,
+                ElementsAre(HasSubstr("the header says \"ticks\" for times, which is not a known "
+                                      "unit (s, ms, \u00B5s, ns, min, h): they are taken for s")));
+  }
 }
 
 TEST_F(JointRecording, GoesOnWhereTheClockWasSetBack) {
@@ -179,9 +216,9 @@ TEST_F(JointRecording, SaysWhatItDoesNotHaveAndWhatItLeavesOut) {
   const Recording recording = read("time,mcp,label\n0,0.1,a\n1,nan,a\n3,0.2,a\n2,0.3,a\n4,0.4,b\n");
   EXPECT_EQ(recording.values.rows(), 4) << "one comes a little late";
   EXPECT_TRUE(recording.values.col(1).isZero());
-  EXPECT_THAT(recording.warnings,
-              ElementsAre(HasSubstr("label"), HasSubstr("no values of pip"),
-                          HasSubstr("1 rows that lack"), HasSubstr("1 rows have an earlier time")));
+  EXPECT_THAT(recording.warnings, ElementsAre(HasSubstr("label"), HasSubstr("no values of pip"),
+                                              HasSubstr("1 row left out"),
+                                              HasSubstr("1 row kept in the file's order")));
 }
 
 TEST_F(JointRecording, LeavesOutALastLineThatIsCutOff) {

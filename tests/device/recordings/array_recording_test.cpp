@@ -151,7 +151,7 @@ TEST_F(Arrays, ThatAreShorterThanTheirShapeAreRefused) {
 }
 
 TEST_F(Arrays, KeepNamesAndTimesInEveryFormatThatIsWritten) {
-  for (const char* name : {"joints.npz", "joints.h5", "joints.csv"}) {
+  for (const char* name : {"joints.npz", "joints.h5", "joints.csv", "joints.mcap"}) {
     SCOPED_TRACE(name);
     const fs::path file = folder_.path() / name;
     write_recorded_table(small_table(), file);
@@ -162,6 +162,25 @@ TEST_F(Arrays, KeepNamesAndTimesInEveryFormatThatIsWritten) {
     EXPECT_LT((read.times - small_table().times).cwiseAbs().maxCoeff(), 1e-12);
     write_recorded_table(small_table(), file);
     EXPECT_EQ(content_of(file), bytes);
+  }
+}
+
+TEST_F(Arrays, KeepNamesWithSeparatorsAndQuotes) {
+  RecordedTable table = small_table();
+  table.names = {"=pan, left", "\"tilt\" 5\""};
+  write_recorded_table(table, folder_.path() / "joints.csv");
+  EXPECT_EQ(read_recorded_table(folder_.path() / "joints.csv").names, table.names);
+}
+
+TEST_F(Arrays, KeepValuesInTheUnitThatTheirNamesSay) {
+  RecordedTable table = small_table();
+  table.names = {"pan [deg]", "tilt_deg"};
+  for (const char* name : {"joints.npz", "joints.csv"}) {
+    SCOPED_TRACE(name);
+    write_recorded_table(table, folder_.path() / name);
+    const RecordedTable read = read_recorded_table(folder_.path() / name);
+    EXPECT_EQ(read.names, table.names);
+    EXPECT_EQ(read.values, table.values);
   }
 }
 

@@ -220,7 +220,7 @@ TEST_F(LeRobot, TablesOfOtherProgramsAreReadAsOne) {
   EXPECT_THAT(table.names, ElementsAre("pan", "tilt"));
   EXPECT_EQ(table.values, (Eigen::MatrixXd{{0.5, 0.25}, {1.5, 0.75}}));
   EXPECT_NEAR(table.times[1], 0.2, 1e-9);
-  EXPECT_THAT(table.warnings, ElementsAre(HasSubstr("1 rows that lack a value")));
+  EXPECT_THAT(table.warnings, ElementsAre(HasSubstr("1 row left out, as a value")));
 }
 
 TEST_F(LeRobot, PagesOfBothVersionsAndAllCodecsHaveTheSameNumbers) {
@@ -242,7 +242,7 @@ TEST_F(LeRobot, PagesOfBothVersionsAndAllCodecsHaveTheSameNumbers) {
       EXPECT_EQ(states.values(19, 1), state_of(0, 19, 1));
       const RecordedTable actions = read_recorded_table(file.string() + "#episode_0/action");
       EXPECT_EQ(actions.values.rows(), 18);
-      EXPECT_THAT(actions.warnings, testing::Contains(HasSubstr("2 rows that lack a value")));
+      EXPECT_THAT(actions.warnings, testing::Contains(HasSubstr("2 rows left out, as a value")));
     }
   }
 }

@@ -239,5 +239,36 @@ TEST_F(Mcap, AnyDamageIsSurvived) {
   }
 }
 
+TEST_F(Mcap, IsWrittenWithPosesAsTopicsOfTheirOwn) {
+  RecordedTable table;
+  table.names = {"pan",     "palm.x",  "palm.y",  "palm.z", "palm.qx",
+                 "palm.qy", "palm.qz", "palm.qw", "tilt",   "alone.x"};
+  table.times = Eigen::Vector2d(0.5, 1.25);
+  table.values = Eigen::MatrixXd::Random(2, 10);
+  const fs::path file = folder_.path() / "poses.mcap";
+  write_recorded_table(table, file);
+  const RecordingContents contents = recording_contents(file);
+  ASSERT_EQ(contents.variables.size(), 2U);
+  EXPECT_EQ(contents.variables[0].name, "/joint_states");
+  EXPECT_EQ(contents.variables[1].name, "/palm");
+  EXPECT_THAT(contents.variables[1].problem, HasSubstr("geometry_msgs/msg/PoseStamped"));
+  const RecordedTable read = read_recorded_table(file);
+  EXPECT_THAT(read.names, ElementsAre("pan", "tilt", "alone.x"));
+  EXPECT_EQ(read.values.col(1), table.values.col(8));
+  EXPECT_NEAR(read.times[1], 0.75, 1e-9);
+}
+
+TEST_F(Mcap, IsWrittenInChunksThatAreRead) {
+  RecordedTable table;
+  table.names = {"a", "b", "c"};
+  constexpr Eigen::Index kRows = 30000;
+  table.times = Eigen::VectorXd::LinSpaced(kRows, 0.0, 300.0);
+  table.values = Eigen::MatrixXd::Random(kRows, 3);
+  const fs::path file = folder_.path() / "long.mcap";
+  write_recorded_table(table, file);
+  EXPECT_GT(fs::file_size(file), 2'000'000U) << "bytes, several chunks";
+  EXPECT_EQ(read_recorded_table(file).values, table.values);
+}
+
 }  // namespace
 }  // namespace handway::device

@@ -1,5 +1,6 @@
 #include "handway/device/retargeting/fingertip_retargeter.h"
 
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"

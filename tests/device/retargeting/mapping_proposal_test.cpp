@@ -1,8 +1,10 @@
 #include "handway/device/retargeting/mapping_proposal.h"
 
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
+#include "handway/device/retargeting/mapping_fit.h"
 #include "handway/device/retargeting/robot_fingers.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"

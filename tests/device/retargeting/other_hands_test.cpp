@@ -2,6 +2,7 @@
 // names.
 
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/retargeting/fingertip_errors.h"

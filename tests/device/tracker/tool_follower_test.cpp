@@ -1,6 +1,6 @@
 #include "handway/device/tracker/tool_follower.h"
 
-#include "handway/device/emulators/tracker_units.h"
+#include "handway/device/emulators/tracker_signals.h"
 #include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 #include "handway_test/robots.h"
 

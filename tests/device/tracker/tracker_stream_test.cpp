@@ -1,4 +1,5 @@
 #include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/tracker_signals.h"
 #include "handway/device/emulators/tracker_units.h"
 #include "handway/device/tracker/polhemus_tracker.h"
 #include "handway/device/tracker/tracker.h"

@@ -3,6 +3,7 @@
 #include "handway/device/core/byte_link.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/tracker_signals.h"
 #include "handway/device/emulators/tracker_units.h"
 #include "handway/device/tracker/polhemus_tracker.h"
 #include "handway/device/tracker/udp_tracker.h"

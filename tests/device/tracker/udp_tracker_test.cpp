@@ -2,6 +2,7 @@
 
 #include "handway/device/core/device_error.h"
 #include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/tracker_signals.h"
 #include "handway/device/emulators/tracker_units.h"
 #include "handway_test/free_port.h"
 

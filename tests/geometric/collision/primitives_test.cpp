@@ -1,6 +1,7 @@
 /// Primitives of any size, anywhere: the answers of FCL on their triangles.
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
+#include "handway_test/scale.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>
@@ -100,7 +101,7 @@ class Primitives : public testing::TestWithParam<double> {};
 TEST_P(Primitives, HaveTheAnswersOfFcl) {
   const Eigen::Vector3d offset = GetParam() * Eigen::Vector3d(1.0, -0.7, 0.3);
   RandomShapes random(17);
-  for (int scene_number = 0; scene_number < kScenes; ++scene_number) {
+  for (int scene_number = 0; scene_number < test::scaled(kScenes); ++scene_number) {
     const bool is_extreme = scene_number % 2 == 1;
     Scene scene = test::scene_of(test::gantry(random.shape(0.01, 0.3)));
     scene.robots.front().X_WB = Eigen::Translation3d(offset) * scene.robots.front().X_WB;

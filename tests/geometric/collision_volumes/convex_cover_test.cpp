@@ -1,5 +1,6 @@
 #include "collision/volumes/convex_cover.h"
 
+#include "collision/volumes/hull_gap.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>
@@ -80,10 +81,10 @@ TEST(ConvexCover, LeavesOutMostPointsOfAFineMesh) {
 }
 
 TEST(ConvexCover, HasAFewHundredPointsOfAVeryFineMesh) {
-  constexpr int kPoints = 20000;
+  constexpr int kVertices = 20000;
   TriangleMesh ball{{}, {{0, 1, 2}}};
-  for (int i = 0; i < kPoints; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / kPoints;
+  for (int i = 0; i < kVertices; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / kVertices;
     const double angle = 2.399963 * i;  // a spiral of equal spacing
     ball.vertices.push_back(0.1 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0) *
                                 std::sqrt(1.0 - z * z) +

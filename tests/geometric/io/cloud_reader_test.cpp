@@ -81,6 +81,8 @@ TEST_F(CloudFiles, AreReadInEveryForm) {
       {"a.xyz", rows},
       {"b.xyz", "3\nx y z\n" + rows},
       {"a.csv", "x,y,z\n1,2,3\n-1,0.5,0\n"},
+      {"b.csv", "stamp,z,intensity,Y [m],x_mm\n5,3,9,2,1000\n6,0,9,0.5,-1000\n"},
+      {"c.xyz", "\xEF\xBB\xBF" + rows},
       {"a.npy", numpy("<f4", "3, 3", bytes_of(points))},
       {"b.npy", numpy("<f4", "1, 3, 3", bytes_of(points))}};
   for (const auto& [name, content] : files) {
@@ -100,6 +102,9 @@ TEST_F(CloudFiles, KeepColours) {
       read("b.pcd", pcd("x y z rgba", "4 4 4 4", "F F F U", 1, "ascii\n1 2 3 4294934528\n")).colors,
       ElementsAre(orange));
   EXPECT_THAT(read("a.xyz", "1 2 3 255 128 0\n").colors, ElementsAre(orange));
+  EXPECT_THAT(read("b.xyz", "# B x y z R G\n0 1 2 3 255 128\n").colors, ElementsAre(orange));
+  EXPECT_THAT(read("c.xyz", "x y z nx ny nz\n1 2 3 0 0 1\n").colors, testing::IsEmpty())
+      << "normals";
   EXPECT_THAT(read("a.ply",
                    "ply\nformat ascii 1.0\nelement vertex 1\nproperty uchar red\n"
                    "property uchar green\nproperty uchar blue\nproperty double x\n"
@@ -151,6 +156,8 @@ TEST_F(CloudFiles, ThatAreDamagedAreRefused) {
                       "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
                       "property float y\nproperty float z\nend_header\n1 2 3\n"),
               HasSubstr("found 1 vertices, expected 2"));
+  EXPECT_THAT(refusal("a.pcd", pcd("x y z", "4 4 4", "F F F", 1, "ascii\n0,5 2 3\n")),
+              AllOf(HasSubstr("found \"0,5\""), HasSubstr("a number")));
   EXPECT_THAT(refusal("a.xyz", "1 2 3\n1 2\n"), HasSubstr("a.xyz:2"));
   EXPECT_THAT(refusal("a.xyz", "nan nan nan\n"), HasSubstr("no points that are finite"));
   EXPECT_THAT(refusal("a.xyz", "1 2 1e9\n"), HasSubstr("1e+09 m"));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,37 @@ TEST_F(Parameters, ShowLengthsInMillimetres) {
   EXPECT_EQ(to_text(value_of(parameter)), "0.1");
   EXPECT_THAT(refusal_of([&] { set_from_text(parameter, "0.05"); }), HasSubstr("from 0.1 to 50"));
   EXPECT_DOUBLE_EQ(length, 1e-4);
+}
+
+TEST_F(Parameters, AreOfferedInSiUnits) {
+  double period = 0.004;
+  const BoundParameter parameter =
+      in_si_units(in_thousandths({"period_ms", "Period", "ms", "", &period, 0.1, 1000.0}));
+  EXPECT_EQ(parameter.key, "period");
+  EXPECT_EQ(parameter.unit, "s");
+  EXPECT_EQ(to_text(value_of(parameter)), "0.004");
+  set_from_text(parameter, "0.0001");
+  EXPECT_EQ(period, 1e-4);
+  EXPECT_THAT(refusal_of([&] { set_from_text(parameter, "1.5"); }), HasSubstr("from 0.0001 to 1"));
+  EXPECT_EQ(period, 1e-4);
+  const std::vector<BoundParameter> others = in_si_units(list_);
+  EXPECT_EQ(others[2].key, "width");
+  EXPECT_EQ(others[2].upper, 0.5);
+}
+
+TEST_F(Parameters, HaveOptionsOfTheirNames) {
+  EXPECT_EQ(option_name("period_ms"), "--period-ms");
+  EXPECT_EQ(option_name("jerk"), "--jerk");
+}
+
+TEST_F(Parameters, KeepAValueOutOfRangeThatIsThere) {
+  double limit = std::numeric_limits<double>::infinity();
+  const BoundParameter parameter = {"limit", "Limit", "s", "", &limit, 1.0, 10.0};
+  set_from_text(parameter, "inf");
+  EXPECT_EQ(limit, std::numeric_limits<double>::infinity());
+  EXPECT_THAT(refusal_of([&] { set_from_text(parameter, "11"); }), HasSubstr("from 1 to 10"));
+  set_from_text(parameter, "10");
+  EXPECT_THAT(refusal_of([&] { set_from_text(parameter, "inf"); }), HasSubstr("from 1 to 10"));
 }
 
 TEST_F(Parameters, RefuseNumbersOutOfRange) {

@@ -31,7 +31,8 @@ TEST(ScenePrograms, HaveDefaultLengthsUnlessTheyAreGiven) {
   ASSERT_EQ(scene.programs[0].steps.size(), 3U);
   EXPECT_EQ(std::get<PickStep>(scene.programs[0].steps[0]).object, "can");
   EXPECT_EQ(std::get<PickStep>(scene.programs[0].steps[0]).lift, 0.1);
-  EXPECT_EQ(std::get<PlaceStep>(scene.programs[0].steps[1]).support, "shelf");
+  EXPECT_THAT(std::get<PlaceStep>(scene.programs[0].steps[1]).supports,
+              testing::ElementsAre("shelf"));
   EXPECT_EQ(std::get<PlaceStep>(scene.programs[0].steps[1]).retreat, 0.2);
   EXPECT_EQ(std::get<PostureStep>(scene.programs[0].steps[2]).posture, "start");
   EXPECT_THAT(scene.warnings, Not(Contains(HasSubstr("the scene has no object"))));
@@ -55,6 +56,41 @@ TEST(ScenePrograms, AreWrittenAsTheyWereRead) {
   EXPECT_EQ(files.read(copy), first);
 }
 
+TEST(ScenePrograms, HavePosesLinesAndAlternatives) {
+  const SceneFiles files;
+  const auto file = files.scene(kObjects + R"(frames:
+  - {name: place, on: shelf, pose: {xyz: [0, 0, 0.5]}}
+program:
+  - pick: can
+  - line: {xyz: [0, 0, 0.1], in: palm}
+  - first_of:
+      - - place: place
+        - move: start
+      - [place: shelf]
+  - move: {link: hand, in: place, xyz: [0, 0, 0.2]}
+  - first_of: {near: [move: start], far: [line: {xyz: [1, 0, 0]}]}
+)");
+  const Scene scene = read_scene(file);
+  const std::vector<ProgramStep>& steps = scene.programs.at(0).steps;
+  ASSERT_EQ(steps.size(), 5U);
+  EXPECT_EQ(std::get<LineStep>(steps[1]).shift, Eigen::Vector3d(0.0, 0.0, 0.1));
+  EXPECT_EQ(std::get<LineStep>(steps[1]).reference, "palm");
+  const auto& either = std::get<AlternativesStep>(steps[2]).programs;
+  ASSERT_EQ(either.size(), 2U);
+  EXPECT_EQ(either[0].steps.size(), 2U);
+  EXPECT_EQ(to_string(steps[2]), "place on place or place on shelf");
+  const PoseGoal& goal = std::get<PoseStep>(steps[3]).goal;
+  EXPECT_EQ(goal.reference, "place");
+  EXPECT_EQ(goal.X_WG.translation().z(), 0.2) << "in the frame";
+  EXPECT_EQ(to_string(steps[4]), "near or far");
+  write_scene(scene, file);
+  const std::string first = files.read(file);
+  write_scene(read_scene(file), file);
+  EXPECT_EQ(files.read(file), first);
+  EXPECT_EQ(std::get<AlternativesStep>(read_scene(file).programs.at(0).steps[4]).programs[1].name,
+            "far");
+}
+
 TEST(ScenePrograms, WarnOfObjectsThatAreGone) {
   const SceneFiles files;
   const Scene scene = read_scene(files.scene(kObjects + "program:\n  - pick: cup\n"));
@@ -73,15 +109,35 @@ TEST(ScenePrograms, RefuseWhatIsNoStep) {
   EXPECT_THAT(refusal("  - place: {}\n"), HasSubstr("neither on nor pose"));
   EXPECT_THAT(refusal("  home: []\n"), HasSubstr("at least one step"));
   EXPECT_THAT(refusal("  3\n"), HasSubstr("program"));
+  EXPECT_THAT(refusal("  - line: {xyz: [0, 0, 0]}\n"), HasSubstr("a vector of a length above 0"));
+  EXPECT_THAT(refusal("  - first_of: [[move: start]]\n"), HasSubstr("at least two lists of steps"));
+  EXPECT_THAT(refusal("  - first_of: [[move: start], []]\n"), HasSubstr("at least one step"));
+  EXPECT_THAT(refusal("  - move: {link: can, xyz: [0, 0, 0]}\n"), HasSubstr("a link of"));
 }
 
 TEST(ScenePrograms, FollowTheNewNameOfAnObject) {
-  std::vector<Program> programs{{"", {PickStep{"can"}, PlaceStep{"shelf"}, PostureStep{"can"}}}};
+  std::vector<Program> programs{{"", {PickStep{"can"}, PlaceStep{{"shelf"}}, PostureStep{"can"}}}};
   rename_object(programs, "can", "tin");
   rename_object(programs, "shelf", "board");
   EXPECT_EQ(std::get<PickStep>(programs[0].steps[0]).object, "tin");
-  EXPECT_EQ(std::get<PlaceStep>(programs[0].steps[1]).support, "board");
+  EXPECT_THAT(std::get<PlaceStep>(programs[0].steps[1]).supports, testing::ElementsAre("board"));
   EXPECT_EQ(std::get<PostureStep>(programs[0].steps[2]).posture, "can");
+}
+
+TEST(ScenePrograms, KeepPlacesInTheFramesOfSeveralObjects) {
+  const SceneFiles files;
+  const auto file = files.scene(kObjects +
+                                "program:\n  - place: [shelf, can]\n"
+                                "  - place: {on: [shelf, can], pose: {xyz: [0.1, 0, 0]}}\n");
+  write_scene(read_scene(file), file);
+  const Scene scene = read_scene(file);
+  const auto& anywhere = std::get<PlaceStep>(scene.programs[0].steps[0]);
+  EXPECT_THAT(anywhere.supports, testing::ElementsAre("shelf", "can"));
+  EXPECT_FALSE(anywhere.pose);
+  const auto& there = std::get<PlaceStep>(scene.programs[0].steps[1]);
+  EXPECT_THAT(there.supports, testing::ElementsAre("shelf", "can"));
+  ASSERT_TRUE(there.pose);
+  EXPECT_EQ(there.pose->translation().x(), 0.1);
 }
 
 }  // namespace

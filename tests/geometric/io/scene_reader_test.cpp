@@ -148,6 +148,14 @@ planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
               ElementsAre(Pair("rho_a", "0.0010"), Pair("corridor", "joint")));
 }
 
+TEST(SceneReader, OpensWithoutAFileOfGrasps) {
+  const SceneFiles files;
+  const Scene scene =
+      read_scene(files.scene("objects: [{name: a, sphere: {radius: 1}, grasps: lost.yaml}]\n"));
+  EXPECT_EQ(scene.objects[0].grasps, files.folder() / "lost.yaml") << "it is not forgotten";
+  EXPECT_THAT(scene.warnings, testing::Contains(HasSubstr("there is no file of grasps ")));
+}
+
 TEST(SceneReader, ReadsGoalsAsPosesOfALink) {
   const SceneFiles files;
   const Scene scene = read_scene(files.scene(R"(goal_pose:
@@ -172,6 +180,69 @@ TEST(SceneReader, ReadsGoalsAsPosesOfALink) {
   EXPECT_FALSE(two.goal);
 }
 
+TEST(SceneReader, ReadsGoalsInTheFrameOfAnObject) {
+  const SceneFiles files;
+  Scene scene = read_scene(files.scene(R"(objects:
+  - {name: can, sphere: {radius: 0.1}, pose: {xyz: [1, 0, 0], rpy_deg: [0, 0, 90]}}
+goal_pose: {link: hand, in: can, xyz: [0.1, 0, 0.3]}
+)"));
+  const Scene before = scene;
+  EXPECT_EQ(scene.goal_poses[0].reference, "can");
+  EXPECT_TRUE(
+      scene.goal_poses[0].X_WG.isApprox(pose_from_rpy({1.0, 0.1, 0.3}, 0, 0, kPi / 2), 1e-12));
+  scene.objects[0].X_PO = pose_from_rpy({2, 0, 0}, 0, 0, 0);
+  follow_objects(before, scene);
+  EXPECT_TRUE(scene.goal_poses[0].X_WG.isApprox(pose_from_rpy({2.1, 0, 0.3}, 0, 0, 0), 1e-12))
+      << "it goes with the object";
+  scene.objects.clear();
+  follow_objects(before, scene);
+  EXPECT_TRUE(scene.goal_poses[0].X_WG.isApprox(pose_from_rpy({2.1, 0, 0.3}, 0, 0, 0), 1e-12));
+  EXPECT_EQ(scene.goal_poses[0].reference, "");
+}
+
+TEST(SceneReader, ReadsNamedFrames) {
+  const SceneFiles files;
+  Scene scene = read_scene(files.scene(R"(objects:
+  - {name: board, box: {size: [1, 1, 0.02]}, pose: {xyz: [1, 0, 0.5]}}
+frames:
+  - {name: place, on: board, pose: {xyz: [0, 0.2, 0.01]}}
+  - {name: nail, on: hand, pose: {xyz: [0, 0, 0.1]}}
+  - {name: corner, pose: {xyz: [3, 0, 0]}}
+goal_pose: {link: hand, tool: nail, in: place, xyz: [0, 0, 0.3]}
+)"));
+  ASSERT_THAT(scene.frames, SizeIs(3));
+  EXPECT_EQ(find_frame(scene, "nail")->parent, "hand");
+  EXPECT_TRUE(standing_pose(scene, "place")->isApprox(pose_from_rpy({1, 0.2, 0.51}, 0, 0, 0)));
+  EXPECT_TRUE(standing_pose(scene, "corner")->isApprox(pose_from_rpy({3, 0, 0}, 0, 0, 0)));
+  EXPECT_FALSE(standing_pose(scene, "nail")) << "it moves with the robot";
+  EXPECT_THAT(standing_names(scene), testing::ElementsAre("board", "place", "corner"));
+  const PoseGoal& goal = scene.goal_poses.at(0);
+  EXPECT_TRUE(goal.X_WG.isApprox(pose_from_rpy({1, 0.2, 0.81}, 0, 0, 0)));
+  EXPECT_TRUE(goal.X_LT.isApprox(pose_from_rpy({0, 0, 0.1}, 0, 0, 0)));
+  const Scene before = scene;
+  scene.objects[0].X_PO.translation().x() = 2.0;
+  scene.frames[1].X_PF.translation().z() = 0.2;
+  follow_objects(before, scene);
+  EXPECT_TRUE(goal.X_WG.isApprox(pose_from_rpy({2, 0.2, 0.81}, 0, 0, 0)));
+  EXPECT_TRUE(goal.X_LT.isApprox(pose_from_rpy({0, 0, 0.2}, 0, 0, 0)));
+  remove_objects(scene, {"board"});
+  EXPECT_THAT(scene.frames, SizeIs(2)) << "the frame on the board has gone with it";
+}
+
+TEST(SceneReader, RefusesFramesThatMakeNoSense) {
+  const SceneFiles files;
+  const auto refused = [&](const std::string& frames) {
+    return refusal(
+        files.scene("objects: [{name: can, sphere: {radius: 0.1}}]\nframes: " + frames + "\n"));
+  };
+  EXPECT_THAT(refused("[{on: can}]"), HasSubstr("name"));
+  EXPECT_THAT(refused("[{name: can}]"), HasSubstr("can"));
+  EXPECT_THAT(refused("[{name: hand}]"), HasSubstr("hand"));
+  EXPECT_THAT(refused("[{name: a}, {name: a}]"), HasSubstr("frames[1]"));
+  EXPECT_THAT(refused("[{name: a, on: cam}]"), HasSubstr("an object, or a link of"));
+  EXPECT_THAT(refused("[{name: a, in: can}]"), HasSubstr("\"in\""));
+}
+
 TEST(SceneReader, RefusesGoalPosesThatMakeNoSense) {
   const SceneFiles files;
   const auto refused = [&](const std::string& goal) {
@@ -181,6 +252,10 @@ TEST(SceneReader, RefusesGoalPosesThatMakeNoSense) {
   EXPECT_THAT(refused("{xyz: [0, 0, 1]}"), HasSubstr("link"));
   EXPECT_THAT(refused("{link: hands, xyz: [0, 0, 1]}"), HasSubstr("Did you mean \"hand\"?"));
   EXPECT_THAT(refused("{link: hand}"), HasSubstr("xyz"));
+  EXPECT_THAT(refused("{link: hand, in: nothing, xyz: [0, 0, 1]}"),
+              HasSubstr("an object or a frame that stands in the world"));
+  EXPECT_THAT(refused("{link: hand, xyz: [0, 0, 1], tool: tip}"),
+              HasSubstr("a frame on the link hand"));
   EXPECT_THAT(refused("{link: hand, xyz: [0, 0, 1], tolerance: {position: -1}}"),
               HasSubstr("0 or more"));
   EXPECT_THAT(refused("{link: hand, xyz: [0, 0, 1], tolerance: {rotation: 1}}"),

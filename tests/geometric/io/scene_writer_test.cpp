@@ -38,12 +38,15 @@ void expect_same(const Scene& a, const Scene& b) {
   ASSERT_EQ(a.goal_poses.size(), b.goal_poses.size());
   for (std::size_t i = 0; i < a.goal_poses.size(); ++i) {
     EXPECT_EQ(a.goal_poses[i].link, b.goal_poses[i].link);
+    EXPECT_EQ(a.goal_poses[i].reference, b.goal_poses[i].reference);
+    EXPECT_EQ(a.goal_poses[i].tool, b.goal_poses[i].tool);
     EXPECT_TRUE(a.goal_poses[i].X_WG.isApprox(b.goal_poses[i].X_WG, 1e-13));
     EXPECT_TRUE(a.goal_poses[i].X_LT.isApprox(b.goal_poses[i].X_LT, 1e-13));
     EXPECT_EQ(a.goal_poses[i].position_tolerance, b.goal_poses[i].position_tolerance);
     EXPECT_TRUE(
         a.goal_poses[i].rotation_tolerance.isApprox(b.goal_poses[i].rotation_tolerance, 1e-13));
   }
+  EXPECT_EQ(a.frames, b.frames);
   ASSERT_EQ(a.postures.size(), b.postures.size());
   for (std::size_t i = 0; i < a.postures.size(); ++i) {
     EXPECT_EQ(a.postures[i].name, b.postures[i].name);
@@ -67,6 +70,7 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.objects[i].color, b.objects[i].color);
     EXPECT_EQ(a.display.of(a.objects[i].name), b.display.of(b.objects[i].name));
     EXPECT_EQ(a.objects[i].solid, b.objects[i].solid);
+    EXPECT_EQ(a.objects[i].grasps, b.objects[i].grasps);
     ASSERT_EQ(a.objects[i].attachment.has_value(), b.objects[i].attachment.has_value());
     if (a.objects[i].attachment) {
       EXPECT_EQ(a.objects[i].attachment->robot, b.objects[i].attachment->robot);
@@ -97,11 +101,12 @@ void expect_same(const Scene& a, const Scene& b) {
 /// A scene that uses every part of the format, with awkward numbers and texts.
 Scene full_scene(const SceneFiles& files) {
   files.write("basis.yaml", "hand: h\n");
+  files.write("grasps.yaml", "grasps: []\n");
   Scene scene = read_scene(files.scene(R"(    name: "robot: #1"
   - {name: other, model: arm.urdf, base: {xyz: [0.1, 0.2, 0.30000000000000004]}}
 objects:
   - {name: "a, [b]", box: {size: [1, 2e-7, 3]}, pose: {rpy_deg: [12.345678901234567, 90, -33]}}
-  - {name: "- x", sphere: {radius: 0.1}, pose: {rpy_deg: [0, 0, 90]}}
+  - {name: "- x", sphere: {radius: 0.1}, pose: {rpy_deg: [0, 0, 90]}, grasps: grasps.yaml}
   - {name: null text, cylinder: {radius: 0.1, length: 3}, color: [0.1, 0.7, 0.3, 0.9]}
   - {name: "ñandú", cone: {radius: 0.1, length: 3}, group: "true", locked: true, solid: false}
   - {name: "null", mesh: {file: square.obj, scale: [1, -2, 3]}}
@@ -113,6 +118,7 @@ start: {elbow: 0.1}
 goal: {shoulder: 1.0000000000000002}
 goal_pose:
   - {link: hand, xyz: [0.1, 0, 0], rpy_deg: [30.5, 0, 90], tolerance: {position: 0.001, rotation_deg: [1, 2.5, 180]}}
+  - {link: hand, in: "- x", xyz: [0.1, 0.2, -0.3], rpy_deg: [0, 0, 90]}
   - {link: tip, xyz: [1, 2, 3], tool: {xyz: [0, 0, 0.30000000000000004]}, tolerance: {position: [1, 0, 3]}}
 postures:
   "above: the table": {shoulder: -0.1, elbow: 0.30000000000000004}
@@ -194,6 +200,7 @@ TEST(SceneWriter, NamesTheSameFilesFromAnotherFolder) {
   EXPECT_EQ(copy.robots[0].file, "../../arm.urdf");
   EXPECT_EQ(copy.hand_basis, "../../basis.yaml");
   EXPECT_THAT(files.read(moved), HasSubstr("file: ../../square.obj"));
+  EXPECT_THAT(files.read(moved), HasSubstr("grasps: ../../grasps.yaml"));
   EXPECT_EQ(std::get<Mesh>(copy.objects[4].shape).file, files.folder() / "square.obj");
 }
 

@@ -46,6 +46,18 @@ RobotDescription read(const ScratchFiles& files, const std::string& body) {
   return robot;
 }
 
+TEST(SrdfReader, ReportsPassiveJointsThatMove) {
+  const ScratchFiles files;
+  RobotDescription robot = chain_of_three();
+  robot.joints[0].type = JointType::kRevolute;
+  robot.joints[1].type = JointType::kRevolute;
+  robot.joints[1].mimic = Mimic{"j1", 1.0, 0.0};
+  read_srdf(files.write("r.srdf", srdf("<passive_joint name=\"j1\"/><passive_joint name=\"j2\"/>"
+                                       "<passive_joint name=\"f\"/>")),
+            robot);
+  EXPECT_THAT(robot.warnings, ElementsAre(HasSubstr("move like other joints: j1; leave")));
+}
+
 TEST(SrdfReader, LetsTheRootMoveByAVirtualJointThatAGroupNames) {
   const ScratchFiles files;
   const RobotDescription robot = read(files, R"(

@@ -47,7 +47,7 @@ TEST(SpelledTimes, AreDatesClocksAndBoth) {
 TEST(TimeNames, HoldUnitsAndAreOfSeveralLanguages) {
   const auto unit = [](const char* name) {
     const std::optional<TimeName> found = time_name(name);
-    return found ? found->unit.value_or(0.0) : -1.0;
+    return found ? found->unit.seconds.value_or(0.0) : -1.0;
   };
   for (const char* name : {"time", "t", "timestamp", "__time", "%time", "Zeit", "header.stamp",
                            "TIME", "Temps", "observation.timestamp"}) {
@@ -65,8 +65,28 @@ TEST(TimeNames, HoldUnitsAndAreOfSeveralLanguages) {
   for (const char* name : {"Timestamp_ns", "timestampNs", "time(ns)"}) {
     EXPECT_EQ(unit(name), 1e-9) << name;
   }
-  for (const char* name : {"pan", "s", "temperature", "thumb", "seq", "frame_index", "", "tip"}) {
+  for (const char* name : {"time [min]", "t_min", "minutes"}) {
+    EXPECT_EQ(unit(name), 60.0) << name;
+  }
+  EXPECT_EQ(unit("time (h)"), 3600.0);
+  for (const char* name :
+       {"min", "h", "pan", "s", "temperature", "thumb", "seq", "frame_index", "", "tip"}) {
     EXPECT_EQ(unit(name), -1.0) << name;
+  }
+}
+
+TEST(TimeNames, HoldUnitsThatAreNotKnown) {
+  const auto unknown = [](const char* name) {
+    const std::optional<TimeName> found = time_name(name);
+    EXPECT_TRUE(found && (found->unit.unknown.empty() || !found->unit.seconds)) << name;
+    return found ? found->unit.unknown : "none";
+  };
+  EXPECT_EQ(unknown("time [ticks]"), "ticks");
+  EXPECT_EQ(unknown("time_ticks"), "ticks");
+  EXPECT_EQ(unknown("Time (Frames)"), "frames");
+  EXPECT_EQ(unknown("t [10 ms]"), "10 ms") << "not ms";
+  for (const char* name : {"time", "time [s]", "Time (UTC)", "time [ms]", "time[0]", "t_ms"}) {
+    EXPECT_EQ(unknown(name), "") << name;
   }
 }
 
@@ -93,7 +113,7 @@ TEST(TimeColumns, AreOneOrPartsThatAddUp) {
 
 std::vector<double> settled(std::vector<double> times, std::optional<double> unit = {},
                             std::vector<std::string>* warnings = nullptr, bool spelled = false) {
-  std::vector<std::string> said = settle_times(times, unit, spelled);
+  std::vector<std::string> said = settle_times(times, {unit}, spelled);
   if (warnings != nullptr) {
     *warnings = std::move(said);
   }
@@ -125,6 +145,12 @@ TEST(SettledTimes, KeepTheUnitOfTheHeaderUnlessItCanNotBe) {
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("the header says ns")));
 }
 
+TEST(SettledTimes, MayBeInMinutesOrSpelledBelowAUnit) {
+  EXPECT_THAT(settled({0.5, 0.51, 0.52}, 60.0), Pointwise(DoubleNear(1e-9), {30.0, 30.6, 31.2}));
+  EXPECT_THAT(settled({43200.0, 43200.5}, 1e-3, nullptr, true), ElementsAre(0.0, 0.5))
+      << "a header such as \"Time (HH:MM:SS.ms)\"";
+}
+
 TEST(SettledTimes, AreFoundByTheirStepsWhereNoUnitIsNamed) {
   std::vector<std::string> warnings;
   EXPECT_THAT(settled({0.0, 17.0, 33.0}, {}, &warnings),
@@ -136,6 +162,15 @@ TEST(SettledTimes, AreFoundByTheirStepsWhereNoUnitIsNamed) {
   EXPECT_THAT(settled({0.0, 1.0, 2.0}), ElementsAre(0.0, 1.0, 2.0));
 }
 
+TEST(SettledTimes, SayHowAnUnknownUnitIsTaken) {
+  std::vector<double> times{0.0, 20.0, 40.0};
+  EXPECT_THAT(settle_times(times, {{}, "ticks"}),
+              ElementsAre("the header says \"ticks\" for times, which is not a known unit (s, ms, "
+                          "\u00B5s, ns, min, h): they are taken for ms, by their size and their "
+                          "steps"));
+  EXPECT_THAT(times, Pointwise(DoubleNear(1e-12), {0.0, 0.02, 0.04}));
+}
+
 TEST(SettledTimes, RunOnWhereTheClockWasSetBack) {
   std::vector<std::string> warnings;
   EXPECT_THAT(settled({0.0, 0.1, 0.2, 0.3, -5.0, -4.9, -4.8, -4.7, -4.6, -4.5}, {}, &warnings),
@@ -144,7 +179,7 @@ TEST(SettledTimes, RunOnWhereTheClockWasSetBack) {
   EXPECT_THAT(settled({0.0, 0.1, 0.3, 0.2, 0.4}, {}, &warnings),
               ElementsAre(0.0, 0.1, 0.3, 0.3, 0.4))
       << "one row came late";
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("1 rows have an earlier time")));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("1 row kept in the file's order")));
   EXPECT_THAT(settled({86399.5, 0.0, 0.5}, {}, &warnings, true),
               Pointwise(DoubleNear(1e-9), {0.0, 0.5, 1.0}))
       << "midnight";
@@ -157,6 +192,16 @@ TEST(SettledTimes, OfNothingAreNothing) {
   EXPECT_TRUE(std::isnan(settled({std::nan("")}).front()));
 }
 
+TEST(Columns, TakeUnitsFromARowBelowTheirNames) {
+  std::vector<std::string> names{"time", "pan", "label", "lift"};
+  EXPECT_FALSE(append_units(names, {"0", "deg", "", "mm"}));
+  EXPECT_FALSE(append_units(names, {"", "-", "", ""})) << "no unit";
+  EXPECT_FALSE(append_units(names, {"s", "deg"}));
+  EXPECT_EQ(names[1], "pan");
+  EXPECT_TRUE(append_units(names, {"s", "[Deg]", "", "mm"}));
+  EXPECT_THAT(names, ElementsAre("time [s]", "pan [deg]", "label", "lift [mm]"));
+}
+
 TEST(Cells, KeepSeparatorsWithinQuotes) {
   EXPECT_THAT(cells(R"("0,5","1,25",3)", ','), ElementsAre("0,5", "1,25", "3"));
   EXPECT_THAT(cells(R"(0,"['a', 'b']","[1, 2]")", ','), ElementsAre("0", "['a', 'b']", "[1, 2]"));
@@ -166,6 +211,28 @@ TEST(Cells, KeepSeparatorsWithinQuotes) {
   EXPECT_FALSE(parse_cell("1,234,567"));
   EXPECT_EQ(separator_of(R"("0,5","1,25")"), ',');
   EXPECT_EQ(separator_of("0,5 1,25"), ' ');
+  EXPECT_EQ(separator_of(R"(time,"pan; left")"), ',');
+  EXPECT_EQ(separator_of(R"(5" pan;1)"), ';');
+  EXPECT_EQ(csv_cell("pan"), "pan");
+  EXPECT_EQ(csv_cell("pan, left"), R"("pan, left")");
+  EXPECT_EQ(csv_cell(R"(5" pan)"), R"("5"" pan")");
+  EXPECT_EQ(csv_cell("=lift"), R"("=lift")");
+}
+
+TEST(Cells, ReadBackAnyNameThatIsWritten) {
+  const std::vector<std::string> names{"pan, left", R"(5" pan)", R"("pan")",  R"(a", "b)",
+                                       R"(a"",b)",  R"(")",      "=lift",     "+1 pan",
+                                       "-pan",      "@pan",      "pan; lift", "pan"};
+  std::string header = "time";
+  for (const std::string& name : names) {
+    header += ',' + csv_cell(name);
+  }
+  std::vector<std::string> expected{"time"};
+  expected.insert(expected.end(), names.begin(), names.end());
+  EXPECT_EQ(separator_of(header), ',');
+  EXPECT_EQ(cell_names(header, ','), expected);
+  EXPECT_EQ(cell_names("time, \" pan \" ,lift\"\r", ','),
+            (std::vector<std::string>{"time", "pan", "lift"}));
 }
 
 }  // namespace

@@ -292,6 +292,14 @@ TEST(UrdfReader, NamesTheLineOfAWrongElement) {
   EXPECT_THAT(refusal(files, robot(links + joint("j", "fixed", "a", "nowhere", ""))),
               AllOf(HasSubstr("broken.urdf:5: joint j: found the unknown child link \"nowhere\""),
                     HasSubstr("There are: a, b")));
+  // The misspelt child leaves two roots.
+  EXPECT_THAT(
+      refusal(files, robot(links + "<link name=\"c\"/>" + joint("j", "fixed", "a", "bb", "") +
+                           joint("k", "fixed", "b", "c", ""))),
+      HasSubstr("joint j: found the unknown child link \"bb\""));
+  EXPECT_THAT(refusal(files, robot(links + joint("j", "revolute", "a", "b",
+                                                 "<limit upper=\"-1\" effort=\"1\"/>"))),
+              AllOf(HasSubstr("upper=\"-1\" alone"), HasSubstr("Write both limits")));
   EXPECT_THAT(refusal(files, robot(links + joint("j", "revolute", "a", "b",
                                                  "<axis xyz=\"0 0 0\"/>" + kLimit))),
               AllOf(HasSubstr("broken.urdf:5"), HasSubstr("axis")));

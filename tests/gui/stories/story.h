@@ -17,7 +17,7 @@ namespace handway::test {
 
 // Three times of what is measured (docs/workbench.md), as a core that is shared takes twice as
 // long; sanitizers take several times as long.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HANDWAY_SANITIZED
 inline constexpr double kStallMs = kLongestStallMs;
 #else
 inline constexpr double kStallMs = 100.0;

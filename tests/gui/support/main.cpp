@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <memory>
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HANDWAY_SANITIZED
 // Modules stay until the process ends: of what one has left behind that is gone, LeakSanitizer
 // can't tell whose it was, and whether lsan.supp names it.
 extern "C" [[gnu::visibility("default")]] int dlclose(void* /*module*/) { return 0; }

@@ -3,7 +3,7 @@
 namespace handway::test {
 
 /// The longest that a window test waits for what must come, however busy the machine.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HANDWAY_SANITIZED
 inline constexpr int kPatienceMs = 240000;
 #else
 inline constexpr int kPatienceMs = 60000;

@@ -44,7 +44,7 @@ class WatchedApplication : public QApplication {
 
 /// The longest that a step of a person may keep the window from answering. 50 ms are wanted; a
 /// busy machine's shared caches may make three times that of it, and sanitizers as much again.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HANDWAY_SANITIZED
 inline constexpr double kLongestStallMs = 600.0;
 #else
 inline constexpr double kLongestStallMs = 150.0;

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -50,12 +51,12 @@ class GivenGrasps : public testing::Test {
 
 TEST_F(GivenGrasps, AreMeasuredAsTheyWereFound) {
   PregraspOptions options;
-  options.most = 3;
+  options.most = 10;
   const Pregrasps found = find_pregrasps(problem_, "can", options);
-  ASSERT_EQ(found.found.size(), 3U);
+  ASSERT_EQ(found.found.size(), 10U);
   const MeasuredGrasps given = measured(grasp_file_text(problem_, "can", options, found));
   EXPECT_TRUE(given.left_out.empty());
-  ASSERT_EQ(given.grasps.found.size(), 3U);
+  ASSERT_EQ(given.grasps.found.size(), 10U);
   for (const Pregrasp& grasp : given.grasps.found) {
     EXPECT_THAT(grasp.source, HasSubstr("grasps.yaml:"));
     EXPECT_FALSE(problem_.checker->clone()->first_collision(grasp.q));
@@ -83,6 +84,38 @@ TEST_F(GivenGrasps, MayBeMatricesAndQuaternionsOfAnyLink) {
   }
 }
 
+// A file of the same hand on another arm has other names for the arm's joints.
+TEST_F(GivenGrasps, MayNameJointsOfAnotherArm) {
+  std::string joints;
+  for (const int v : problem_.joints.hand) {
+    joints +=
+        '"' + problem_.model().variable(v).name + "\": " + std::to_string(problem_.start[v]) + ", ";
+  }
+  const std::string begin = "- {pose: [0, 0, 0, 0, 0, 0, 1], joints: {";
+  EXPECT_EQ(read_given_grasps(file(begin + joints + "shoulder_pan: 1}}"), problem_, "can").size(),
+            1U);
+  EXPECT_THAT(refusal(begin + "shoulder_pan: 1}}"), HasSubstr("shoulder_pan"));
+}
+
+TEST_F(GivenGrasps, MayNameJointsThatFollow) {
+  const geometric::RobotModel& model = problem_.model();
+  int link = 1;
+  while (link + 1 < model.link_count() &&
+         !(model.joint(link).mimic && model.mimic_mapping(link).multiplier != 0.0)) {
+    ++link;
+  }
+  const auto& [variable, multiplier, offset] = model.mimic_mapping(link);
+  ASSERT_GE(variable, 0);
+  const std::string name = '"' + model.joint(link).name + "\": ";
+  const std::string begin = "- {pose: [0, 0, 0, 0, 0, 0, 1], joints: {";
+  const std::vector<GivenGrasp> grasps = read_given_grasps(
+      file(begin + name + std::to_string(offset + 0.3 * multiplier) + "}}"), problem_, "can");
+  EXPECT_NEAR(grasps.front().q[variable], 0.3, 1e-5);
+  EXPECT_THAT(refusal(begin + name + std::to_string(offset + 0.3 * multiplier) + ", \"" +
+                      model.variable(variable).name + "\": 0.1}}"),
+              HasSubstr("as coupled to joint " + model.variable(variable).name));
+}
+
 TEST_F(GivenGrasps, AreLeftOutWithTheReason) {
   const MeasuredGrasps given = measured(
       "- {pose: [9, 0, 0, 0, 0, 0, 1], joints: {}}\n"
@@ -105,6 +138,12 @@ TEST_F(GivenGrasps, AreRefusedIfTheyCannotBeRead) {
   EXPECT_THAT(refusal("link: nowhere\ngrasps:\n  - {pose: [0, 0, 0, 0, 0, 0, 1], joints: {}}"),
               HasSubstr("nowhere"));
   EXPECT_THAT(refusal("- {joints: {}}"), HasSubstr("palm_in_object"));
+  EXPECT_THAT(refusal("- {pose: [0, 0, 0, 0, 0, 0, 1], joints: {}, pregasp: {}}"),
+              HasSubstr("Did you mean \"pregrasp\"?"));
+  EXPECT_THAT(refusal("- {pose: [0, 0, 0, 0, 0, 0, 1], joints: {\"" +
+                      problem_.model().variable(problem_.joints.hand.front()).name + "\": 80}}"),
+              HasSubstr("Is this value in degrees?"));
+  EXPECT_THAT(refusal("handway_grasps: 2\ngrasps: []"), HasSubstr("version 1"));
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ const Planned& planned() {
     const SceneState scene =
         load_scene(test::source_dir() / "scenes/can_on_table.yaml", PluginManager());
     const PlannerRegistry planners;
-    Planned made{{PickStep{"can"}, PlaceStep{"table"}, MoveStep{*scene.scene->start, "start"}}, {}};
+    Planned made{{PickStep{"can"}, PlaceStep{{"table"}}, MoveStep{*scene.scene->start, "start"}},
+                 {}};
     made.plan = plan_task(scene, made.task, *planners.create("auto"));
     return made;
   }();

@@ -8,10 +8,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::planning {
@@ -167,6 +169,33 @@ TEST_F(JointLimitsFile, NarrowPositions) {
   EXPECT_EQ(limits.upper[variable("elbow")], 0.3);
   EXPECT_EQ(limits.upper[variable("left")], 0.5);
   EXPECT_TRUE(std::isinf(limits.upper[variable("shoulder")])) << "denied by its flag";
+}
+
+TEST_F(JointLimitsFile, NarrowPositionsOfJointsThatFollow) {
+  const JointKinematicLimits limits = read(
+      "joint_limits:\n  left: {max_position: 0.5}\n  left_tip: {max_position: 0.2}\n"
+      "  right_tip: {min_position: 0.1}\n");
+  EXPECT_DOUBLE_EQ(limits.upper[variable("left")], 0.4) << "its tip turns by half";
+  EXPECT_DOUBLE_EQ(limits.lower[variable("right")], 0.2);
+}
+
+// A coupled joint is no misspelling of the one that it follows.
+TEST_F(JointLimitsFile, MayNameACoupledJointAlone) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  std::ranges::find(robot.joints, "left_tip", &geometric::Joint::name)->name = "left_2";
+  const RobotModel model(std::move(robot));
+  std::ofstream(folder_.path() / "limits.yaml") << "joint_limits: {left_2: {max_velocity: 0.1}}\n";
+  const JointKinematicLimits limits =
+      read_joint_kinematic_limits(model, folder_.path() / "limits.yaml");
+  EXPECT_DOUBLE_EQ(limits.velocity[model.find_variable("left").value()], 0.2);
+}
+
+TEST_F(JointLimitsFile, TakesFlagsAsPythonWritesThem) {
+  const JointKinematicLimits limits = read(
+      "joint_limits:\n  elbow: {has_velocity_limits: True, max_velocity: 0.5}\n"
+      "  shoulder: {has_velocity_limits: no, max_velocity: 0.1}\n");
+  EXPECT_EQ(limits.velocity[variable("elbow")], 0.5);
+  EXPECT_EQ(limits.velocity[variable("shoulder")], kDefaultVelocity);
 }
 
 TEST_F(JointLimitsFile, CountsBrakingAsAcceleration) {

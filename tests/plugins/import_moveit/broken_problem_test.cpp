@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
         Breach{"RaggedMatrix", true, "name: pillar\n",
                "name: pillar\nallowed_collision_matrix: {entry_names: [boom, slide], "
                "entry_values: [[false, true], [true]]}\n",
-               "scene0001.yaml:2", "1 values", "2, one for each name"},
+               "scene0001.yaml:2", "1 value", "2, one for each name"},
         Breach{"NegativePadding", true, "name: pillar\n",
                "name: pillar\nlink_padding: [{link_name: boom, padding: -0.1}]\n",
                "scene0001.yaml:2", "-0.1", "0 m or more"},

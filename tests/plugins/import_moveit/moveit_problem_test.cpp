@@ -204,6 +204,20 @@ TEST(MoveitProblem, HasTheObjectsOfItsWorld) {
   EXPECT_EQ(std::get<geometric::Mesh>(wedge->shape).triangles->triangles.size(), 4U);
 }
 
+TEST(MoveitProblem, PutsFramesIntoEachOtherInAnyOrder) {
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "  - child_frame_id: room\n",
+                  "  - child_frame_id: /room\n    header: {frame_id: hall}\n");
+  problem.replace(problem.scene(), "world:\n",
+                  "  - child_frame_id: hall\n    header: {frame_id: odom}\n"
+                  "    transform: {translation: {x: 1, y: 0, z: 0}, rotation: {w: 1}}\n"
+                  "world:\n");
+  const auto scene = problem.read().scene;
+  const auto* table = geometric::find_object(*scene, "table");
+  ASSERT_TRUE(table);
+  EXPECT_TRUE(table->X_PO.translation().isApprox(Eigen::Vector3d(1, 0, -0.08), 1e-12));
+}
+
 TEST(MoveitProblem, TakesOrientationsAsMoveitDoes) {
   const SmallProblem problem;
   problem.replace(problem.scene(), "orientation: {x: 0, y: 0, z: 0, w: 1}",
@@ -245,6 +259,14 @@ TEST(MoveitProblem, RemovesObjectsHoweverTheOperationIsSpelled) {
   }
 }
 
+TEST(MoveitProblem, IgnoresSizesBehindThoseOfAPrimitive) {
+  const auto scene =
+      after_message("    - {id: ball, primitives: [{type: 2, dimensions: [0.1, 0, 0]}]}\n");
+  const auto* ball = geometric::find_object(*scene, "ball");
+  ASSERT_TRUE(ball);
+  EXPECT_EQ(std::get<geometric::Sphere>(ball->shape).radius, 0.1);
+}
+
 TEST(MoveitProblem, RemovesAllObjectsWhereNoneIsNamed) {
   const auto scene = after_message("    - {id: '', operation: 1}\n");
   EXPECT_FALSE(geometric::find_object(*scene, "table"));
@@ -279,6 +301,38 @@ TEST(MoveitProblem, AppendsMovesAndReplaces) {
   EXPECT_THAT(after_message("    - {id: nobody, operation: 1}\n")->warnings,
               testing::Not(testing::Contains(HasSubstr("nobody"))))
       << "it is not there, as was asked for";
+}
+
+TEST(MoveitProblem, PutsObjectsIntoTheFramesOfOthersAndTheirSubframes) {
+  const auto position = [](const Scene& scene, const char* name) -> Eigen::Vector3d {
+    const auto* object = geometric::find_object(scene, name);
+    EXPECT_TRUE(object) << name;
+    return object ? Eigen::Vector3d(object->X_PO.translation()) : Eigen::Vector3d::Zero().eval();
+  };
+  const std::string ball = "primitives: [{type: 2, dimensions: [0.01]}]";
+  const auto on_pillar = after_message(
+      "    - {id: cup, header: {frame_id: pillar}, pose: {position: [0, 0.2, 0]}, " + ball + "}\n" +
+      "    - {id: pillar, operation: 3, header: {frame_id: pillar}, "
+      "pose: {position: [0, 0.1, 0]}}\n");
+  EXPECT_TRUE(position(*on_pillar, "cup").isApprox(Eigen::Vector3d(0.5, 0.2, 0), 1e-9));
+  EXPECT_TRUE(position(*on_pillar, "pillar").isApprox(Eigen::Vector3d(0.5, 0.1, 0.25), 1e-9));
+
+  const std::string rack =
+      "    - {id: rack, header: {frame_id: room}, pose: {position: [0, 1, 0], "
+      "orientation: [0, 0, 0.70710678, 0.70710678]}, " +
+      ball + ", subframe_names: [top], subframe_poses: [{position: [0.1, 0, 0.3]}]}\n";
+  const auto in_rack =
+      after_message(rack +
+                    "    - {id: cup, header: {frame_id: rack/top}, pose: {position: [0.1, "
+                    "0, 0]}, " +
+                    ball + "}\n");
+  EXPECT_TRUE(position(*in_rack, "cup").isApprox(Eigen::Vector3d(0, 1.2, 0.2), 1e-6))
+      << "the rack is turned by a right angle, and the room is at -0.1";
+  EXPECT_THAT(
+      test::refusal_of([&] {
+        after_message(rack + "    - {id: cup, header: {frame_id: rack/side}, " + ball + "}\n");
+      }),
+      HasSubstr("found the frame \"rack/side\""));
 }
 
 TEST(MoveitProblem, AttachesAndDetachesObjectsOfTheWorld) {
@@ -607,6 +661,17 @@ TEST(MoveitProblem, HasGoalsAsPosesOfALink) {
       planning::PlannerRegistry().create("auto")->plan(planned, {.time_limit_s = 60.0});
   ASSERT_TRUE(result.solved()) << result.reason;
   EXPECT_THAT(planning::check_path(planned, result.path, 0.001).faults, IsEmpty());
+}
+
+TEST(MoveitProblem, HasGoalsInTheFramesOfObjects) {
+  const SmallProblem problem;
+  std::string goal = kPoseGoal;
+  goal.replace(goal.find("room"), 4, "pillar");
+  problem.replace(problem.request(), kJointGoal, goal);
+  const auto scene = problem.read().scene;
+  ASSERT_EQ(scene->goal_poses.size(), 2U);
+  EXPECT_TRUE(
+      scene->goal_poses[0].X_WG.translation().isApprox(Eigen::Vector3d(0.8, 0.4, 0.6), 1e-9));
 }
 
 TEST(MoveitProblem, KeepsTheAxesOfABoxWithoutAnOrientation) {

@@ -171,7 +171,10 @@ TEST_P(OmplMethod, LeavesTheConsoleAlone) {
   testing::internal::CaptureStderr();
   static_cast<void>(plan(*planner_, 1));
   EXPECT_THAT(testing::internal::GetCapturedStdout(), IsEmpty());
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), IsEmpty());
+  // OMPL passes "%)" to a function of the library C, which AddressSanitizer remarks.
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              testing::AnyOf(IsEmpty(), testing::HasSubstr("AddressSanitizer: WARNING: unexpected "
+                                                           "format specifier")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Ompl, OmplMethod, testing::ValuesIn(names_of_methods()),

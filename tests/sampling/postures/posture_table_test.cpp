@@ -39,6 +39,15 @@ class PostureTableFile : public ::testing::Test {
   test::ScratchFolder folder_;
 };
 
+TEST_F(PostureTableFile, ReadsBackAnyNamesOfJoints) {
+  PostureTable table;
+  table.hand = "claw";
+  table.joints = {"\"thumb\", left", "=index", "5\" ring"};
+  table.postures = Eigen::MatrixXd{{0.25, 0.5, 0.75}};
+  write_postures(table, file());
+  EXPECT_EQ(read_postures(file()).joints, table.joints);
+}
+
 TEST_F(PostureTableFile, ReadsEveryPart) {
   const PostureTable table = read(kHead + std::string("left, right\r\n0,1\r\n\r\n0.25,0.5\r\n"));
   EXPECT_EQ(table.hand, "claw");

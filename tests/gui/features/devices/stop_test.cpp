@@ -6,6 +6,7 @@
 #include "features/glove/calibration_choice.h"
 #include "features/glove/glove_panel.h"
 #include "features/glove/pmd_explorer.h"
+#include "features/grasping/grasp_card.h"
 #include "features/planning/plan_panel.h"
 #include "features/planning/preset_bar.h"
 #include "handway/device/emulators/glove_emulator.h"
@@ -268,6 +269,8 @@ std::vector<DialogCase> StopInDialogs::cases() const {
       {"features/comparison/comparison_window.cpp", "a path to compare",
        [this] { open_both("Compare two paths…", QStringLiteral("From a file…")); }},
       {"features/editing/scene_editing.cpp", "mesh", trigger("Mesh from file…")},
+      {"features/grasping/grasp_tool.cpp", "grasps to keep",
+       [this] { emit only<gui::GraspCard>().keep_requested(); }},
       {"features/editing/mesh_import.h", "size of a mesh", [this] { import_a_mesh(); }},
       {"features/editing/cloud_tool.cpp", "points", trigger("Point cloud from file…")},
       {"features/editing/cloud_import_dialog.h", "pose of points",

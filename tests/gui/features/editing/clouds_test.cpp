@@ -3,6 +3,7 @@
 #include "features/editing/cloud_import_dialog.h"
 #include "features/editing/editing_test.h"
 #include "handway/geometric/formats/cloud_reader.h"
+#include "handway/geometric/setup/placing.h"
 #include "patience.h"
 
 #include <QApplication>
@@ -118,6 +119,35 @@ TEST_F(Clouds, OfDepthImagesBecomeATableAndABlock) {
   EXPECT_NEAR(block.z(), 0.1, 0.005);
   EXPECT_TRUE(
       object("object").X_PO.translation().isApprox(Eigen::Vector3d(-1.5, -1.5, 0.55), 0.01));
+}
+
+// The left half of the image is 0.3 m nearer than the right one, and hides what is below it.
+TEST_F(Clouds, OfDepthImagesHideSpaceThatCanBeSolid) {
+  QImage image(160, 120, QImage::Format_Grayscale16);
+  for (int v = 0; v < image.height(); ++v) {
+    for (int u = 0; u < image.width(); ++u) {
+      reinterpret_cast<quint16*>(image.scanLine(v))[u] = u < 80 ? 1000 : 1300;
+    }
+  }
+  const std::filesystem::path file = cell().folder() / "steps.png";
+  ASSERT_TRUE(image.save(QString::fromStdString(file.string())));
+  drop(file, [](gui::CloudImportDialog& dialog) {
+    type(dialog, "position_x", "-1500");
+    type(dialog, "position_y", "-1500");
+    type(dialog, "position_z", "1500");
+    type(dialog, "pitch", "90");
+    auto& hidden = *dialog.findChild<QCheckBox*>(QStringLiteral("cloud_hidden"));
+    EXPECT_TRUE(hidden.isVisible());
+    QTest::mouseClick(&hidden, Qt::LeftButton, {}, QPoint(8, 8));
+    click(dialog, "cloud_add");
+  });
+  ASSERT_TRUE(comes("steps hidden"));
+  const geometric::Aabb box = geometric::bounds(scene(), *scene().start, {"steps hidden"});
+  EXPECT_LT(box.upper.z(), 0.5) << "the near half is at 0.5 m";
+  EXPECT_NEAR(box.lower.z(), 0.2, 0.011) << "and the far one at 0.2 m";
+  keep_picture("hidden_space");
+  editor().undo_stack().undo();
+  EXPECT_FALSE(has("steps"));
 }
 
 // A loose grid of points: each of 400,000 is a cell of its own if cells are small.

@@ -9,6 +9,7 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QScrollBar>
 #include <QTreeWidget>
 
@@ -80,6 +81,23 @@ TEST_F(GoalPoses, AreChangedInNumbers) {
   EXPECT_EQ(editor().undo_stack().undoText(), "Change goal pose");
 }
 
+TEST_F(GoalPoses, MoveWithAnObject) {
+  add();
+  click("goal_tool_fold");
+  auto& with = part<QComboBox>("goal_object");
+  EXPECT_EQ(with.currentText(), "Nothing");
+  QTest::keyClick(&with, Qt::Key_Down);
+  const std::string object = with.currentText().toStdString();
+  EXPECT_EQ(goal().reference, object);
+  const geometric::Pose before = goal().X_WG;
+  const double x = geometric::find_object(scene(), object)->X_PO.translation().x();
+  select(object.c_str());
+  type("position_x", "450 mm");
+  EXPECT_NEAR(goal().X_WG.translation().x(), before.translation().x() + 0.45 - x, 1e-9);
+  editor().undo_stack().undo();
+  EXPECT_TRUE(goal().X_WG.isApprox(before, 1e-12));
+}
+
 TEST_F(GoalPoses, HaveAFormThatFitsAndUnfoldsTheTool) {
   window().resize(1440, 900);
   add();
@@ -95,7 +113,7 @@ TEST_F(GoalPoses, HaveAFormThatFitsAndUnfoldsTheTool) {
   click("goal_tool_fold");
   geometric::PoseGoal elsewhere = goal();
   elsewhere.X_LT.translation().z() = 0.1;
-  form.show_goal(*scene().robots.front().model, elsewhere);
+  form.show_goal(scene(), elsewhere);
   EXPECT_TRUE(tool_pose.isVisible()) << "a tool that is not at the link's frame is seen";
 }
 

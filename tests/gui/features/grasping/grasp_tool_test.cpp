@@ -5,9 +5,13 @@
 #include "view3d/view_gizmo.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTimer>
 #include <QTreeWidget>
 
 namespace handway::test {
@@ -77,6 +81,61 @@ TEST_F(ClickToSimulate, ShowsWhatIsHeldAndTheFilm) {
   click("grasp_film");
   EXPECT_EQ(film.text(), "Watch the test");
   EXPECT_FALSE(part<QLabel>("grasp_note").text().contains("Simulation"));
+}
+
+TEST_F(ClickToPlan, KeepsGraspsForTheObject) {
+  open(source_dir() / "scenes" / "can_on_table.yaml");
+  grasp("can");
+  const std::size_t found = tool<gui::GraspTool>().grasps().size();
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "can grasps.yaml";
+  QTimer::singleShot(300, [&file] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    ASSERT_TRUE(dialog);
+    auto* field = dialog->findChild<QLineEdit*>();
+    EXPECT_EQ(field->text(), "can_on_table_can_grasps.yaml");
+    field->selectAll();
+    QTest::keyClicks(field, QString::fromStdString(file.string()));
+    QTest::keyClick(field, Qt::Key_Return);
+  });
+  click("grasp_keep");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::GraspTool>().is_busy(); }, 120000));
+  EXPECT_EQ(geometric::find_object(scene(), "can")->grasps, file);
+  EXPECT_EQ(editor().undo_stack().undoText(), "Keep grasps of can");
+  EXPECT_TRUE(part<QLabel>("grasp_note").text().startsWith("Kept in can grasps.yaml."));
+  EXPECT_EQ(tool<gui::GraspTool>().grasps().size(), found);
+  keep_picture("kept_grasps");
+  click("grasp_search");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !tool<gui::GraspTool>().is_busy(); }, 120000));
+  EXPECT_TRUE(part<QLabel>("grasp_note").text().startsWith("The best grasp is first"));
+}
+
+TEST_F(ClickToPlan, MeasuresTheGraspsAgainWhereTheObjectIsMoved) {
+  open(source_dir() / "scenes" / "can_on_table.yaml");
+  grasp("can");
+  const std::vector<planning::Pregrasp> before = tool<gui::GraspTool>().grasps();
+  ASSERT_FALSE(before.empty());
+  const auto move_can = [this](double distance) {
+    geometric::Pose moved = geometric::find_object(scene(), "can")->X_PO;
+    moved.translation().y() += distance;
+    editor().place(moved);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::GraspTool>().is_busy(); }, 120000));
+  };
+  move_can(0.02);
+  const std::vector<planning::Pregrasp> after = tool<gui::GraspTool>().grasps();
+  ASSERT_FALSE(after.empty());
+  EXPECT_NE(after.front().q, before.front().q);
+  EXPECT_NEAR(after.front().quality.epsilon, before.front().quality.epsilon, 0.02)
+      << "the hand holds it as before";
+  EXPECT_TRUE(part<QLabel>("grasp_note").text().startsWith("Measured again"));
+  keep_picture("followed_grasps");
+  move_can(5.0);
+  EXPECT_TRUE(tool<gui::GraspTool>().grasps().empty());
+  EXPECT_THAT(part<QLabel>("grasp_note").text().toStdString(),
+              ::testing::HasSubstr("not possible here: Grasp 1"));
+  EXPECT_TRUE(part<QPushButton>("grasp_search").isVisible());
+  move_can(-5.02);
+  EXPECT_EQ(tool<gui::GraspTool>().grasps().size(), before.size());
 }
 
 TEST_F(ClickToPlan, LeavesTheGoalWhenTheListIsClosed) {

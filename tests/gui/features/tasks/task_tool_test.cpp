@@ -2,6 +2,7 @@
 
 #include "features/editing/editing_test.h"
 #include "features/export/export_dialog.h"
+#include "features/planning/query_check.h"
 #include "features/workbench.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
@@ -19,6 +20,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSlider>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QUndoStack>
 
@@ -30,6 +32,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 namespace handway::test {
 namespace {
@@ -49,6 +52,31 @@ class PickAndPlace : public EditingTest {
     click("task_plan");
     ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::TaskTool>().is_busy(); }, 120000));
   }
+  /// Shows the program of the scene, with the editor of its steps.
+  void edit_program() {
+    part<QMenu>("programs").actions().at(0)->trigger();
+    click("task_edit");
+  }
+  [[nodiscard]] QStringList shown_steps() const {
+    QStringList words;
+    const auto& steps = part<QTreeWidget>("program_steps");
+    for (int i = 0; i < steps.topLevelItemCount(); ++i) {
+      words << steps.topLevelItem(i)->text(1);
+    }
+    return words;
+  }
+  void select_step(int row) {
+    auto& steps = part<QTreeWidget>("program_steps");
+    steps.setCurrentItem(steps.topLevelItem(row));
+  }
+  /// Clicks the first row of the list of stages with this text.
+  void click_stage(const char* text) {
+    auto& stages = part<QTreeWidget>("task_stages");
+    const auto found = stages.findItems(QLatin1String(text), Qt::MatchExactly, 0);
+    ASSERT_FALSE(found.isEmpty()) << text;
+    QTest::mouseClick(stages.viewport(), Qt::LeftButton, {},
+                      stages.visualItemRect(found.front()).center());
+  }
 };
 
 TEST_F(PickAndPlace, PlansAndPlaysWithTheMouseAlone) {
@@ -65,11 +93,64 @@ TEST_F(PickAndPlace, PlansAndPlaysWithTheMouseAlone) {
   const auto is_played = [&](const char* stage) {
     return stages.currentItem() != nullptr && stages.currentItem()->text(0) == stage;
   };
-  ASSERT_TRUE(QTest::qWaitFor([&] { return is_played("Carry"); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return is_played("Carry"); }, kPatienceMs));
   keep_picture("pick_and_place");
   EXPECT_EQ(editor().state(), before) << "only shown";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return play.text() == "Play"; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return play.text() == "Play"; }, kPatienceMs));
   EXPECT_EQ(editor().state(), before);
+}
+
+TEST_F(PickAndPlace, ShowsTheStageThatIsClicked) {
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
+  click_stage("Lift");
+  const auto& moment = *part<gui::FilmBar>("task_film").findChild<QSlider*>();
+  const int at = moment.value();
+  EXPECT_GT(at, 0);
+  QTest::qWait(5 * gui::FilmBar::kFrameTimeMs);
+  EXPECT_EQ(moment.value(), at) << "at a pause";
+  EXPECT_EQ(part<QTreeWidget>("task_stages").currentItem()->text(0), "Lift");
+}
+
+TEST_F(PickAndPlace, EditsTheStepsOfAProgram) {
+  edit_program();
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("pick can", "place on table", "move to start"));
+  type("program_first_length", "5 cm");
+  EXPECT_NEAR(std::get<geometric::PickStep>(scene().programs.at(0).steps[0]).approach, 0.05, 1e-9);
+  select_step(2);
+  EXPECT_FALSE(part<QWidget>("program_first_length").isVisible()) << "a move has no lengths";
+  click("program_duplicate");
+  click("program_up");
+  click("program_up");
+  keep_picture("program_editor");
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("pick can", "move to start", "place on table",
+                                                    "move to start"));
+  EXPECT_EQ(scene().programs.at(0).steps.size(), 4U);
+  click("program_remove");
+  EXPECT_EQ(shown_steps().size(), 3);
+  for (int edit = 0; edit < 5; ++edit) {
+    editor().undo_stack().undo();
+  }
+  EXPECT_EQ(std::get<geometric::PickStep>(scene().programs.at(0).steps[0]).approach, 0.1);
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("pick can", "place on table", "move to start"));
+}
+
+TEST_F(PickAndPlace, MakesANewProgram) {
+  part<QMenu>("programs").actions().back()->trigger();
+  ASSERT_EQ(scene().programs.size(), 2U);
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("move to start"));
+  EXPECT_TRUE(part<QTreeWidget>("program_steps").isVisible());
+  EXPECT_FALSE(part<QToolButton>("program_remove").isEnabled()) << "a program has a step";
+  part<QToolButton>("program_add").menu()->actions().at(0)->trigger();
+  auto& object = part<QComboBox>("program_name");
+  object.setCurrentText("can");
+  emit object.activated(object.currentIndex());
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("move to start", "pick can"));
+  editor().undo_stack().undo();
+  editor().undo_stack().undo();
+  editor().undo_stack().undo();
+  EXPECT_EQ(scene().programs.size(), 1U);
+  EXPECT_FALSE(part<QTreeWidget>("program_steps").isVisible());
 }
 
 class PickAndPlaceWithPlugins : public PickAndPlace {
@@ -261,11 +342,74 @@ TEST_F(PickAndPlace, ForgetsThePlanWhenSomethingElseIsAskedFor) {
   EXPECT_TRUE(tool<gui::TaskTool>().plan().stages.empty());
 }
 
-TEST_F(PickAndPlace, ForgetsThePlanWhenTheSceneIsEdited) {
+TEST_F(PickAndPlace, PlansAgainWithTheSameGraspWhenTheObjectIsMoved) {
   plan();
   ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
-  editor().set_goal(*scene().start, *scene().start);
-  EXPECT_FALSE(part<QTreeWidget>("task_stages").isVisible());
+  const auto grasp_of_can = [this] {
+    const gui::TaskTool& task = tool<gui::TaskTool>();
+    return planning::grasps_of({geometric::PickStep{"can"}, geometric::PlaceStep{{"table"}}},
+                               task.plan())
+        .at("can")
+        .at(0);
+  };
+  const geometric::Pose X_OP = grasp_of_can().X_OP;
+  geometric::Pose aside = geometric::find_object(scene(), "can")->X_PO;
+  aside.translation().y() += 0.05;
+  editor().place(aside);
+  EXPECT_TRUE(tool<gui::TaskTool>().plan().stages.empty()) << "it was of another scene";
+  EXPECT_THAT(part<QLabel>("task_note").text().toStdString(), ::testing::HasSubstr("again"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::TaskTool>().is_busy(); }, 120000));
+  const planning::TaskPlan& plan = tool<gui::TaskTool>().plan();
+  ASSERT_TRUE(plan.solved) << plan.reason;
+  EXPECT_TRUE(plan.stages.front().state.find("can")->X_PO.isApprox(aside));
+  EXPECT_TRUE(grasp_of_can().X_OP.isApprox(X_OP, 1e-6));
+  EXPECT_EQ(part<QPushButton>("task_play").text(), "Play") << "it doesn't play while one edits";
+  keep_picture("followed_task");
+}
+
+TEST_F(PickAndPlace, LeavesRoomForTheCardAboutTheGoal) {
+  window().resize(1440, 900);
+  plan();
+  geometric::Pose aside = geometric::find_object(scene(), "can")->X_PO;
+  aside.translation().y() += 0.05;  // where the goal has the fingers
+  editor().place(aside);
+  const gui::DoctorCard& doctor = tool<gui::QueryCheck>().card();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return doctor.isVisible(); }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::TaskTool>().is_busy(); }, 120000));
+  const auto& task = tool<gui::TaskCard>();
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return !doctor.geometry().intersects(task.geometry()); }, kPatienceMs));
+  keep_picture("task_and_doctor");
+}
+
+TEST_F(PickAndPlace, PlansAgainOnceAnEditMakesItPossible) {
+  const geometric::Pose near = geometric::find_object(scene(), "can")->X_PO;
+  geometric::Pose away = near;
+  away.translation().x() += 5.0;
+  editor().place(away);
+  plan();
+  ASSERT_FALSE(tool<gui::TaskTool>().plan().solved);
+  editor().place(near);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::TaskTool>().is_busy(); }, 120000));
+  EXPECT_TRUE(tool<gui::TaskTool>().plan().solved);
+}
+
+TEST_F(PickAndPlace, KeepsTheChoiceOfTheSupportInAnEditedScene) {
+  editor().add("shelf", geometric::Box{{0.3, 0.3, 0.02}}, {}, {0.5, 0.4, 0.9});
+  auto& supports = part<QComboBox>("task_support");
+  ASSERT_TRUE(supports.isVisible());
+  ASSERT_GE(supports.findText("shelf"), 0);
+  supports.setCurrentText("shelf");
+  editor().add("ball", geometric::Sphere{0.03}, {}, {0.5, -0.4, 1.2});
+  EXPECT_EQ(supports.currentText(), "shelf");
+}
+
+TEST_F(PickAndPlace, EndsWhenTheObjectIsRemoved) {
+  plan();
+  select("can");
+  editor().remove();
+  EXPECT_FALSE(part<QPushButton>("task_plan").isVisible());
+  EXPECT_FALSE(tool<gui::TaskTool>().is_busy());
   EXPECT_TRUE(tool<gui::TaskTool>().plan().stages.empty());
 }
 
@@ -278,6 +422,13 @@ TEST_F(PickAndPlace, SaysWhyThereIsNoPlan) {
   EXPECT_FALSE(tool<gui::TaskTool>().plan().solved);
   EXPECT_THAT(part<QLabel>("task_note").text().toStdString(),
               ::testing::HasSubstr("out of the arm's reach"));
+  const QString reason = part<QLabel>("task_note").text();
+  click_stage("Close the hand");
+  EXPECT_THAT(part<QLabel>("task_note").text().toStdString(),
+              ::testing::HasSubstr("Close the hand: 1 of 1 failed. The first:"));
+  keep_picture("failed_stage");
+  click_stage("Close the hand");
+  EXPECT_EQ(part<QLabel>("task_note").text(), reason);
 }
 
 TEST_F(PickAndPlace, EndsItsSearchWhenItIsStopped) {

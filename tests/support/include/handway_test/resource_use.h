@@ -10,7 +10,7 @@
 namespace handway::test {
 
 /// Freed memory that AddressSanitizer holds back by default, MB.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HANDWAY_SANITIZED
 constexpr std::size_t kQuarantineMegabytes = 256;
 #else
 constexpr std::size_t kQuarantineMegabytes = 0;
