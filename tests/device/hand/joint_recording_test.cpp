@@ -203,7 +203,7 @@ TEST_F(JointRecording, HoldsWhatAMessageDoesNotHave) {
   ASSERT_EQ(recording.values.rows(), 2);
   EXPECT_EQ(recording.values.row(0), Eigen::RowVector2d(0.1, 0.2));
   EXPECT_EQ(recording.values.row(1), Eigen::RowVector2d(0.3, 0.2));
-  EXPECT_THAT(recording.warnings, ElementsAre(HasSubstr("arm_1"), HasSubstr("1 rows")));
+  EXPECT_THAT(recording.warnings, ElementsAre(HasSubstr("arm_1"), HasSubstr("1 row left out")));
 }
 
 TEST_F(JointRecording, TakesLargeAnglesForDegrees) {
@@ -247,7 +247,7 @@ TEST_F(JointRecording, RefusesWhatIsNone) {
   refuses("mcp,pip\n", "no values of joints of finger");
   refuses("mcp,pip\n0.1\n0.2,0.3\n", ":2");
   refuses("# handway postures 1\n# hand: finger\nmcp,pip\n0.1,0.2\n", "normalised postures");
-  refuses("name: [mcp, pip]\nposition: [0.1]\n", "1 positions");
+  refuses("name: [mcp, pip]\nposition: [0.1]\n", "1 position");
   refuses("name: [mcp]\n---\nposition: [0.1]\n", "position");
 }
 
