@@ -108,12 +108,9 @@ void ScenePictures::begin(const geometric::Configuration& q, const OrbitCamera& 
   action_->setViewportRegion(viewport_of(drawn_->size()));
   graph_->aim(camera, static_cast<double>(size.width()) / size.height());
   graph_->render_bodies(*action_);
-  shading_->shade(*action_, camera, drawn_->size(), drawn_->handle());
-  action_->setViewportRegion(viewport_of(drawn_->size()));
-  graph_->render_drawings(*action_);
-  graph_->render_ghosts(*action_);
   drawn_->release();
-  is_resolved_ = false;
+  camera_ = camera;
+  stage_ = Stage::kBodies;
   set_fence();
 }
 
@@ -125,9 +122,25 @@ void ScenePictures::set_fence() {
   glFlush();
 }
 
-void ScenePictures::resolve() {
-  QOpenGLFramebufferObject::blitFramebuffer(resolved_.get(), drawn_.get());
-  is_resolved_ = true;
+// Each stage would wait for the one before it.
+void ScenePictures::advance() {
+  if (stage_ == Stage::kBodies) {
+    shade();
+    stage_ = Stage::kShaded;
+  } else {
+    QOpenGLFramebufferObject::blitFramebuffer(resolved_.get(), drawn_.get());
+    stage_ = Stage::kResolved;
+  }
+}
+
+void ScenePictures::shade() {
+  drawn_->bind();
+  action_->invalidateState();
+  shading_->shade(*action_, camera_, drawn_->size(), drawn_->handle());
+  action_->setViewportRegion(viewport_of(drawn_->size()));
+  graph_->render_drawings(*action_);
+  graph_->render_ghosts(*action_);
+  drawn_->release();
 }
 
 void ScenePictures::drop_fence() {
@@ -143,10 +156,10 @@ bool ScenePictures::is_drawn() {
       context_->extraFunctions()->glClientWaitSync(fence_, 0, 0) == GL_TIMEOUT_EXPIRED) {
     return false;
   }
-  if (is_resolved_) {
+  if (stage_ == Stage::kResolved) {
     return true;
   }
-  resolve();  // which would have waited before
+  advance();
   set_fence();
   return false;
 }
@@ -154,8 +167,8 @@ bool ScenePictures::is_drawn() {
 QImage ScenePictures::take() {
   context_->makeCurrent(surface_.get());
   drop_fence();
-  if (!is_resolved_) {
-    resolve();
+  while (stage_ != Stage::kResolved) {
+    advance();
   }
   return resolved_->toImage()
       .convertToFormat(QImage::Format_RGB32)

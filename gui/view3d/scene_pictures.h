@@ -48,11 +48,15 @@ class ScenePictures {
   [[nodiscard]] QImage take();
 
  private:
+  /// How far the begun picture is drawn.
+  enum class Stage { kBodies, kShaded, kResolved };
+
   void make_buffers(const QSize& pixels);
   /// Sets a fence that is passed when all requests so far are drawn.
   void set_fence();
   void drop_fence();
-  void resolve();
+  void advance();
+  void shade();
 
   int oversampling_;
   std::unique_ptr<QOffscreenSurface> surface_;
@@ -63,7 +67,8 @@ class ScenePictures {
   std::unique_ptr<QOpenGLFramebufferObject> drawn_;     ///< With several samples a pixel.
   std::unique_ptr<QOpenGLFramebufferObject> resolved_;  ///< With one.
   QSize size_;                                          ///< Size of the begun picture.
-  bool is_resolved_ = false;
+  OrbitCamera camera_;                                  ///< Its camera.
+  Stage stage_ = Stage::kResolved;
   GLsync fence_ = nullptr;
 };
 
