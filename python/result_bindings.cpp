@@ -6,6 +6,7 @@
 
 #include <pybind11/stl.h>
 
+#include <optional>
 #include <string>
 
 namespace py = pybind11;
@@ -110,6 +111,20 @@ void bind_result(py::module_& module) {
       .def_property_readonly(
           "smoothing_s", [](const PlanOutcome& outcome) { return outcome.result.smoothing_s; },
           "Wall-clock time of smoothing, s.")
+      .def_property_readonly(
+          "cost",
+          [](const PlanOutcome& outcome) -> std::optional<double> {
+            const auto& cost = outcome.result.cost;
+            return cost ? std::optional(cost->cost) : std::nullopt;
+          },
+          "Cost of an optimised path by the planner's objective; None if it was not optimised.")
+      .def_property_readonly(
+          "least_cost",
+          [](const PlanOutcome& outcome) -> std::optional<double> {
+            const auto& cost = outcome.result.cost;
+            return cost ? std::optional(cost->least) : std::nullopt;
+          },
+          "A cost that no path between the same ends is below; None as `cost`.")
       .def_readonly("planner", &PlanOutcome::planner, "Name of the planner.")
       .def_readonly("seed", &PlanOutcome::seed, "Seed of all random choices.")
       .def("__repr__", &text_of);

@@ -108,6 +108,14 @@ void print_advice(const planning::PlanningProblem& problem, bool at_start) {
 void print_summary(const PlanResult& result, const planning::PlanningProblem& problem) {
   if (result.solved()) {
     print_out("{}\n", result.reason);
+    if (result.cost) {
+      print_out(
+          "  Optimised with {} checks: cost {:.4f}; no path costs less than {:.4f}, at most {:.1f} "
+          "% "
+          "could be saved\n",
+          result.optimize_checks, result.cost->cost, result.cost->least,
+          100.0 * result.cost->gap());
+    }
     for (const std::string& warning :
          planning::holding_warnings(*problem.scene, result.path.waypoints)) {
       print_out("  warning: {}\n", warning);

@@ -86,6 +86,13 @@ std::vector<std::string> names_of(const geometric::RobotModel& model,
   return names;
 }
 
+Json cost_json(const std::optional<planning::PathCost>& cost) {
+  if (!cost) {
+    return nullptr;
+  }
+  return {{"cost", cost->cost}, {"least", cost->least}, {"gap", cost->gap()}};
+}
+
 // Goal pose that the path reaches, in a problem whose goal is given by poses.
 Json goal_of(const planning::PlanningProblem& problem, const planning::PlanResult& result) {
   if (!result.goal) {
@@ -131,6 +138,7 @@ std::string plan_report(planning::Planner& planner, const planning::PlanningProb
       {"time_s", result.time_s},
       {"smoothing_s", result.smoothing_s},
       {"optimize_checks", result.optimize_checks},
+      {"cost", cost_json(result.cost)},
       {"load_s", load_s},
       {"goal", goal_of(problem, result)},
       {"group", problem.scene->group},

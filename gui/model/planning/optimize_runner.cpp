@@ -2,11 +2,13 @@
 
 #include "handway/planning/core/objective.h"
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/paths/path_optimizer.h"
+#include "handway/planning/paths/anytime_optimizer.h"
 
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -35,8 +37,7 @@ struct OptimizeRunner::Work {
         found(task.found),
         weights(task.objective.weights(*problem)),
         context(*problem, unlimited(task.request), {}, silent),
-        optimizer(context, weights, found.path, task.request.seed,
-                  planning::PathOptimizer::kThorough),
+        optimizer(context, weights, found.path, task.request.seed),
         figures(*problem, {.human_likeness = 1.0}),
         cost_before(optimizer.cost()) {}
 
@@ -45,7 +46,7 @@ struct OptimizeRunner::Work {
   planning::ObjectiveWeights weights;
   planning::Observer silent;
   planning::PlanningContext context;
-  planning::PathOptimizer optimizer;
+  planning::AnytimeOptimizer optimizer;
   planning::Objective figures;
   double cost_before;
   double seconds = 0.0;
@@ -96,7 +97,7 @@ OptimizeProgress OptimizeRunner::progress(double seconds, double limit_s) const 
   progress.seconds = seconds;
   progress.limit_s = limit_s;
   progress.cost_before = work_->cost_before;
-  progress.cost = work_->optimizer.cost();
+  progress.cost = {work_->optimizer.cost(), work_->optimizer.least_cost()};
   double outside = 0.0;
   for (std::size_t i = 0; i + 1 < progress.path.waypoints.size(); ++i) {
     const planning::MotionSums motion =
@@ -116,6 +117,8 @@ OptimizeOutcome OptimizeRunner::run(const OptimizeTask& task, int generation,
                                     const std::stop_token& stop, const std::stop_token& discarded) {
   const Clock::time_point begin = Clock::now();
   const double limit = task.request.optimize_s;
+  work_->optimizer.set_patience(std::isfinite(limit) ? std::numeric_limits<std::uint64_t>::max()
+                                                     : planning::AnytimeOptimizer::kPatience);
   double reported = -kReportEvery;
   work_->checks += work_->optimizer.advance_in_rounds([&](std::uint64_t) {
     const double seconds = since(begin);
@@ -141,12 +144,14 @@ OptimizeOutcome OptimizeRunner::run(const OptimizeTask& task, int generation,
   result.path = outcome.last.path;
   result.smoothing_s += work_->seconds;
   result.optimize_checks += work_->checks;
+  result.cost = outcome.last.cost;
   outcome.repeatable = work_->found.optimize_checks == 0;
   result.statistics += work_->context.statistics();
-  result.reason =
-      fmt::format("Optimised for {:.1f} s with {} checks: cost {:.4g}, before {:.4g}.{}",
-                  work_->seconds, work_->checks, outcome.last.cost, outcome.last.cost_before,
-                  outcome.last.converged ? " Converged." : "");
+  result.reason = fmt::format(
+      "Optimised for {:.1f} s with {} checks: cost {:.4g}, before {:.4g}, no path below "
+      "{:.4g}.{}",
+      work_->seconds, work_->checks, outcome.last.cost.cost, outcome.last.cost_before,
+      outcome.last.cost.least, outcome.last.converged ? " Converged." : "");
   planning::PlanningContext certifying(*work_->problem, unlimited(task.request), discarded,
                                        work_->silent);
   result.certificate = certifying.validator().certify(result.path);

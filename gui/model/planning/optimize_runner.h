@@ -28,7 +28,7 @@ struct OptimizeProgress {
   double seconds = 0.0;                 ///< Time of this run.
   double limit_s = 0.0;                 ///< It ends after these at the latest; may be infinite.
   double cost_before = 0.0;             ///< When it first began.
-  double cost = 0.0;                    ///< Cost of the present path.
+  planning::PathCost cost;              ///< Cost of the present path.
   double length = 0.0;                  ///< In joints normalised to [0, 1].
   std::optional<double> hand_distance;  ///< Mean, from the PMD subspace; nothing: no basis.
   bool converged = false;

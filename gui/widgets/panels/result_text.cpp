@@ -152,8 +152,11 @@ QString optimizing_text(const OptimizeProgress& progress) {
   QString text = headline(QObject::tr("Optimising the path"), colors_of(current_theme()).good);
   text += begin_table();
   text += row(QObject::tr("Cost"), QObject::tr("%1, before %2")
-                                       .arg(progress.cost, 0, 'f', 3)
+                                       .arg(progress.cost.cost, 0, 'f', 3)
                                        .arg(progress.cost_before, 0, 'f', 3));
+  text += row(QObject::tr("No path below"), QObject::tr("%1, gap at most %2 %")
+                                                .arg(progress.cost.least, 0, 'f', 3)
+                                                .arg(100.0 * progress.cost.gap(), 0, 'f', 1));
   text += row(QObject::tr("Length"), QStringLiteral("%1").arg(progress.length, 0, 'f', 3));
   if (progress.hand_distance) {
     text += row(QObject::tr("Hand to PMD subspace"),

@@ -260,6 +260,20 @@ double Objective::forced_outside(const Point& start, const Point& goal) {
   return 0.5 * (start.outside.squaredNorm() + goal.outside.squaredNorm());
 }
 
+double Objective::least_cost(const Configuration& start, const Configuration& goal) const {
+  const Configuration to = problem_.model().nearest_equivalent(start, goal);
+  const Point from = point(start);
+  const Point end = point(to);
+  double length = from.distance_to(end);
+  const double outside = subspace_ ? weights_.human_likeness * forced_outside(from, end) : 0.0;
+  if (weights_.length > 0.0) {
+    length = std::max(length, std::sqrt(outside / weights_.length));
+  }
+  const double mean = weights_.length > 0.0 && length > 0.0 ? outside / length : 0.0;
+  return weights_.length * length + mean +
+         weights_.duration * least_duration(problem_.model(), start, to);
+}
+
 PathQuality path_quality(const PlanningProblem& problem, const Path& path) {
   if (path.empty()) {
     throw std::invalid_argument("a path without waypoints has no properties");

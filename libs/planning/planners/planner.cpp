@@ -6,7 +6,7 @@
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/core/request_parameters.h"
-#include "handway/planning/paths/path_optimizer.h"
+#include "handway/planning/paths/anytime_optimizer.h"
 #include "handway/planning/roadmap/roadmap_recorder.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "planners/built_in.h"
@@ -298,8 +298,8 @@ void Planner::optimize(PlanningContext& context, PlanResult& result) const {
     return;
   }
   const double begin = context.elapsed_s();
-  PathOptimizer optimizer(context, objective_.weights(context.problem()), result.path,
-                          context.request().seed, PathOptimizer::kThorough);
+  AnytimeOptimizer optimizer(context, objective_.weights(context.problem()), result.path,
+                             context.request().seed);
   result.optimize_checks = optimizer.advance_in_rounds([&](std::uint64_t checks) {
     const double spent = context.elapsed_s() - begin;
     context.observer().on_progress(seconds > 0.0
@@ -310,6 +310,7 @@ void Planner::optimize(PlanningContext& context, PlanResult& result) const {
     return checks < wanted || spent < seconds;
   });
   result.path = optimizer.path();
+  result.cost = PathCost{optimizer.cost(), optimizer.least_cost()};
   result.smoothing_s += context.elapsed_s() - begin;
 }
 

@@ -111,6 +111,11 @@ class HANDWAY_PLANNING_EXPORT Objective {
   /// stays in it and leaves it straight for the goal: the least of all paths between these ends.
   [[nodiscard]] static double forced_outside(const Point& start, const Point& goal);
 
+  /// A cost that no path from `start` to `goal` is below: that of the straight motion with the hand
+  /// as in forced_outside() and everything else far away, or of a longer one if its mean distance
+  /// from the subspace is lower.
+  [[nodiscard]] double least_cost(const Configuration& start, const Configuration& goal) const;
+
   /// Number of distance queries for clearance so far.
   [[nodiscard]] std::uint64_t distance_queries() const { return distance_queries_; }
 

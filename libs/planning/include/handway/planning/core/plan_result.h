@@ -4,6 +4,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -125,6 +126,16 @@ struct OutOfMargin {
   geometric::NamedPair pair;
 };
 
+/// The cost of an optimised path by the planner's objective, beside a cost that no path between its
+/// ends is below (Objective::least_cost()).
+struct PathCost {
+  double cost = 0.0;
+  double least = 0.0;
+
+  /// Largest share of the cost that another path could save, in [0, 1].
+  [[nodiscard]] double gap() const { return cost > 0.0 ? std::max(0.0, 1.0 - least / cost) : 0.0; }
+};
+
 /// The outcome of planning. `path` is empty unless the status is kSolved.
 struct PlanResult {
   PlanStatus status = PlanStatus::kSamplesSpent;
@@ -141,6 +152,7 @@ struct PlanResult {
   /// Checks allowed for optimising, in whole rounds; as the parameter of this name they give the
   /// same path again.
   std::uint64_t optimize_checks = 0;
+  std::optional<PathCost> cost;  ///< Of an optimised path.
 
   [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
 };
