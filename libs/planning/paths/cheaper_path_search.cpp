@@ -11,14 +11,14 @@
 namespace handway::planning {
 namespace {
 
-constexpr double kRange = 0.3;          // longest step of a tree, in joints normalised to [0, 1]
-constexpr double kProbeSpacing = 0.05;  // of configurations checked before certification
-constexpr double kSmallestMove = 0.02;  // away from the guide
-constexpr double kLargestMove = 0.6;
-constexpr int kTrials = 20;                  // samples until one is below the bound
-constexpr std::uint64_t kEdgeChecks = 2000;  // an edge that needs more is refused
-constexpr double kShortest = 1e-9;           // length of a path
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLongestStep = 0.3;     // longest step of a tree, in joints normalised to [0, 1]
+constexpr double kProbeSpacing = 0.05;   // of configurations checked before certification
+constexpr double kSmallestAside = 0.02;  // away from the guide
+constexpr double kLargestAside = 0.6;
+constexpr int kMostDraws = 20;                      // samples until one is below the bound
+constexpr std::uint64_t kEdgeChecksAllowed = 2000;  // an edge that needs more is refused
+constexpr double kLeastLength = 1e-9;               // length of a path
+constexpr double kDropped = std::numeric_limits<double>::infinity();
 
 // For paths of this length the means of ObjectiveWeights are sums.
 AdditiveCost cost_at_length(const ObjectiveWeights& weights, double length) {
@@ -43,7 +43,7 @@ CheaperPathSearch::CheaperPathSearch(PlanningContext& context, const ObjectiveWe
   for (std::size_t i = 0; i + 1 < guide_.size(); ++i) {
     sum.add(objective_.measure(guide_[i], guide_[i + 1]));
   }
-  cost_ = cost_at_length(weights, std::max(sum.length, kShortest));
+  cost_ = cost_at_length(weights, std::max(sum.length, kLeastLength));
   bound_ = share * cost_.of(sum);
 }
 
@@ -79,7 +79,7 @@ double CheaperPathSearch::least(const Point& from, const Point& to) const {
 
 std::optional<Objective::Point> CheaperPathSearch::draw() {
   const bool has_subspace = context_.problem().basis && cost_.outside > 0.0;
-  for (int trial = 0; trial < kTrials; ++trial) {
+  for (int trial = 0; trial < kMostDraws; ++trial) {
     const bool is_informed = cost_.length > 0.0 && random_.uniform() < 0.5;
     Point point = objective_.point_of_joints(geometric::clamped_to_range(
         context_.problem().model(), is_informed ? draw_in_ellipsoid() : draw_near_guide()));
@@ -128,7 +128,8 @@ Eigen::VectorXd CheaperPathSearch::draw_near_guide() {
       {planned_[static_cast<std::size_t>(random_.below(planned_.size()))]}};
   const geometric::JointIndices& part = parts[random_.below(parts.size())];
   if (!part.empty()) {
-    const double size = kSmallestMove * std::pow(kLargestMove / kSmallestMove, random_.uniform());
+    const double size =
+        kSmallestAside * std::pow(kLargestAside / kSmallestAside, random_.uniform());
     joints(part) += size * random_.normal(static_cast<int>(part.size())).normalized();
   }
   return joints;
@@ -138,7 +139,7 @@ Eigen::VectorXd CheaperPathSearch::draw_near_guide() {
 std::optional<int> CheaperPathSearch::nearest(int tree, const Point& to, double most) const {
   const Tree& nodes = trees_[static_cast<std::size_t>(tree)];
   std::optional<int> nearest;
-  double least_distance = kInfinity;
+  double least_distance = kDropped;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].cost > most) {
       continue;
@@ -161,7 +162,7 @@ std::optional<int> CheaperPathSearch::grow(int tree, int from, const Point& targ
   if (length <= 0.0) {
     return std::nullopt;
   }
-  const double share = std::min(1.0, kRange / length);
+  const double share = std::min(1.0, kLongestStep / length);
   Point end =
       share < 1.0
           ? objective_.point_of_joints(begin.joints + share * (target.joints - begin.joints))
@@ -190,7 +191,7 @@ std::optional<CheaperPathSearch::Meeting> CheaperPathSearch::connect(int tree, i
   std::optional<int> at = nearest(1 - tree, target.point, bound_ - target.cost);
   while (at && !context_.interruption()) {
     const Node& node = others[static_cast<std::size_t>(*at)];
-    if (node.point.distance_to(target.point) <= kRange) {
+    if (node.point.distance_to(target.point) <= kLongestStep) {
       const double bridge = cost_.of(objective_.measure(node.point, target.point));
       const double cost = node.cost + bridge + target.cost;
       const std::array<int, 2> met =
@@ -206,7 +207,7 @@ std::optional<CheaperPathSearch::Meeting> CheaperPathSearch::connect(int tree, i
 bool CheaperPathSearch::verify(const Meeting& meeting) {
   const Point& from = trees_[0][static_cast<std::size_t>(meeting.nodes[0])].point;
   const Point& to = trees_[1][static_cast<std::size_t>(meeting.nodes[1])].point;
-  return context_.validator().edge_free(from.q, to.q, kEdgeChecks) &&
+  return context_.validator().edge_free(from.q, to.q, kEdgeChecksAllowed) &&
          verify_branch(0, meeting.nodes[0]) && verify_branch(1, meeting.nodes[1]);
 }
 
@@ -217,7 +218,7 @@ bool CheaperPathSearch::verify_branch(int tree, int node) {
     Node& child = nodes[static_cast<std::size_t>(at)];
     const Node& parent = nodes[static_cast<std::size_t>(child.parent)];
     if (!child.is_certain) {
-      if (!context_.validator().edge_free(parent.point.q, child.point.q, kEdgeChecks)) {
+      if (!context_.validator().edge_free(parent.point.q, child.point.q, kEdgeChecksAllowed)) {
         drop(tree, at);
         return false;
       }
@@ -231,11 +232,11 @@ bool CheaperPathSearch::verify_branch(int tree, int node) {
 // Parents come before their children.
 void CheaperPathSearch::drop(int tree, int node) {
   Tree& nodes = trees_[static_cast<std::size_t>(tree)];
-  nodes[static_cast<std::size_t>(node)].cost = kInfinity;
+  nodes[static_cast<std::size_t>(node)].cost = kDropped;
   for (auto i = static_cast<std::size_t>(node) + 1; i < nodes.size(); ++i) {
     const int parent = nodes[i].parent;
     if (parent >= node && std::isinf(nodes[static_cast<std::size_t>(parent)].cost)) {
-      nodes[i].cost = kInfinity;
+      nodes[i].cost = kDropped;
     }
   }
 }
