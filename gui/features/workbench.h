@@ -15,6 +15,7 @@
 #include "model/playback/path_player.h"
 #include "model/settings/options.h"
 #include "model/settings/preferences.h"
+#include "view3d/film.h"
 #include "widgets/panels/dock_layout.h"
 
 #include <QAction>
@@ -172,6 +173,8 @@ class Workbench : public QObject {
   void recordings_dropped(const QStringList& files);
   /// A motion other than the played path is to be exported.
   void export_wanted(const handway::gui::DerivedSource& source);
+  /// Pictures or a video of a film other than the played path are to be written.
+  void pictures_wanted(const handway::gui::Film& film);
   /// A planned task is to run on the robot, and not any more.
   void run_wanted(const handway::gui::DerivedSource& task);
   void task_forgotten();

@@ -2,6 +2,8 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "view3d/coin_conversions.h"
+#include "view3d/grasp_drawings.h"
+#include "view3d/overlay.h"
 #include "view3d/scene_graph.h"
 #include "view3d/scene_shading.h"
 
@@ -71,7 +73,7 @@ std::vector<Eigen::Vector3d> ScenePictures::points_of_interest() const {
 
 QImage ScenePictures::picture(const geometric::Configuration& q, const OrbitCamera& camera,
                               const QSize& size) {
-  begin(q, camera, size);
+  begin({q}, camera, size);
   return take();
 }
 
@@ -89,8 +91,7 @@ void ScenePictures::make_buffers(const QSize& pixels) {
   }
 }
 
-void ScenePictures::begin(const geometric::Configuration& q, const OrbitCamera& camera,
-                          const QSize& size) {
+void ScenePictures::begin(const FilmMoment& moment, const OrbitCamera& camera, const QSize& size) {
   context_->makeCurrent(surface_.get());
   drop_fence();
   size_ = size;
@@ -103,7 +104,12 @@ void ScenePictures::begin(const geometric::Configuration& q, const OrbitCamera& 
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  graph_->set_configuration(q);
+  graph_->set_configuration(moment.q);
+  for (const auto& [item, X_WO] : moment.X_WO) {
+    graph_->preview(item, X_WO);
+  }
+  graph_->set_overlay(Overlay::kGrasp,
+                      moment.forces.empty() ? nullptr : make_forces_node(moment.forces));
   action_->invalidateState();
   action_->setViewportRegion(viewport_of(drawn_->size()));
   graph_->aim(camera, static_cast<double>(size.width()) / size.height());

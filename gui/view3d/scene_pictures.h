@@ -3,6 +3,7 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
 #include "model/settings/orbit_camera.h"
+#include "view3d/film.h"
 
 #include <QImage>
 #include <QSize>
@@ -40,8 +41,9 @@ class ScenePictures {
   [[nodiscard]] QImage picture(const geometric::Configuration& q, const OrbitCamera& camera,
                                const QSize& size);
 
-  /// Begins to draw such a picture, without waiting for it.
-  void begin(const geometric::Configuration& q, const OrbitCamera& camera, const QSize& size);
+  /// Begins to draw a picture of a moment, without waiting for it. Objects stay where a moment
+  /// has put them until another one moves them.
+  void begin(const FilmMoment& moment, const OrbitCamera& camera, const QSize& size);
   /// Returns whether the picture that was begun is drawn.
   [[nodiscard]] bool is_drawn();
   /// Returns the picture that was begun, and waits for it if it isn't drawn yet.

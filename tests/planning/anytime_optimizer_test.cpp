@@ -12,7 +12,7 @@
 namespace handway::planning {
 namespace {
 
-constexpr double kCheckResolution = 1e-3;  // m
+constexpr double kDenseResolution = 1e-3;  // m
 const ObjectiveWeights kShortest{};
 
 auto rounds_up_to(std::uint64_t checks) {
@@ -46,7 +46,7 @@ TEST_F(Anytime, IsNeverBelowTheLeastCostAndNeverAboveTheLocalOptimum) {
     EXPECT_LE(optimizer.cost(), local.cost());
     EXPECT_GE(optimizer.cost(), optimizer.least_cost());
     EXPECT_NEAR(optimizer.cost(), Objective(problem_, weights).cost(optimizer.path()), 1e-9);
-    const PathCheckResult check = check_path(problem_, optimizer.path(), kCheckResolution);
+    const PathCheckResult check = check_path(problem_, optimizer.path(), kDenseResolution);
     EXPECT_TRUE(check.valid()) << (check.faults.empty() ? "" : check.faults.front());
   }
 }
@@ -56,7 +56,7 @@ TEST_F(Anytime, FindsAnotherRouteThanThatOfTheGivenPath) {
   Path folded;
   folded.waypoints = {problem_.start, test::planar_configuration(-0.4, 2.0),
                       test::planar_configuration(0.4, 2.0), problem_.goal};
-  ASSERT_TRUE(check_path(problem_, folded, kCheckResolution).valid());
+  ASSERT_TRUE(check_path(problem_, folded, kDenseResolution).valid());
   PlanningContext alone(problem_, request_, {}, observer_);
   PathOptimizer local(alone, kShortest, folded, 3, PathOptimizer::kThorough);
   local.advance_in_rounds(rounds_up_to(1'000'000));

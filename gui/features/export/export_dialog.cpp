@@ -64,12 +64,17 @@ void export_path(Workbench& workbench) {
        workbench);
 }
 
-void export_pictures(Workbench& workbench) {
+Film film_of_path(const Workbench& workbench) {
   const auto& scene = workbench.document.scene();
-  auto* dialog = new PicturesDialog(
-      scene, workbench.player.timeline(), workbench.view.camera(),
-      scene->name.empty() ? QObject::tr("path") : QString::fromStdString(scene->name),
-      &workbench.window);
+  const PathTimeline timeline = workbench.player.timeline();
+  return {QObject::tr("Export pictures of the path"),
+          scene->name.empty() ? QObject::tr("path") : QString::fromStdString(scene->name), scene,
+          timeline.duration(),
+          [timeline](double fraction) { return FilmMoment{timeline.at(fraction)}; }};
+}
+
+void export_pictures(Workbench& workbench, Film film) {
+  auto* dialog = new PicturesDialog(std::move(film), workbench.view.camera(), &workbench.window);
   QObject::connect(dialog, &PicturesDialog::exported, &workbench,
                    [&](const QString& file) { note_exported(workbench, file); });
   dialog->open();
@@ -396,7 +401,10 @@ void add_export(Workbench& workbench) {
     const QString& reason = workbench.validity.reason();
     allow(*path, valid ? QString() : reason.isEmpty() ? no_path : reason);
   });
-  QObject::connect(pictures, &QAction::triggered, &workbench, [&] { export_pictures(workbench); });
+  QObject::connect(pictures, &QAction::triggered, &workbench,
+                   [&] { export_pictures(workbench, film_of_path(workbench)); });
+  QObject::connect(&workbench, &Workbench::pictures_wanted, &workbench,
+                   [&](const Film& film) { export_pictures(workbench, film); });
   QObject::connect(path, &QAction::triggered, &workbench, [&] { export_path(workbench); });
   QObject::connect(
       &workbench, &Workbench::export_wanted, &workbench, [&](const DerivedSource& source) {

@@ -27,7 +27,7 @@ void FilmRecorder::start(const FilmShot& shot, std::unique_ptr<FilmSink> sink) {
   shot_ = shot;
   sink_ = std::move(sink);
   try {
-    pictures_ = std::make_unique<ScenePictures>(shot.scene, shot.oversampling);
+    pictures_ = std::make_unique<ScenePictures>(shot.film.scene, shot.oversampling);
   } catch (const std::exception& error) {
     end();
     emit failed(QString::fromUtf8(error.what()));
@@ -81,7 +81,7 @@ void FilmRecorder::step() {
 
 void FilmRecorder::begin_picture() {
   const double fraction = static_cast<double>(count_) / (shot_.pictures - 1);
-  pictures_->begin(shot_.timeline.at(fraction), shot_.camera, shot_.size);
+  pictures_->begin(shot_.film.at(fraction), shot_.camera, shot_.size);
   drawing_ = true;
   next_.start(0);
 }

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "features/export/film_sink.h"
-#include "handway/geometric/scene/scene.h"
-#include "model/playback/path_timeline.h"
 #include "model/settings/orbit_camera.h"
+#include "view3d/film.h"
 
 #include <QImage>
 #include <QObject>
@@ -18,17 +17,16 @@ namespace handway::gui {
 
 class ScenePictures;
 
-/// Content and settings of the pictures of a path.
+/// Content and settings of the pictures of a film.
 struct FilmShot {
-  std::shared_ptr<const geometric::Scene> scene;
-  PathTimeline timeline;
+  Film film;
   OrbitCamera camera;
   QSize size;            ///< Pixels.
-  int pictures = 0;      ///< Evenly spread over the path, the ends included; ≥ 2.
+  int pictures = 0;      ///< Evenly spread over the time, the ends included; ≥ 2.
   int oversampling = 1;  ///< See ScenePictures.
 };
 
-/// Takes pictures of a path one by one while the window stays responsive: between two events it
+/// Takes pictures of a film one by one while the window stays responsive: between two events it
 /// only requests one picture, or takes a finished one.
 class FilmRecorder : public QObject {
   Q_OBJECT

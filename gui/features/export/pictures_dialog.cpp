@@ -78,11 +78,9 @@ constexpr int kFineStrips = 2;  // oversampling
 
 }  // namespace
 
-PicturesDialog::PicturesDialog(std::shared_ptr<const geometric::Scene> scene, PathTimeline timeline,
-                               const OrbitCamera& camera, const QString& name, QWidget* parent)
+PicturesDialog::PicturesDialog(Film film, const OrbitCamera& camera, QWidget* parent)
     : QDialog(parent),
-      scene_(std::move(scene)),
-      timeline_(std::move(timeline)),
+      film_(std::move(film)),
       camera_(camera),
       kinds_(named("pictures_kind", new QComboBox)),
       pictures_(named("pictures_count", new QSpinBox)),
@@ -90,14 +88,14 @@ PicturesDialog::PicturesDialog(std::shared_ptr<const geometric::Scene> scene, Pa
       rates_(named("pictures_rate", new QComboBox)),
       speeds_(new QComboBox),
       count_(note()),
-      file_(named(
-          "pictures_file",
-          new QLineEdit(QDir(QDir::homePath()).filePath(name.simplified().replace(' ', '_'))))),
+      file_(named("pictures_file",
+                  new QLineEdit(
+                      QDir(QDir::homePath()).filePath(film_.name.simplified().replace(' ', '_'))))),
       progress_(new QProgressBar),
       export_button_(named("pictures_export", new QPushButton(tr("Export")))),
       close_button_(named("pictures_close", new QPushButton(tr("Close")))),
       note_(named("pictures_note", note())) {
-  setWindowTitle(tr("Export pictures of the path"));
+  setWindowTitle(film_.title);
   setAttribute(Qt::WA_DeleteOnClose);
   setMinimumWidth(scaled(520));
   lay_out(*this, in_column({make_settings(), make_destination()}, 12), {14, 12, 14, 14});
@@ -233,11 +231,11 @@ QSize PicturesDialog::size() const { return sizes_->currentData().toSize(); }
 
 FilmShot PicturesDialog::shot() const {
   if (kind() == Kind::kStrip) {
-    return {scene_, timeline_, camera_, kStripScale * kStripFrame, pictures_->value(), kFineStrips};
+    return {film_, camera_, kStripScale * kStripFrame, pictures_->value(), kFineStrips};
   }
-  const double seconds = timeline_.duration() / speeds_->currentData().toDouble();
+  const double seconds = film_.seconds / speeds_->currentData().toDouble();
   const int pictures = static_cast<int>(std::ceil(seconds * rates_->currentData().toInt())) + 1;
-  return {scene_, timeline_, camera_, size(), std::max(pictures, 2), 1};
+  return {film_, camera_, size(), std::max(pictures, 2), 1};
 }
 
 void PicturesDialog::take_kind() {

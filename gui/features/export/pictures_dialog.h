@@ -47,7 +47,7 @@ class StripWriter : public QObject {
   LatestJob job_;
 };
 
-/// Exports pictures of a path as the view's camera sees it: a film strip, numbered frames, a film
+/// Exports pictures of a film as the view's camera sees it: a film strip, numbered frames, a film
 /// or an animation.
 class PicturesDialog : public QDialog {
   Q_OBJECT
@@ -55,9 +55,7 @@ class PicturesDialog : public QDialog {
  public:
   enum class Kind { kStrip, kFrames, kFilm, kAnimation };
 
-  /// @param name of the scene, for files.
-  PicturesDialog(std::shared_ptr<const geometric::Scene> scene, PathTimeline timeline,
-                 const OrbitCamera& camera, const QString& name, QWidget* parent = nullptr);
+  PicturesDialog(Film film, const OrbitCamera& camera, QWidget* parent = nullptr);
 
   void choose(Kind kind);
   void set_file(const QString& file);
@@ -83,8 +81,7 @@ class PicturesDialog : public QDialog {
   void show_busy(bool busy);
   void show_problem(const QString& message);
 
-  std::shared_ptr<const geometric::Scene> scene_;
-  PathTimeline timeline_;
+  Film film_;
   OrbitCamera camera_;
   FilmRecorder recorder_;
   StripWriter strip_;

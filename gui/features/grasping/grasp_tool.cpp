@@ -21,6 +21,7 @@
 #include "widgets/style/actions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -113,6 +114,8 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
   card_->show_tests(make_hold_test_ != nullptr);
   connect(&card_->film(), &FilmBar::shown, this, &GraspTool::show_frame);
   connect(&card_->film(), &FilmBar::ended, this, &GraspTool::show_scene);
+  connect(&card_->film(), &FilmBar::pictures_wanted, this,
+          [this] { emit pictures_wanted(film()); });
   connect(card_, &GraspCard::film_wanted, this,
           [this](int index, bool wanted) { wanted ? begin_film(index) : card_->film().end(); });
   connect(&document_, &Document::opened, this, &GraspTool::end);
@@ -343,6 +346,18 @@ void GraspTool::begin_film(int index) {
   card_->film().begin(static_cast<int>(tests_[filmed_].frames.size()));
 }
 
+Film GraspTool::film() const {
+  const auto moment = [frames = tests_[filmed_].frames,
+                       item = object_item(object_)](double fraction) {
+    const auto last = static_cast<double>(frames.size() - 1);
+    const planning::HoldFrame& frame =
+        frames[static_cast<std::size_t>(std::lround(fraction * last))];
+    return FilmMoment{frame.q, {{item, frame.X_WO}}, frame.forces};
+  };
+  return {tr("Export pictures of the test"), QString::fromStdString(object_), document_.scene(),
+          FilmBar::seconds(tests_[filmed_].frames.size()), moment};
+}
+
 void GraspTool::show_frame(int index) {
   const planning::HoldFrame& frame = tests_[filmed_].frames[static_cast<std::size_t>(index)];
   view_.set_configuration(frame.q);
@@ -445,6 +460,7 @@ void add_grasping(Workbench& workbench) {
     workbench.log.add(LogPanel::Level::kNote, QObject::tr("Kept grasps in %1").arg(file));
   });
   QObject::connect(&tool, &GraspTool::failed, &workbench, &Workbench::show_error);
+  QObject::connect(&tool, &GraspTool::pictures_wanted, &workbench, &Workbench::pictures_wanted);
   QObject::connect(&tool, &GraspTool::planning, &workbench,
                    [&workbench] { workbench.show_panel("plan"); });
   QObject::connect(&workbench.document, &Document::opened, grasp, update_enabled);

@@ -6,6 +6,7 @@
 #include "handway/planning/grasps/hold_test.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "model/jobs/background.h"
+#include "view3d/film.h"
 
 #include <QObject>
 #include <QPoint>
@@ -74,6 +75,8 @@ class GraspTool : public QObject {
   /// Emitted when grasps were kept in that file.
   void kept(const QString& file);
   void failed(const QString& title, const QString& text);
+  /// The film that is shown is to be saved.
+  void pictures_wanted(const handway::gui::Film& film);
 
  private:
   void find(const geometric::SceneObject& object, const GraspSource& source);
@@ -91,6 +94,8 @@ class GraspTool : public QObject {
   /// Lists the grasps in another order: those first that hold under more loads.
   void rank_by_tests();
   void begin_film(int index);
+  /// Returns the film that is shown.
+  [[nodiscard]] Film film() const;
   void show_frame(int index);
   void show_scene();
   /// Takes the grasps that a search has found so far. @param search the number of the search.

@@ -125,6 +125,8 @@ TaskTool::TaskTool(Document& document, SceneEditor& editor, SceneView& view,
       plugins_(plugins),
       card_(new TaskCard(&view, [this] { return to_be_seen(); })) {
   connect(&card_->film(), &FilmBar::shown, this, &TaskTool::show_frame);
+  connect(&card_->film(), &FilmBar::pictures_wanted, this,
+          [this] { emit pictures_wanted(film()); });
   connect(&card_->film(), &FilmBar::ended, this, &TaskTool::show_scene);
   connect(card_, &TaskCard::plan_wanted, this, &TaskTool::start);
   connect(card_, &TaskCard::changed, this, &TaskTool::ask_again);
@@ -468,6 +470,23 @@ void TaskTool::ask_for_export() {
   emit export_wanted(source());
 }
 
+Film TaskTool::film() const {
+  std::vector<SceneItem> items;
+  std::ranges::transform(objects_, std::back_inserter(items), object_item);
+  const auto moment = [frames = frames_, items](double fraction) {
+    const auto last = static_cast<double>(frames.size() - 1);
+    const TaskFrame& frame = frames[static_cast<std::size_t>(std::lround(fraction * last))];
+    FilmMoment shown{frame.moment.q, {}, frame.forces};
+    for (std::size_t i = 0; i < frame.X_WO.size(); ++i) {
+      shown.X_WO.emplace_back(items[i], frame.X_WO[i]);
+    }
+    return shown;
+  };
+  return {tr("Export pictures of the task"),
+          QString::fromStdString(planning::motion_name(shown_program().name)), document_.scene(),
+          FilmBar::seconds(frames_.size()), moment};
+}
+
 void TaskTool::show_frame(int index) {
   const TaskFrame& frame = frames_[static_cast<std::size_t>(index)];
   view_.set_configuration(frame.moment.q);
@@ -571,6 +590,7 @@ void add_tasks(Workbench& workbench) {
   };
   QObject::connect(pick, &QAction::triggered, &tool, &TaskTool::begin);
   QObject::connect(&tool, &TaskTool::export_wanted, &workbench, &Workbench::export_wanted);
+  QObject::connect(&tool, &TaskTool::pictures_wanted, &workbench, &Workbench::pictures_wanted);
   QObject::connect(&tool, &TaskTool::run_wanted, &workbench, &Workbench::run_wanted);
   QObject::connect(&tool, &TaskTool::plan_forgotten, &workbench, &Workbench::task_forgotten);
   QObject::connect(&tool, &TaskTool::handles_welcome, &workbench, &Workbench::handles_welcome);

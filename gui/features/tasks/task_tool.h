@@ -8,6 +8,7 @@
 #include "handway/planning/tasks/task.h"
 #include "model/jobs/background.h"
 #include "model/planning/motion_source.h"
+#include "view3d/film.h"
 
 #include <QObject>
 #include <QPoint>
@@ -56,6 +57,8 @@ class TaskTool : public QObject {
   void handles_welcome(bool welcome);
   /// The plan is to be exported.
   void export_wanted(const handway::gui::DerivedSource& source);
+  /// The film that is shown is to be saved.
+  void pictures_wanted(const handway::gui::Film& film);
   /// The plan is to run on the robot.
   void run_wanted(const handway::gui::DerivedSource& source);
   /// A program can't be shown. @param message the reason.
@@ -111,6 +114,8 @@ class TaskTool : public QObject {
   /// Returns the plan as something to export or to run.
   [[nodiscard]] DerivedSource source() const;
   void ask_for_export();
+  /// Returns the frames that are shown as a film.
+  [[nodiscard]] Film film() const;
   void show_frame(int index);
   /// Shows the scene as it is, instead of a moment of the task.
   void show_scene();

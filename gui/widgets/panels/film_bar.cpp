@@ -20,7 +20,8 @@ FilmBar::FilmBar(QWidget* parent)
     : QWidget(parent),
       play_(new QToolButton),
       slider_(new QSlider(Qt::Horizontal)),
-      speed_(new QComboBox) {
+      speed_(new QComboBox),
+      pictures_(named("film_pictures", new QToolButton)) {
   play_->setAutoRaise(true);
   play_->setIconSize({scaled(20), scaled(20)});
   slider_->setRange(0, 0);
@@ -35,7 +36,16 @@ FilmBar::FilmBar(QWidget* parent)
           [this] { set_playing(timer_.isActive()); });
   connect(&timer_, &QTimer::timeout, this, &FilmBar::go_on);
   play_->setIcon(icon("play"));
-  lay_out(*this, in_row({play_, {slider_, 1}, speed_}, 6));
+  pictures_->setAutoRaise(true);
+  pictures_->setIconSize({scaled(20), scaled(20)});
+  pictures_->setIcon(icon("camera"));
+  pictures_->setToolTip(tr("Save the film as a video or as pictures"));
+  pictures_->setAccessibleName(tr("Save the film"));
+  connect(pictures_, &QToolButton::clicked, this, [this] {
+    set_playing(false);
+    emit pictures_wanted();
+  });
+  lay_out(*this, in_row({play_, {slider_, 1}, speed_, pictures_}, 6));
   setEnabled(false);
 }
 

@@ -16,6 +16,10 @@ class FilmBar : public QWidget {
 
  public:
   static constexpr int kFrameTimeMs = 20;
+  /// Returns the time from the first to the last of some moments, s.
+  [[nodiscard]] static double seconds(std::size_t frames) {
+    return frames < 2 ? 0.0 : 1e-3 * kFrameTimeMs * static_cast<double>(frames - 1);
+  }
 
   explicit FilmBar(QWidget* parent = nullptr);
 
@@ -32,6 +36,8 @@ class FilmBar : public QWidget {
   void shown(int frame);
   /// The last moment is over, or end() was called.
   void ended();
+  /// The film is to be saved; it is at a pause.
+  void pictures_wanted();
 
  private:
   void set_playing(bool playing);
@@ -41,6 +47,7 @@ class FilmBar : public QWidget {
   QToolButton* play_;
   QSlider* slider_;
   QComboBox* speed_;
+  QToolButton* pictures_;
   QTimer timer_;
   int frames_ = 0;
 };

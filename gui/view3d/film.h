@@ -1,0 +1,34 @@
+#pragma once
+
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/scene/scene.h"
+#include "handway/planning/grasps/hold_test.h"
+#include "model/document/selection.h"
+
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace handway::gui {
+
+/// A moment of a film: a posture of the first robot, and objects elsewhere than in the scene.
+struct FilmMoment {
+  geometric::Configuration q;
+  std::vector<std::pair<SceneItem, geometric::Pose>> X_WO = {};  ///< Of objects that have moved.
+  std::vector<planning::ContactForce> forces = {};  ///< The hand's forces, in a simulation.
+};
+
+/// A scene over time, of which pictures are taken.
+struct Film {
+  QString title;  ///< Of the dialog that asks for the pictures.
+  QString name;   ///< Proposed for files.
+  std::shared_ptr<const geometric::Scene> scene;
+  double seconds = 0.0;
+  /// Returns the moment at a fraction of the time, in [0, 1].
+  std::function<FilmMoment(double fraction)> at;
+};
+
+}  // namespace handway::gui
