@@ -54,8 +54,9 @@ TEST_F(Anytime, IsNeverBelowTheLeastCostAndNeverAboveTheLocalOptimum) {
 TEST_F(Anytime, FindsAnotherRouteThanThatOfTheGivenPath) {
   // The arm folds to pass the post; spreading the fingers around it is shorter.
   Path folded;
-  folded.waypoints = {problem_.start, test::planar_configuration(-0.4, 2.0),
-                      test::planar_configuration(0.4, 2.0), problem_.goal};
+  folded.waypoints = {problem_.start, test::planar_configuration(-0.4, -2.2),
+                      test::planar_configuration(1.4, -2.2), test::planar_configuration(1.4, 0.0),
+                      problem_.goal};
   ASSERT_TRUE(check_path(problem_, folded, kDenseResolution).valid());
   PlanningContext alone(problem_, request_, {}, observer_);
   PathOptimizer local(alone, kShortest, folded, 3, PathOptimizer::kThorough);

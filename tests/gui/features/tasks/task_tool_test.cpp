@@ -2,6 +2,7 @@
 
 #include "features/editing/editing_test.h"
 #include "features/export/export_dialog.h"
+#include "features/export/pictures_dialog.h"
 #include "features/planning/query_check.h"
 #include "features/workbench.h"
 #include "handway/planning/extensions/plugin.h"
@@ -16,10 +17,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QImage>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QUndoStack>
@@ -98,6 +102,24 @@ TEST_F(PickAndPlace, PlansAndPlaysWithTheMouseAlone) {
   EXPECT_EQ(editor().state(), before) << "only shown";
   ASSERT_TRUE(QTest::qWaitFor([&] { return play.text() == "Play"; }, kPatienceMs));
   EXPECT_EQ(editor().state(), before);
+}
+
+TEST_F(PickAndPlace, SavesItsFilmAsPictures) {
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
+  part<gui::FilmBar>("task_film").findChild<QToolButton*>("film_pictures")->click();
+  auto* dialog = window().findChild<gui::PicturesDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->windowTitle(), "Export pictures of the task");
+  const QTemporaryDir folder;
+  dialog->choose(gui::PicturesDialog::Kind::kStrip);
+  dialog->set_file(folder.filePath("task.png"));
+  QSignalSpy exported(dialog, &gui::PicturesDialog::exported);
+  dialog->findChild<QPushButton*>("pictures_export")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exported.isEmpty(); }, kPatienceMs));
+  const QImage strip(folder.filePath("task.png"));
+  EXPECT_GT(strip.width(), 5 * strip.height());
+  keep_picture("saved_task");
 }
 
 TEST_F(PickAndPlace, ShowsTheStageThatIsClicked) {
