@@ -63,8 +63,12 @@ PlanningProblem wall_problem() {
 TEST_F(Anytime, FindsAnotherRouteThanThatOfTheGivenPath) {
   const PlanningProblem wall = wall_problem();
   Path folded;  // to the other side
-  folded.waypoints = {wall.start, test::planar_configuration(-1.0, -2.2),
-                      test::planar_configuration(1.0, -2.2), wall.goal};
+  folded.waypoints = {wall.start,
+                      test::planar_configuration(-1.8, 1.0),
+                      test::planar_configuration(-1.8, -2.2),
+                      test::planar_configuration(1.8, -2.2),
+                      test::planar_configuration(1.8, 1.0),
+                      wall.goal};
   ASSERT_TRUE(check_path(wall, folded, kDenseResolution).valid());
   PlanningContext alone(wall, request_, {}, observer_);
   PathOptimizer local(alone, kShortest, folded, 3, PathOptimizer::kThorough);
