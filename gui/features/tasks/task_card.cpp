@@ -51,6 +51,10 @@ QString stage_text(planning::StageKind kind) {
       return QObject::tr("Retreat");
     case planning::StageKind::kLine:
       return QObject::tr("Straight line");
+    case planning::StageKind::kWait:
+      return QObject::tr("Wait");
+    case planning::StageKind::kOutput:
+      return QObject::tr("Set output");
   }
   return {};
 }
