@@ -3,7 +3,6 @@
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/panels/motion_text.h"
-#include "widgets/style/rich_text.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/screen_colors.h"
 #include "widgets/style/color_math.h"

@@ -16,7 +16,7 @@ const std::set<std::string, std::less<>> kLanguage = {
 
 /// Words of the library that six-axis applications use (VAL3 reference manual, chapters 3 to 8).
 const std::set<std::string, std::less<>> kLibrary = {
-    "abs",      "close",     "delay",     "open",        "disablePower", "enablePower",
+    "abs",      "aioSet",    "close",     "delay",     "open",        "disablePower", "enablePower",
     "herej",    "isInRange", "isPowered", "movej",       "popUpMsg",     "resetMotion",
     "stopMove", "wait",      "isSettled", "waitEndMove", "runPath"};
 
