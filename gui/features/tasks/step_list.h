@@ -1,0 +1,35 @@
+#pragma once
+
+#include "handway/geometric/scene/program.h"
+
+#include <QString>
+#include <QTreeWidget>
+
+#include <vector>
+
+namespace handway::gui {
+
+/// Returns the words for a step: "pick can", "place on table", "move to start".
+[[nodiscard]] QString words_of(const geometric::ProgramStep& step);
+
+/// Lists the steps of a program with their numbers. Disabled ones are struck through. A step can be
+/// dragged to another place.
+class StepList : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  explicit StepList(QWidget* parent = nullptr);
+
+  /// Shows other steps, without telling anyone. @param selected row; the nearest one is selected.
+  void show_steps(const std::vector<geometric::ProgramStep>& steps, int selected);
+  /// Returns the selected row; -1 without one.
+  [[nodiscard]] int row() const;
+
+  void dropEvent(QDropEvent* event) override;
+
+ signals:
+  /// A user has dragged the step of a row to another place. @param to its row there.
+  void step_dragged(int from, int to);
+};
+
+}  // namespace handway::gui
