@@ -11,7 +11,8 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kMostRows = 6;
+constexpr int kMostRows = 6;   // more are scrolled to
+constexpr int kLeastRows = 2;  // in a small view
 
 }  // namespace
 
@@ -48,7 +49,20 @@ void StepList::show_steps(const std::vector<geometric::ProgramStep>& steps, int 
   }
   const int last = static_cast<int>(steps.size()) - 1;
   setCurrentItem(topLevelItem(std::clamp(selected, 0, std::max(0, last))));
-  setFixedHeight(std::min(kMostRows, topLevelItemCount()) * sizeHintForRow(0) + 2);
+  setMaximumHeight(height_of(kMostRows));
+  updateGeometry();
+}
+
+int StepList::height_of(int rows) const {
+  return std::min(rows, topLevelItemCount()) * std::max(0, sizeHintForRow(0)) + 2;
+}
+
+QSize StepList::sizeHint() const {
+  return {QTreeWidget::sizeHint().width(), height_of(kMostRows)};
+}
+
+QSize StepList::minimumSizeHint() const {
+  return {QTreeWidget::minimumSizeHint().width(), height_of(kLeastRows)};
 }
 
 int StepList::row() const { return indexOfTopLevelItem(currentItem()); }

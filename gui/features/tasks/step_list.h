@@ -2,6 +2,7 @@
 
 #include "handway/geometric/scene/program.h"
 
+#include <QSize>
 #include <QString>
 #include <QTreeWidget>
 
@@ -26,10 +27,16 @@ class StepList : public QTreeWidget {
   [[nodiscard]] int row() const;
 
   void dropEvent(QDropEvent* event) override;
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  signals:
   /// A user has dragged the step of a row to another place. @param to its row there.
   void step_dragged(int from, int to);
+
+ private:
+  /// Height of this many rows, or of all if there are fewer, px.
+  [[nodiscard]] int height_of(int rows) const;
 };
 
 }  // namespace handway::gui
