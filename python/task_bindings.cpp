@@ -162,8 +162,8 @@ void append_alternatives(const SceneModel& scene, const py::dict& step, planning
     first_of.words.append(first_of.words.empty() ? "" : " or ").append(to_string(task[begin]));
   }
   if (lists < 2) {
-    throw InputError({"steps", "first_of", fmt::format("{} lists", lists),
-                      "at least two lists of steps", ""});
+    throw InputError(
+        {"steps", "first_of", fmt::format("{} lists", lists), "at least two lists of steps", ""});
   }
   if (first_of.lengths.empty()) {
     task.pop_back();

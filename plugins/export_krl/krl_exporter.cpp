@@ -69,7 +69,8 @@ std::string ptp(const planning::ArmMove& move, double speed) {
 std::string objection(const geometric::OutputStep& output) {
   const bool is_digital = std::holds_alternative<bool>(output.value);
   const int most = is_digital ? kMostOutput : kMostAnalogOutput;
-  if (const int number = planning::output_number(output.name).value_or(0); number < 1 || number > most) {
+  if (const int number = planning::output_number(output.name).value_or(0);
+      number < 1 || number > most) {
     return fmt::format("KRL sets {} by their number, 1 to {} at the end of the name",
                        is_digital ? "outputs" : "analog outputs", most);
   }

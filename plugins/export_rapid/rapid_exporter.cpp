@@ -66,13 +66,11 @@ std::string signal_name(const geometric::OutputStep& output) {
     name.insert(0, std::holds_alternative<bool>(output.value) ? "do" : "ao");
   }
   std::string lower = name;
-  std::ranges::transform(lower, lower.begin(), [&](char c) {
-    return is_letter(c) ? static_cast<char>(c | 0x20) : c;
-  });
+  std::ranges::transform(lower, lower.begin(),
+                         [&](char c) { return is_letter(c) ? static_cast<char>(c | 0x20) : c; });
   const bool is_name =
       name.size() <= kLongestSignal && is_letter(name.front()) &&
-      std::ranges::all_of(name,
-                          [&](char c) { return is_letter(c) || is_digit(c) || c == '_'; }) &&
+      std::ranges::all_of(name, [&](char c) { return is_letter(c) || is_digit(c) || c == '_'; }) &&
       std::ranges::find(kKeywords, lower) == kKeywords.end();
   return is_name ? name : std::string();
 }
@@ -86,8 +84,7 @@ std::string text_of(const planning::ArmOutput& set) {
   if (const bool* on = std::get_if<bool>(&output.value)) {
     return fmt::format("    SetDO {},{};\n", name, *on ? 1 : 0);
   }
-  return fmt::format("    SetAO {},{};\n", name,
-                     fixed_decimals(std::get<double>(output.value), 6));
+  return fmt::format("    SetAO {},{};\n", name, fixed_decimals(std::get<double>(output.value), 6));
 }
 
 std::string text_of(const planning::ArmInstruction& instruction) {
@@ -140,9 +137,10 @@ std::string RapidExporter::robot_objection(const planning::Motion& motion) const
 
 std::string RapidExporter::output_objection(const geometric::OutputStep& output) const {
   return signal_name(output).empty()
-             ? fmt::format("RAPID sets signals by their names, of up to {} letters, digits and "
-                           "\"_\", the first a letter",
-                           kLongestSignal)
+             ? fmt::format(
+                   "RAPID sets signals by their names, of up to {} letters, digits and "
+                   "\"_\", the first a letter",
+                   kLongestSignal)
              : std::string();
 }
 

@@ -179,9 +179,9 @@ std::string text_of(const planning::ArmOutput& set) {
     return text_of(planning::ArmComment{planning::unset_output_comment(output)});
   }
   const bool* on = std::get_if<bool>(&output.value);
-  return fmt::format("  {}({}, {})\n", kind_of(output).function, *planning::output_number(output.name),
-                     on ? (*on ? "True" : "False")
-                        : fixed_decimals(std::get<double>(output.value), 6));
+  return fmt::format(
+      "  {}({}, {})\n", kind_of(output).function, *planning::output_number(output.name),
+      on ? (*on ? "True" : "False") : fixed_decimals(std::get<double>(output.value), 6));
 }
 
 /// Writes the beginning of the function: it ends the program unless the arm is at the first point.

@@ -176,8 +176,7 @@ class LinkedOutputs {
     const std::string set =
         is_digital(output)
             ? fmt::format("dOutput[{}]={}", index, value_text(output))
-            : fmt::format("aioSet(aOutput[{}],{})", index,
-                          number(std::get<double>(output.value)));
+            : fmt::format("aioSet(aOutput[{}],{})", index, number(std::get<double>(output.value)));
     return fmt::format("  waitEndMove()\n  {}\n", set);
   }
 
@@ -362,8 +361,9 @@ std::string Val3Exporter::robot_objection(const planning::Motion& motion) const 
 
 std::string Val3Exporter::output_objection(const geometric::OutputStep& output) const {
   return LinkedOutputs::link_of(output).empty()
-             ? std::string(R"(VAL3 sets outputs by their links, such as "BasicIO-1\%Q3", or digital )"
-                           "ones by a number up to 15 at the end of the name")
+             ? std::string(
+                   R"(VAL3 sets outputs by their links, such as "BasicIO-1\%Q3", or digital )"
+                   "ones by a number up to 15 at the end of the name")
              : std::string();
 }
 

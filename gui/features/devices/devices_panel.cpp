@@ -242,8 +242,8 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
 
 void DevicesPanel::show_task(const QString& name, const planning::TimedPath& motion) {
   show_motion(motion, false);
-  QString text = tr("<b>Task %1</b>").arg(name.toHtmlEscaped()) + QStringLiteral("<br>") +
-                 motion_text(motion);
+  QString text =
+      tr("<b>Task %1</b>").arg(name.toHtmlEscaped()) + QStringLiteral("<br>") + motion_text(motion);
   if (const std::string unset = execution::unset_outputs(motion.motion); !unset.empty()) {
     text += QStringLiteral("<br>") + colored(QString::fromStdString(unset), attention_color());
   }

@@ -89,24 +89,23 @@ StepFields::StepFields(QWidget* parent)
   lay_out(*named_, in_row({name_label_, {name_, 1}}, 8));
   lay_out(*framed_, in_row({frame_label_, {frame_, 1}}, 8));
   lay_out(*lengths_, in_row({first_label_, {first_, 1}, second_label_, {second_, 1}}, 8));
-  lay_out(*line_, in_column({in_row({label_for(shift_[0], QStringLiteral("X")),
-                                     {shift_[0], 1},
-                                     label_for(shift_[1], QStringLiteral("Y")),
-                                     {shift_[1], 1}},
-                                    6),
-                             in_row({label_for(shift_[2], QStringLiteral("Z")),
-                                     {shift_[2], 1},
-                                     room(1)},
-                                    6)},
-                            5));
+  lay_out(
+      *line_,
+      in_column({in_row({label_for(shift_[0], QStringLiteral("X")),
+                         {shift_[0], 1},
+                         label_for(shift_[1], QStringLiteral("Y")),
+                         {shift_[1], 1}},
+                        6),
+                 in_row({label_for(shift_[2], QStringLiteral("Z")), {shift_[2], 1}, room(1)}, 6)},
+                5));
   lay_out(*wait_, in_row({label_for(duration_, tr("Time")), {duration_, 1}}, 8));
-  lay_out(*output_,
-          in_column({in_row({label_for(output_name_, tr("Output")), {output_name_, 1}}, 8),
-                     in_row({label_for(output_value_, tr("Value")),
-                             {output_value_, 1},
-                             {output_number_, 1}},
-                            8)},
-                    5));
+  lay_out(
+      *output_,
+      in_column(
+          {in_row({label_for(output_name_, tr("Output")), {output_name_, 1}}, 8),
+           in_row({label_for(output_value_, tr("Value")), {output_value_, 1}, {output_number_, 1}},
+                  8)},
+          5));
   lay_out(*this, in_column({named_, framed_, lengths_, pose_, line_, wait_, output_}, 5));
   connect_fields();
 }
@@ -122,9 +121,8 @@ void StepFields::connect_fields() {
   for (QuantityField* field : shift_) {
     connect(field, &QuantityField::quantity_edited, this, &StepFields::take_line);
   }
-  connect(duration_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double time) {
-    change<WaitStep>([&](WaitStep& wait) { wait.duration = time; });
-  });
+  connect(duration_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this](double time) { change<WaitStep>([&](WaitStep& wait) { wait.duration = time; }); });
   connect(output_name_, &QLineEdit::editingFinished, this, &StepFields::take_output);
   connect(output_value_, qOverload<int>(&QComboBox::activated), this, &StepFields::take_output);
   connect(output_number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,

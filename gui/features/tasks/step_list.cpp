@@ -57,9 +57,7 @@ int StepList::height_of(int rows) const {
   return std::min(rows, topLevelItemCount()) * std::max(0, sizeHintForRow(0)) + 2;
 }
 
-QSize StepList::sizeHint() const {
-  return {QTreeWidget::sizeHint().width(), height_of(kMostRows)};
-}
+QSize StepList::sizeHint() const { return {QTreeWidget::sizeHint().width(), height_of(kMostRows)}; }
 
 QSize StepList::minimumSizeHint() const {
   return {QTreeWidget::minimumSizeHint().width(), height_of(kLeastRows)};

@@ -12,8 +12,8 @@ namespace handway::gui {
 namespace {
 
 // Points of a timed stage, one for each frame. A film doesn't wait longer than a minute.
-planning::Trajectory shown_points(const planning::TaskStage& stage,
-                                  planning::Trajectory trajectory, double period) {
+planning::Trajectory shown_points(const planning::TaskStage& stage, planning::Trajectory trajectory,
+                                  double period) {
   constexpr double kLongestShownWait = 60.0;  // s
   if (stage.kind == planning::StageKind::kWait) {
     trajectory.points.back().time = std::min(trajectory.points.back().time, kLongestShownWait);

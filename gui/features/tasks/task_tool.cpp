@@ -283,9 +283,9 @@ void TaskTool::add_links(StepNames& names) const {
   if (document_.palm() > 0) {
     goal.link = model.link(document_.palm()).name;
   }
-  goal.X_WG = geometric::link_pose(*document_.scene(), document_.configuration(), robot.name,
-                                   goal.link)
-                  .value_or(geometric::Pose::Identity());
+  goal.X_WG =
+      geometric::link_pose(*document_.scene(), document_.configuration(), robot.name, goal.link)
+          .value_or(geometric::Pose::Identity());
 }
 
 void TaskTool::change_steps(const std::vector<geometric::ProgramStep>& steps, const QString& what) {

@@ -234,9 +234,9 @@ std::string unset_outputs(const Motion& motion) {
   for (const geometric::OutputStep& output : outputs_of(motion)) {
     names.push_back(fmt::format("{} to {}", output.name, value_text(output)));
   }
-  return names.empty() ? std::string()
-                       : fmt::format("The devices do not set these outputs: {}.",
-                                     fmt::join(names, ", "));
+  return names.empty()
+             ? std::string()
+             : fmt::format("The devices do not set these outputs: {}.", fmt::join(names, ", "));
 }
 
 double duration_of(std::span<const MotionPart> parts) {
@@ -261,8 +261,8 @@ MotionOutcome run_parts(std::vector<MotionTarget>& targets, const std::vector<Mo
     PartObserver of_part(observer, begin, duration, all.errors);
     const MotionOutcome outcome =
         parts[i].rests ? run_rest(targets, parts[i], tolerances, requests, of_part)
-        : i == 0 ? run_part(targets, parts[i], tolerances, requests, of_part)
-               : run_later_part(targets, parts[i], tolerances, requests, of_part);
+        : i == 0       ? run_part(targets, parts[i], tolerances, requests, of_part)
+                       : run_later_part(targets, parts[i], tolerances, requests, of_part);
     append(outcome, begin, all);
     if (!outcome.done) {
       break;

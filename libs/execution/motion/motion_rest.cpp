@@ -76,8 +76,8 @@ class Rest {
     if (!requests_.watch) {
       return;
     }
-    const SceneVerdict verdict = requests_.watch->look(
-        outcome_.time, with_measured(requests_.watch->start(), targets_));
+    const SceneVerdict verdict =
+        requests_.watch->look(outcome_.time, with_measured(requests_.watch->start(), targets_));
     if (verdict.state != SceneVerdict::State::kBlocked) {
       reason_.clear();
       return;
@@ -111,10 +111,9 @@ class Rest {
     Eigen::Index joint = 0;
     if (errors.size() > 0 && errors.maxCoeff(&joint) > tolerances_[target].following) {
       const device::TrajectoryClient& link = *targets_[target].link;
-      outcome_.fault = fmt::format("{}: joint {} is {:.4f} rad from where it has to wait.",
-                                   link.name(),
-                                   link.joints().names[static_cast<std::size_t>(joint)],
-                                   errors[joint]);
+      outcome_.fault =
+          fmt::format("{}: joint {} is {:.4f} rad from where it has to wait.", link.name(),
+                      link.joints().names[static_cast<std::size_t>(joint)], errors[joint]);
     }
   }
 

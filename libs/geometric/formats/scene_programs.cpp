@@ -22,8 +22,7 @@ class StepReader {
       : scene_(scene), warnings_(warnings) {}
 
   [[nodiscard]] ProgramStep read(const YamlElement& element) const {
-    element.allow_keys(
-        {"pick", "place", "move", "line", "wait", "output", "first_of", "disabled"});
+    element.allow_keys({"pick", "place", "move", "line", "wait", "output", "first_of", "disabled"});
     auto entries = element.entries();
     std::erase_if(entries, [](const auto& entry) { return entry.first == "disabled"; });
     if (entries.size() != 1) {
@@ -151,8 +150,7 @@ class StepReader {
   static WaitStep wait_of(const YamlElement& element) {
     const WaitStep wait{element.number()};
     if (!(wait.duration > 0.0 && wait.duration <= kLongestWait)) {
-      element.refuse(element.found(),
-                     fmt::format("a time above 0, up to {:g} s", kLongestWait));
+      element.refuse(element.found(), fmt::format("a time above 0, up to {:g} s", kLongestWait));
     }
     return wait;
   }

@@ -274,15 +274,12 @@ std::string to_string(const TaskStep& step) {
       step);
 }
 
-bool is_at_rest(StageKind kind) {
-  return kind == StageKind::kWait || kind == StageKind::kOutput;
-}
+bool is_at_rest(StageKind kind) { return kind == StageKind::kWait || kind == StageKind::kOutput; }
 
 TimedPath time_stage(const TaskStage& stage, const std::string& name,
                      const TimingOptions& options) {
-  TimedPath timed =
-      time_path(make_problem(stage.state.scene, stage.state.basis, {options.stop}), stage.path,
-                name, options);
+  TimedPath timed = time_path(make_problem(stage.state.scene, stage.state.basis, {options.stop}),
+                              stage.path, name, options);
   if (is_at_rest(stage.kind) && timed.cleared()) {
     rest_for(stage.rest, options.period, timed);
   }

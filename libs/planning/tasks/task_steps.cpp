@@ -168,8 +168,7 @@ void check_steps(const geometric::Scene& scene, const Task& task) {
     throw geometric::InputError({source_of(scene), "robots", "none", "a robot", ""});
   }
   if (task.empty()) {
-    throw geometric::InputError(
-        {"task", "", "no steps", "at least one that is not disabled", ""});
+    throw geometric::InputError({"task", "", "no steps", "at least one that is not disabled", ""});
   }
   static_cast<void>(StepCheck(scene, task).carried_after(steps_of(task), ""));
 }

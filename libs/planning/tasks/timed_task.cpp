@@ -182,10 +182,11 @@ TimedPath whole_task(const TimedTask& task) {
   }
   whole.preflight.duration = begin;
   if (task.cleared()) {
-    whole.blends.stops += static_cast<int>(std::ranges::count_if(
-                              task.motion.stages,
-                              [](const MotionStage& stage) { return !stage.waits && !stage.output; })) -
-                          1;
+    whole.blends.stops +=
+        static_cast<int>(std::ranges::count_if(
+            task.motion.stages,
+            [](const MotionStage& stage) { return !stage.waits && !stage.output; })) -
+        1;
     whole.blends.stops = std::max(0, whole.blends.stops);
     whole.blends.path.emplace(task.motion.path,
                               std::vector<double>(task.motion.path.waypoints.size(), 0.0));

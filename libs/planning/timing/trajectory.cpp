@@ -84,11 +84,9 @@ Trajectory with_rests_sampled(const Trajectory& trajectory, double period) {
   for (const TrajectoryPoint& point : trajectory.points) {
     if (!sampled.empty()) {
       const double begin = sampled.points.back().time;
-      const auto steps =
-          static_cast<long>(std::ceil((point.time - begin) / period - kRounding));
+      const auto steps = static_cast<long>(std::ceil((point.time - begin) / period - kRounding));
       for (long i = 1; i < steps; ++i) {
-        sampled.points.push_back(
-            at_rest(begin + static_cast<double>(i) * period, point.position));
+        sampled.points.push_back(at_rest(begin + static_cast<double>(i) * period, point.position));
       }
     }
     sampled.points.push_back(point);

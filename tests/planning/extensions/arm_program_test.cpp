@@ -74,8 +74,8 @@ TEST(ArmInstructions, SetAnOutputForTheHand) {
 }
 
 TEST(ArmInstructions, SetOutputsAndRest) {
-  const auto instructions =
-      arm_instructions(test::with_outputs_and_wait(test::with_stages(motion()), {{"do3"}}, 2.0), {});
+  const auto instructions = arm_instructions(
+      test::with_outputs_and_wait(test::with_stages(motion()), {{"do3"}}, 2.0), {});
   EXPECT_THAT(words(instructions),
               ElementsAre("stage: approach (pick can)", "move 1", "stage: close (pick can)",
                           "hand: closes, see wave_hand_targets.csv", "wait", "attach: can",

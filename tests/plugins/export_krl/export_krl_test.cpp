@@ -144,9 +144,10 @@ TEST(KrlProgram, SetsOutputsAndWaits) {
   EXPECT_THAT(read.outputs, ElementsAre("4 TRUE", "4 FALSE", "analog 2 0.500000"));
   EXPECT_GE(read.moves.back().pause, 2.5);
   EXPECT_THAT(read.comments, Contains("NOT SET: lamp to true"));
-  EXPECT_THAT(KrlExporter().warnings(staged),
-              ElementsAre(HasSubstr("krl does not set the output lamp to true: KRL sets outputs by"),
-                          HasSubstr("from -1 to 1")));
+  EXPECT_THAT(
+      KrlExporter().warnings(staged),
+      ElementsAre(HasSubstr("krl does not set the output lamp to true: KRL sets outputs by"),
+                  HasSubstr("from -1 to 1")));
 }
 
 TEST(KrlProgram, HasNamesOfAtMost24Characters) {

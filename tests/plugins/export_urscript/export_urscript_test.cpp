@@ -106,16 +106,15 @@ TEST(UrScript, NamesStagesAndDrivesTheHand) {
 }
 
 TEST(UrScript, SetsOutputsAndWaits) {
-  const planning::Motion staged =
-      test::with_outputs_and_wait(test::with_stages(motion()),
-                                  {{"do7", true},
-                                   {"tool 1", false},
-                                   {"Config_out 3", true},
-                                   {"ao1", 0.25},
-                                   {"lamp", true},
-                                   {"do8", true},
-                                   {"ao0", 1.5}},
-                                  2.5);
+  const planning::Motion staged = test::with_outputs_and_wait(test::with_stages(motion()),
+                                                              {{"do7", true},
+                                                               {"tool 1", false},
+                                                               {"Config_out 3", true},
+                                                               {"ao1", 0.25},
+                                                               {"lamp", true},
+                                                               {"do8", true},
+                                                               {"ao0", 1.5}},
+                                                              2.5);
   const test::UrProgram read = program(staged);
   EXPECT_THAT(read.faults, IsEmpty());
   EXPECT_THAT(read.outputs,
@@ -129,8 +128,7 @@ TEST(UrScript, SetsOutputsAndWaits) {
 
 TEST(UrScriptServo, SleepsInsteadOfPointsWhileItWaits) {
   const planning::Motion original = test::with_stages(streamed_motion());
-  const planning::Motion staged =
-      test::with_outputs_and_wait(original, {{"do0", true}}, 3600.0);
+  const planning::Motion staged = test::with_outputs_and_wait(original, {{"do0", true}}, 3600.0);
   const test::UrProgram read = stream(staged);
   EXPECT_THAT(read.faults, IsEmpty());
   EXPECT_NEAR(read.slept, 3600.0, 1e-5);

@@ -222,10 +222,10 @@ TEST(Val3Application, SetsOutputsAndWaits) {
   std::set<std::string> known = application.variables();
   known.insert({"l_i", "l_jHere"});
   EXPECT_THAT(test::val3_faults(code, known), IsEmpty());
-  EXPECT_THAT(code, AllOf(HasSubstr("  waitEndMove()\n  dOutput[0]=true\n"),
-                          HasSubstr("dOutput[1]=true\n"), HasSubstr("dOutput[0]=false\n"),
-                          HasSubstr("  aioSet(aOutput[0],2.500000)\n"),
-                          HasSubstr("  // NOT SET: lamp to true\n")));
+  EXPECT_THAT(
+      code, AllOf(HasSubstr("  waitEndMove()\n  dOutput[0]=true\n"), HasSubstr("dOutput[1]=true\n"),
+                  HasSubstr("dOutput[0]=false\n"), HasSubstr("  aioSet(aOutput[0],2.500000)\n"),
+                  HasSubstr("  // NOT SET: lamp to true\n")));
   std::vector<std::string> links;
   for (const char* name : {"dOutput", "aOutput"}) {
     EXPECT_EQ(application.data(name).attribute("size").as_uint(), application.values(name).size());

@@ -66,7 +66,7 @@ struct WaitStep {
 
 /// A step that sets an output of the robot's controller. Nothing moves.
 struct OutputStep {
-  std::string name;                        ///< Of the output, as the controller has it: "do3".
+  std::string name;                         ///< Of the output, as the controller has it: "do3".
   std::variant<bool, double> value = true;  ///< Of a digital or of another output.
 };
 

@@ -154,7 +154,8 @@ struct TaskPlan {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_at_rest(StageKind kind);
 
 /// Times the path of a stage in the scene of the stage. The trajectory of a StageKind::kWait has
-/// the two points of its ends, a whole number of periods apart, that of a StageKind::kOutput has one.
+/// the two points of its ends, a whole number of periods apart, that of a StageKind::kOutput has
+/// one.
 /// @param name of the motion, see Motion::name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimedPath time_stage(const TaskStage& stage,
                                                            const std::string& name,
