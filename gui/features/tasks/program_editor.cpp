@@ -19,6 +19,18 @@ namespace {
 
 using geometric::ProgramStep;
 
+/// The fields of a step, which scroll in a small view.
+class FieldsArea final : public PanelArea {
+ public:
+  using PanelArea::PanelArea;
+
+  /// Has the height of two rows, or of the fields if that is less.
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    constexpr int kTwoRows = 64;  // px
+    return {PanelArea::minimumSizeHint().width(), std::min(sizeHint().height(), scaled(kTwoRows))};
+  }
+};
+
 QToolButton* make_button(const char* name, const char* icon_name, const QString& tip) {
   auto* button = named(name, new QToolButton);
   button->setAutoRaise(true);
@@ -71,7 +83,7 @@ ProgramEditor::ProgramEditor(QWidget* parent)
     steps[static_cast<std::size_t>(row())] = step;
     take(std::move(steps), row(), tr("Change step"));
   });
-  auto* area = new PanelArea(fields_);  // scrolls in a small view
+  auto* area = new FieldsArea(fields_);
   lay_out(*this, in_column({list_,
                             in_row({add_, up_, down_, duplicate_, disable_, remove_, room(1)}, 2),
                             {area, 1}},

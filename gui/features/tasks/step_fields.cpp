@@ -6,6 +6,7 @@
 #include "widgets/forms/parameter_form.h"
 #include "widgets/forms/pose_form.h"
 #include "widgets/forms/quantity_field.h"
+#include "widgets/style/theme.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -26,6 +27,7 @@ using geometric::PostureStep;
 using geometric::WaitStep;
 
 constexpr double kLargestOutput = 1e6;  // as in files
+constexpr int kLengthWidth = 90;        // px, of two fields beside each other in a card
 
 /// Rows of the list of values of an output.
 enum OutputRow { kOn, kOff, kNumber };
@@ -82,6 +84,9 @@ StepFields::StepFields(QWidget* parent)
   }
   first_->setToolTip(tr("Length of the straight motion; less where that is blocked"));
   second_->setToolTip(first_->toolTip());
+  for (QuantityField* field : {first_, second_}) {
+    field->setMinimumWidth(scaled(kLengthWidth));
+  }
   duration_->setSuffix(tr(" s"));
   output_name_->setToolTip(tr("Name of the output, as the controller has it"));
   output_value_->addItems({tr("On"), tr("Off"), tr("Number")});
@@ -106,7 +111,7 @@ StepFields::StepFields(QWidget* parent)
            in_row({label_for(output_value_, tr("Value")), {output_value_, 1}, {output_number_, 1}},
                   8)},
           5));
-  lay_out(*this, in_column({named_, framed_, lengths_, pose_, line_, wait_, output_}, 5));
+  lay_out(*this, in_column({named_, framed_, lengths_, pose_, line_, wait_, output_, room(1)}, 5));
   connect_fields();
 }
 

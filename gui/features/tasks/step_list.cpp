@@ -34,6 +34,7 @@ StepList::StepList(QWidget* parent) : QTreeWidget(parent) {
 
 void StepList::show_steps(const std::vector<geometric::ProgramStep>& steps, int selected) {
   const QSignalBlocker quiet(this);
+  ensurePolished();  // the style sheet has a say in the height of rows
   clear();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const QString words = words_of(steps[i]);
@@ -55,6 +56,11 @@ void StepList::show_steps(const std::vector<geometric::ProgramStep>& steps, int 
 
 int StepList::height_of(int rows) const {
   return std::min(rows, topLevelItemCount()) * std::max(0, sizeHintForRow(0)) + 2;
+}
+
+void StepList::resizeEvent(QResizeEvent* event) {
+  QTreeWidget::resizeEvent(event);
+  scrollTo(currentIndex());
 }
 
 QSize StepList::sizeHint() const { return {QTreeWidget::sizeHint().width(), height_of(kMostRows)}; }

@@ -34,6 +34,10 @@ class StepList : public QTreeWidget {
   /// A user has dragged the step of a row to another place. @param to its row there.
   void step_dragged(int from, int to);
 
+ protected:
+  /// Keeps the selected step in sight.
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   /// Height of this many rows, or of all if there are fewer, px.
   [[nodiscard]] int height_of(int rows) const;
