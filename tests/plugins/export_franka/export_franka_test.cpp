@@ -81,7 +81,8 @@ TEST(FrankaExporter, WritesTheSameAsJsonWithTheLimits) {
 }
 
 TEST(FrankaExporter, RepeatsThePointWhileAProgramWaits) {
-  const planning::Motion original = motion();
+  planning::Motion original = motion();
+  original.stages = {{.name = "move", .step = "move to home"}};
   const planning::Motion waiting =
       test::with_outputs_and_wait(original, {{"lamp", true}, {"level", 0.5}}, 0.25);
   const auto files = FrankaExporter().files(waiting);
@@ -91,9 +92,9 @@ TEST(FrankaExporter, RepeatsThePointWhileAProgramWaits) {
   EXPECT_NEAR(table.back()[0] - table[table.size() - 2][0], 1e-3, 1e-9);
   EXPECT_EQ(table.back()[1], table[table.size() - 250][1]);
   const auto stages = nlohmann::json::parse(files[1].content)["stages"];
-  EXPECT_EQ(stages[0]["output"]["name"], "lamp");
-  EXPECT_EQ(stages[0]["output"]["value"], true);
-  EXPECT_EQ(stages[1]["output"]["value"], 0.5);
+  EXPECT_EQ(stages[1]["output"]["name"], "lamp");
+  EXPECT_EQ(stages[1]["output"]["value"], true);
+  EXPECT_EQ(stages[2]["output"]["value"], 0.5);
   EXPECT_THAT(FrankaExporter().warnings(waiting), SizeIs(2));
 }
 
