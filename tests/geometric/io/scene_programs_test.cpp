@@ -162,7 +162,7 @@ TEST(ScenePrograms, RefuseWhatIsNoStep) {
   EXPECT_THAT(refusal("  - wait: 0\n"), HasSubstr("a time above 0, up to 86400 s"));
   EXPECT_THAT(refusal("  - wait: 86401\n"), HasSubstr("a time above 0, up to 86400 s"));
   EXPECT_THAT(refusal("  - wait: long\n"), HasSubstr("a finite number"));
-  EXPECT_THAT(refusal("  - output: do3\n"), HasSubstr("a map"));
+  EXPECT_THAT(refusal("  - output: do3\n"), HasSubstr("keys and values"));
   EXPECT_THAT(refusal("  - output: {name: do3}\n"), HasSubstr("value"));
   EXPECT_THAT(refusal("  - output: {name: do3, value: maybe}\n"),
               HasSubstr("true, false or a number"));
