@@ -355,6 +355,27 @@ TEST_F(PickAndPlaceWithPlugins, ExportsTheWholeTask) {
   }
 }
 
+TEST_F(PickAndPlaceWithPlugins, WarnsOfOutputsThatAFormatCantSet) {
+  part<QMenu>("programs").actions().back()->trigger();
+  add_step("Set an output");
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved) << tool<gui::TaskTool>().plan().reason;
+  click("task_export");
+  auto* dialog = window().findChild<gui::ExportDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  const auto says = [&](const char* text) {
+    return std::ranges::any_of(dialog->findChildren<QLabel*>(), [&](const QLabel* label) {
+      return label->text().contains(QLatin1String(text));
+    });
+  };
+  dialog->choose_format("csv");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return says("csv does not set the output do1 to true"); },
+                              kPatienceMs));
+  dialog->choose_format("val3");
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return says("The motion takes") && !says("does not set the output"); }, kPatienceMs));
+}
+
 TEST_F(PickAndPlaceWithPlugins, SimulatesWhetherTheHandHoldsTheObject) {
   plan();
   ASSERT_TRUE(tool<gui::TaskTool>().plan().solved);
