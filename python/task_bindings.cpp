@@ -12,10 +12,12 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace py = pybind11;
@@ -109,6 +111,35 @@ planning::LineStep line_from(const py::dict& step) {
   return line;
 }
 
+planning::WaitStep wait_from(const py::dict& step) {
+  allow_keys(step, {"wait"});
+  const planning::WaitStep wait{step["wait"].cast<double>()};
+  if (!(wait.duration > 0.0 && wait.duration <= geometric::kLongestWait)) {
+    throw InputError({"steps", "wait", fmt::format("{}", wait.duration),
+                      fmt::format("a time above 0, up to {:g} s", geometric::kLongestWait), ""});
+  }
+  return wait;
+}
+
+planning::OutputStep output_from(const py::dict& step) {
+  allow_keys(step, {"output", "value"});
+  planning::OutputStep output{step["output"].cast<std::string>()};
+  if (output.name.empty() || !step.contains("value")) {
+    throw InputError({"steps", "output", output.name.empty() ? "an empty name" : "no value",
+                      "the name of an output, and its \"value\": a bool or a number", ""});
+  }
+  const py::object value = step["value"];
+  if (py::isinstance<py::bool_>(value)) {
+    output.value = value.cast<bool>();
+    return output;
+  }
+  output.value = value.cast<double>();
+  if (!std::isfinite(std::get<double>(output.value))) {
+    throw InputError({"steps", "value", value_text(output), "a bool or a finite number", ""});
+  }
+  return output;
+}
+
 void append_steps(const SceneModel& scene, const py::object& steps, planning::Task& task);
 
 void append_alternatives(const SceneModel& scene, const py::dict& step, planning::Task& task) {
@@ -116,20 +147,29 @@ void append_alternatives(const SceneModel& scene, const py::dict& step, planning
   const std::size_t index = task.size();
   task.emplace_back(planning::FirstOfStep{});
   planning::FirstOfStep first_of;
+  int lists = 0;
   for (const py::object& steps : step["first_of"].cast<std::vector<py::object>>()) {
     const std::size_t begin = task.size();
     append_steps(scene, steps, task);
-    first_of.lengths.push_back(task.size() - begin);
-    if (task.size() == begin) {
+    if (py::len(steps) == 0) {
       throw InputError({"steps", "first_of", "an empty list", "lists with at least one step", ""});
     }
-    first_of.words += (first_of.words.empty() ? "" : " or ") + to_string(task[begin]);
+    ++lists;
+    if (task.size() == begin) {
+      continue;  // all of its steps are disabled
+    }
+    first_of.lengths.push_back(task.size() - begin);
+    first_of.words.append(first_of.words.empty() ? "" : " or ").append(to_string(task[begin]));
   }
-  if (first_of.lengths.size() < 2) {
-    throw InputError({"steps", "first_of", fmt::format("{} lists", first_of.lengths.size()),
-                      "at least two lists of steps", ""});
+  if (lists < 2) {
+    throw InputError(
+        {"steps", "first_of", fmt::format("{} lists", lists), "at least two lists of steps", ""});
   }
-  task[index] = std::move(first_of);
+  if (first_of.lengths.empty()) {
+    task.pop_back();
+  } else {
+    task[index] = std::move(first_of);
+  }
 }
 
 void append_step(const SceneModel& scene, const py::dict& step, planning::Task& task) {
@@ -143,20 +183,32 @@ void append_step(const SceneModel& scene, const py::dict& step, planning::Task& 
     task.emplace_back(place_from(step));
   } else if (step.contains("line")) {
     task.emplace_back(line_from(step));
+  } else if (step.contains("wait")) {
+    task.emplace_back(wait_from(step));
+  } else if (step.contains("output")) {
+    task.emplace_back(output_from(step));
   } else if (step.contains("first_of")) {
     append_alternatives(scene, step, task);
   } else if (step.contains("move")) {
     task.push_back(move_from(scene, step));
   } else {
-    allow_keys(step, {"pick", "place", "move", "line", "first_of"});
+    allow_keys(step, {"pick", "place", "move", "line", "wait", "output", "first_of"});
     throw InputError({"steps", "", "an empty dict",
-                      "a dict with the key pick, place, move, line or first_of", ""});
+                      "a dict with the key pick, place, move, line, wait, output or first_of", ""});
   }
 }
 
 void append_steps(const SceneModel& scene, const py::object& steps, planning::Task& task) {
   for (const py::dict& step : steps.cast<std::vector<py::dict>>()) {
-    append_step(scene, step, task);
+    if (!step.contains("disabled")) {
+      append_step(scene, step, task);
+      continue;
+    }
+    const bool disabled = step["disabled"].cast<bool>();
+    py::dict rest(step.attr("copy")());
+    rest.attr("pop")("disabled");
+    planning::Task one;  // also a disabled step has to be one
+    append_step(scene, rest, disabled ? one : task);
   }
 }
 
@@ -209,7 +261,8 @@ void bind_stage(py::module_& module) {
   py::class_<TaskStage>(module, "TaskStage", "Stage of a planned task: a path in its own scene.")
       .def_property_readonly(
           "kind", [](const TaskStage& stage) { return to_string(stage.kind); },
-          "Kind: approach, reach, close, lift, carry, lower, open, retreat, move or line.")
+          "Kind: approach, reach, close, lift, carry, lower, open, retreat, move, line, wait or\n"
+          "output.")
       .def_readonly("step", &TaskStage::step, "Index of the step that it belongs to.")
       .def_property_readonly("scene", &scene_of,
                              "Scene of the stage: what the hand carries is attached, and the\n"
@@ -223,6 +276,7 @@ void bind_stage(py::module_& module) {
       .def_readonly("carried", &TaskStage::carried, "Object in the hand; empty: none.")
       .def_readonly("deviation", &TaskStage::deviation,
                     "Bound of the palm's distance from the straight line, m; 0 of other stages.")
+      .def_readonly("rest", &TaskStage::rest, "Time of a stage wait, s; 0 of other stages.")
       .def_property_readonly(
           "squeezed",
           [](const TaskStage& stage) {
@@ -264,8 +318,10 @@ void bind_tasks(py::module_& module) {
        "a\n"
        "configuration [variables], or a PoseGoal, with in, the object or frame to which its pose\n"
        "is relative), line (a vector, m, by which the palm moves; with in, an object or frame\n"
-       "along whose axes, or \"palm\") and first_of (lists of steps, of which the first that is\n"
-       "possible is done); or the name of a program of the scene, \"\" for its only one.\n"
+       "along whose axes, or \"palm\"), wait (a time, s), output (the name of an output of the\n"
+       "controller; with value, a bool or a number) and first_of (lists of steps, of which the\n"
+       "first that is possible is done); or the name of a program of the scene, \"\" for its only\n"
+       "one. Steps with disabled=True are left out.\n"
        "seed: seed of all random choices.\n" +
        keywords_text(keywords_of(usual)) +
        "\nReturns a TaskPlan. Raises InputError for steps that can't follow each other and for\n"

@@ -105,6 +105,10 @@ Episode make_episode(const LoadedTask& loaded, const TaskRequest& request,
   planning::TimingOptions stoppable = timing;
   stoppable.stop = stop;
   episode.timed = time_task(loaded.task, episode.plan, "episode", stoppable);
+  if (episode.timed.cleared()) {
+    planning::Trajectory& trajectory = episode.timed.motion.trajectory;
+    trajectory = with_rests_sampled(trajectory, timing.period);
+  }
   const auto fault = std::ranges::find_if_not(episode.timed.stages, &planning::TimedPath::cleared);
   if (fault != episode.timed.stages.end()) {
     episode.reason =

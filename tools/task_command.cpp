@@ -33,6 +33,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace handway::tools {
@@ -119,6 +120,10 @@ Json json_of(const PlannedTask& planned, std::size_t index) {
                {"closest_pair", checked.closest_pair}};
   if (stage.squeezed.size() > 0) {
     json["squeeze"] = list_of(stage.squeezed);
+  }
+  if (const auto* output = std::get_if<planning::OutputStep>(&planned.task[stage.step])) {
+    json["output"] = {{"name", output->name}};
+    std::visit([&](auto value) { json["output"]["value"] = value; }, output->value);
   }
   return json;
 }
@@ -240,6 +245,9 @@ class TaskExport {
         }
       }
       add(exporter->files(timed_for.timed.motion, command_.export_options));
+      for (const std::string& warning : exporter->warnings(timed_for.timed.motion)) {
+        print_error("warning: {}\n", warning);
+      }
     }
     return true;
   }
@@ -282,6 +290,9 @@ int send(const TaskCommand& command, PlannedTask planned, std::stop_source& stop
     return kNoPath;
   }
   print_out("{}", to_text(whole_task(planned.timed).preflight));
+  if (const std::string unset = execution::unset_outputs(planned.timed.motion); !unset.empty()) {
+    print_error("warning: {}\n", unset);
+  }
   std::vector<planning::SceneState> scenes;
   std::ranges::transform(planned.plan.stages, std::back_inserter(scenes), &TaskStage::state);
   Sending sending{.parts = execution::parts_of(planned.timed.motion, scenes),

@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <utility>
+#include <variant>
 
 namespace handway::export_franka {
 namespace {
@@ -133,10 +135,15 @@ Json rows(const planning::Motion& motion, const Eigen::VectorXd TrajectoryPoint:
 Json stages(const planning::Motion& motion) {
   Json all = Json::array();
   for (const planning::MotionStage& stage : motion.stages) {
-    all.push_back({{"stage", stage.name},
-                   {"step", stage.step},
-                   {"time_s", motion.waypoint_times[stage.first]},
-                   {"object", stage.object}});
+    Json one = {{"stage", stage.name},
+                {"step", stage.step},
+                {"time_s", motion.waypoint_times[stage.first]},
+                {"object", stage.object}};
+    if (stage.output) {
+      one["output"] = {{"name", stage.output->name}};
+      std::visit([&](auto value) { one["output"]["value"] = value; }, stage.output->value);
+    }
+    all.push_back(std::move(one));
   }
   return all;
 }
@@ -173,10 +180,15 @@ std::string FrankaExporter::robot_objection(const planning::Motion& motion) cons
                                          : "an arm of Franka: libfranka moves its arms alone";
 }
 
+std::string FrankaExporter::output_objection(const geometric::OutputStep& /*output*/) const {
+  return "only the stages in the JSON file have it";
+}
+
 std::vector<planning::ExportedFile> FrankaExporter::do_export(
     const planning::Motion& timed, const planning::ExportOptions& options) const {
   planning::Motion motion = timed;  // its other timing needs other names of files
   motion.name += "_franka";
+  motion.trajectory = with_rests_sampled(timed.trajectory, kPeriod);
   require_arm(
       motion,
       {.language = "libfranka", .joints = kJoints, .advice = "Arms of Franka have seven joints"});

@@ -39,6 +39,8 @@ class FrankaExporter final : public planning::Exporter {
   [[nodiscard]] double point_period() const override { return 0.001; }
   /// Rejects arms other than Franka's, by the name of the robot, its file or the arm's links.
   [[nodiscard]] std::string robot_objection(const planning::Motion& motion) const override;
+  /// Rejects all outputs: libfranka sets none.
+  [[nodiscard]] std::string output_objection(const geometric::OutputStep& output) const override;
 
  private:
   /// @throws InputError unless the arm has seven revolute joints, and for positions, or velocities,

@@ -25,6 +25,7 @@ using planning::fixed_decimals;
 
 constexpr std::size_t kLongestName = 24;
 constexpr int kMostOutput = 4096;
+constexpr int kMostAnalogOutput = 32;
 constexpr double kStartTolerance = 0.1;  // deg
 constexpr double kRounding = 1e-6;       // s, of a move's duration
 
@@ -65,6 +66,33 @@ std::string ptp(const planning::ArmMove& move, double speed) {
          (rates.pause > 0.0 ? rest(rates.pause) : std::string());
 }
 
+std::string objection(const geometric::OutputStep& output) {
+  const bool is_digital = std::holds_alternative<bool>(output.value);
+  const int most = is_digital ? kMostOutput : kMostAnalogOutput;
+  if (const int number = planning::output_number(output.name).value_or(0);
+      number < 1 || number > most) {
+    return fmt::format("KRL sets {} by their number, 1 to {} at the end of the name",
+                       is_digital ? "outputs" : "analog outputs", most);
+  }
+  if (!is_digital && !(std::abs(std::get<double>(output.value)) <= 1.0)) {
+    return "analog outputs of KRL are from -1 to 1";
+  }
+  return {};
+}
+
+std::string text_of(const planning::ArmOutput& set) {
+  const geometric::OutputStep& output = set.output;
+  if (!objection(output).empty()) {
+    return fmt::format("  ; {}\n", planning::unset_output_comment(output));
+  }
+  const int number = *planning::output_number(output.name);
+  if (const bool* on = std::get_if<bool>(&output.value)) {
+    return fmt::format("  $OUT[{}]={}\n", number, *on ? "TRUE" : "FALSE");
+  }
+  return fmt::format("  $ANOUT[{}]={}\n", number,
+                     fixed_decimals(std::get<double>(output.value), 6));
+}
+
 std::string text_of(const planning::ArmInstruction& instruction, double speed) {
   if (const auto* move = std::get_if<planning::ArmMove>(&instruction)) {
     return ptp(*move, speed);
@@ -74,6 +102,9 @@ std::string text_of(const planning::ArmInstruction& instruction, double speed) {
   }
   if (const auto* output = std::get_if<planning::GripperOutput>(&instruction)) {
     return fmt::format("  $OUT[{}]={}\n", output->number, output->closes ? "TRUE" : "FALSE");
+  }
+  if (const auto* output = std::get_if<planning::ArmOutput>(&instruction)) {
+    return text_of(*output);
   }
   return "  ; " + std::get<planning::ArmComment>(instruction).text + "\n";
 }
@@ -161,6 +192,10 @@ AxisRates axis_rates(const planning::JointMove& move, double speed) {
 std::string KrlExporter::robot_objection(const planning::Motion& motion) const {
   return is_robot_named(motion, kKuka) ? std::string()
                                        : "an arm of KUKA: KRL runs on its KR C controllers alone";
+}
+
+std::string KrlExporter::output_objection(const geometric::OutputStep& output) const {
+  return objection(output);
 }
 
 std::vector<planning::ExportedFile> KrlExporter::do_export(

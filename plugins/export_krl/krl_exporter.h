@@ -35,6 +35,8 @@ class KrlExporter final : public planning::Exporter {
   [[nodiscard]] bool stops_at_waypoints() const override { return true; }
   /// Rejects arms other than KUKA's, by the name of the robot, its file or the arm's links.
   [[nodiscard]] std::string robot_objection(const planning::Motion& motion) const override;
+  /// Rejects outputs without a number of `$OUT` or `$ANOUT` at the end of their names.
+  [[nodiscard]] std::string output_objection(const geometric::OutputStep& output) const override;
 
  private:
   /// @throws InputError unless the arm has six revolute joints, and for a gripper's output that is

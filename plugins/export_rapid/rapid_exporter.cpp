@@ -23,7 +23,8 @@ namespace {
 using planning::fixed_decimals;
 
 constexpr std::size_t kLongestName = 28;  // "run_" comes before it
-constexpr double kStartTolerance = 0.1;   // deg
+constexpr std::size_t kLongestSignal = 32;
+constexpr double kStartTolerance = 0.1;  // deg
 
 // Reserved words (RAPID overview, lexical elements), data types, and names that the module uses.
 constexpr auto kKeywords = std::to_array<std::string_view>(
@@ -55,6 +56,37 @@ std::string comment(const std::string& indent, const std::string& text) {
   return indent + "! " + text + "\n";
 }
 
+// Returns the name of the signal of an output; empty if its name is none. A number N is the signal
+// doN, or aoN of an analog output.
+std::string signal_name(const geometric::OutputStep& output) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string name = output.name;
+  if (std::ranges::all_of(name, is_digit)) {
+    name.insert(0, std::holds_alternative<bool>(output.value) ? "do" : "ao");
+  }
+  std::string lower = name;
+  std::ranges::transform(lower, lower.begin(),
+                         [&](char c) { return is_letter(c) ? static_cast<char>(c | 0x20) : c; });
+  const bool is_name =
+      name.size() <= kLongestSignal && is_letter(name.front()) &&
+      std::ranges::all_of(name, [&](char c) { return is_letter(c) || is_digit(c) || c == '_'; }) &&
+      std::ranges::find(kKeywords, lower) == kKeywords.end();
+  return is_name ? name : std::string();
+}
+
+std::string text_of(const planning::ArmOutput& set) {
+  const geometric::OutputStep& output = set.output;
+  const std::string name = signal_name(output);
+  if (name.empty()) {
+    return comment("    ", planning::unset_output_comment(output));
+  }
+  if (const bool* on = std::get_if<bool>(&output.value)) {
+    return fmt::format("    SetDO {},{};\n", name, *on ? 1 : 0);
+  }
+  return fmt::format("    SetAO {},{};\n", name, fixed_decimals(std::get<double>(output.value), 6));
+}
+
 std::string text_of(const planning::ArmInstruction& instruction) {
   if (const auto* move = std::get_if<planning::ArmMove>(&instruction)) {
     return fmt::format("    MoveAbsJ {}\\NoEOffs,v1000\\T:={},fine,tool0;\n",
@@ -66,6 +98,9 @@ std::string text_of(const planning::ArmInstruction& instruction) {
   }
   if (const auto* output = std::get_if<planning::GripperOutput>(&instruction)) {
     return fmt::format("    SetDO do{},{};\n", output->number, output->closes ? 1 : 0);
+  }
+  if (const auto* output = std::get_if<planning::ArmOutput>(&instruction)) {
+    return text_of(*output);
   }
   return comment("    ", std::get<planning::ArmComment>(instruction).text);
 }
@@ -98,6 +133,15 @@ void check_output(const planning::ExportOptions& options) {
 std::string RapidExporter::robot_objection(const planning::Motion& motion) const {
   return is_robot_named(motion, kAbb) ? std::string()
                                       : "an arm of ABB: RAPID runs on its controller alone";
+}
+
+std::string RapidExporter::output_objection(const geometric::OutputStep& output) const {
+  return signal_name(output).empty()
+             ? fmt::format(
+                   "RAPID sets signals by their names, of up to {} letters, digits and "
+                   "\"_\", the first a letter",
+                   kLongestSignal)
+             : std::string();
 }
 
 std::vector<planning::ExportedFile> RapidExporter::do_export(

@@ -24,6 +24,8 @@ class RapidExporter final : public planning::Exporter {
   [[nodiscard]] bool stops_at_waypoints() const override { return true; }
   /// Rejects arms other than ABB's, by the name of the robot, its file or the arm's links.
   [[nodiscard]] std::string robot_objection(const planning::Motion& motion) const override;
+  /// Rejects names that no signal can have.
+  [[nodiscard]] std::string output_objection(const geometric::OutputStep& output) const override;
 
  private:
   /// The gripper's output N is the signal `doN` of the controller.

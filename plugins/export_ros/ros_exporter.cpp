@@ -13,6 +13,8 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace handway::export_ros {
@@ -68,14 +70,19 @@ Message joint_trajectory(const planning::Motion& motion,
   return {{"header", header(version)}, {"joint_names", names}, {"points", messages}};
 }
 
-/// Returns the stages in their order: the name of each, and its trajectory_msgs/JointTrajectory.
+/// Returns the stages in their order: the name of each, and its trajectory_msgs/JointTrajectory, or
+/// the output that it sets.
 Message stage_sequence(const planning::Motion& motion, RosVersion version) {
   Message sequence = Message::array();
   for (std::size_t i = 0; i < motion.stages.size(); ++i) {
-    sequence.push_back(
-        {{"stage", motion.stages[i].name},
-         {"step", motion.stages[i].step},
-         {"trajectory", joint_trajectory(motion, points_of_stage(motion, i), version)}});
+    Message stage = {{"stage", motion.stages[i].name}, {"step", motion.stages[i].step}};
+    if (const auto& output = motion.stages[i].output) {
+      stage["output"] = {{"name", output->name}};
+      std::visit([&](auto value) { stage["output"]["value"] = value; }, output->value);
+    } else {
+      stage["trajectory"] = joint_trajectory(motion, points_of_stage(motion, i), version);
+    }
+    sequence.push_back(std::move(stage));
   }
   return sequence;
 }
@@ -151,6 +158,10 @@ std::string to_yaml(const Message& message) {
 }
 
 }  // namespace
+
+std::string RosExporter::output_objection(const geometric::OutputStep& /*output*/) const {
+  return "only the files of the stages have it";
+}
 
 std::vector<planning::ExportedFile> RosExporter::do_export(
     const planning::Motion& motion, const planning::ExportOptions& /*options*/) const {

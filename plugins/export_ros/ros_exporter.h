@@ -14,6 +14,8 @@ class RosExporter final : public planning::Exporter {
   [[nodiscard]] std::string description() const override {
     return "trajectory_msgs/JointTrajectory for ROS 1 and 2, as YAML and JSON";
   }
+  /// Rejects all outputs: trajectories have none.
+  [[nodiscard]] std::string output_objection(const geometric::OutputStep& output) const override;
 
  private:
   [[nodiscard]] std::vector<planning::ExportedFile> do_export(

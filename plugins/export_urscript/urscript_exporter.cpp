@@ -136,6 +136,54 @@ std::string text_of(const planning::GripperOutput& output) {
                      output.closes ? "True" : "False");
 }
 
+/// A kind of outputs of the controller: the function that sets one, and its last number.
+struct OutputKind {
+  std::string_view name;
+  std::string_view function;
+  int most = 0;
+};
+
+OutputKind kind_of(const geometric::OutputStep& output) {
+  std::string lower = output.name;
+  std::ranges::transform(lower, lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  if (std::holds_alternative<double>(output.value)) {
+    return {"analog outputs", "set_standard_analog_out", 1};
+  }
+  if (lower.find("tool") != std::string::npos) {
+    return {"outputs of the tool", "set_tool_digital_out", 1};
+  }
+  if (lower.find("conf") != std::string::npos) {
+    return {"configurable outputs", "set_configurable_digital_out", kMostOutput};
+  }
+  return {"outputs", "set_standard_digital_out", kMostOutput};
+}
+
+std::string objection(const geometric::OutputStep& output) {
+  const OutputKind kind = kind_of(output);
+  if (planning::output_number(output.name).value_or(kind.most + 1) > kind.most) {
+    return fmt::format("URScript sets {} by their number, 0 to {} at the end of the name",
+                       kind.name, kind.most);
+  }
+  const double* level = std::get_if<double>(&output.value);
+  if (level && !(*level >= 0.0 && *level <= 1.0)) {
+    return "analog outputs of URScript are from 0 to 1";
+  }
+  return {};
+}
+
+std::string text_of(const planning::ArmOutput& set) {
+  const geometric::OutputStep& output = set.output;
+  if (!objection(output).empty()) {
+    return text_of(planning::ArmComment{planning::unset_output_comment(output)});
+  }
+  const bool* on = std::get_if<bool>(&output.value);
+  return fmt::format(
+      "  {}({}, {})\n", kind_of(output).function, *planning::output_number(output.name),
+      on ? (*on ? "True" : "False") : fixed_decimals(std::get<double>(output.value), 6));
+}
+
 /// Writes the beginning of the function: it ends the program unless the arm is at the first point.
 std::string beginning(const planning::Motion& motion, const std::string& name,
                       const std::vector<std::string>& remarks) {
@@ -176,6 +224,9 @@ class PointStream {
  public:
   explicit PointStream(const planning::Motion& motion) : motion_(motion) {}
 
+  /// Passes the points to the next waypoint, at which the robot rests.
+  void skip_to_next_waypoint() { static_cast<void>(to_next_waypoint()); }
+
   std::string to_next_waypoint() {
     constexpr double kRounding = 1e-9;  // s
     const double end = motion_.waypoint_times[++waypoint_] + kRounding;
@@ -200,6 +251,10 @@ std::string UrScriptExporter::robot_objection(const planning::Motion& motion) co
   return objection(motion);
 }
 
+std::string UrScriptExporter::output_objection(const geometric::OutputStep& output) const {
+  return objection(output);
+}
+
 std::vector<planning::ExportedFile> UrScriptExporter::do_export(
     const planning::Motion& motion, const planning::ExportOptions& options) const {
   check(motion, options);
@@ -214,6 +269,8 @@ std::vector<planning::ExportedFile> UrScriptExporter::do_export(
       text += rest(wait->duration);
     } else if (const auto* output = std::get_if<planning::GripperOutput>(&instruction)) {
       text += text_of(*output);
+    } else if (const auto* set = std::get_if<planning::ArmOutput>(&instruction)) {
+      text += text_of(*set);
     } else {
       text += text_of(std::get<planning::ArmComment>(instruction));
     }
@@ -223,6 +280,10 @@ std::vector<planning::ExportedFile> UrScriptExporter::do_export(
 
 std::string UrScriptServoExporter::robot_objection(const planning::Motion& motion) const {
   return objection(motion);
+}
+
+std::string UrScriptServoExporter::output_objection(const geometric::OutputStep& output) const {
+  return objection(output);
 }
 
 std::vector<planning::ExportedFile> UrScriptServoExporter::do_export(
@@ -237,12 +298,18 @@ std::vector<planning::ExportedFile> UrScriptServoExporter::do_export(
   PointStream points(motion);
   for (const planning::ArmInstruction& instruction : arm_instructions(motion, options)) {
     const auto* wait = std::get_if<planning::ArmWait>(&instruction);
-    if (std::holds_alternative<planning::ArmMove>(instruction) || (wait && wait->is_waypoint)) {
+    if (wait && wait->rests) {
+      points.skip_to_next_waypoint();
+      text += fmt::format("  stopj({:.1f})\n", kBrake) + rest(wait->duration);
+    } else if (std::holds_alternative<planning::ArmMove>(instruction) ||
+               (wait && wait->is_waypoint)) {
       text += points.to_next_waypoint();
     } else if (wait) {
       text += fmt::format("  stopj({:.1f})\n", kBrake) + rest(wait->duration);
     } else if (const auto* output = std::get_if<planning::GripperOutput>(&instruction)) {
       text += text_of(*output);
+    } else if (const auto* set = std::get_if<planning::ArmOutput>(&instruction)) {
+      text += text_of(*set);
     } else {
       text += text_of(std::get<planning::ArmComment>(instruction));
     }

@@ -25,6 +25,8 @@ class UrScriptExporter final : public planning::Exporter {
   /// Rejects arms other than those of Universal Robots, by the name of the robot, its file or the
   /// arm's links.
   [[nodiscard]] std::string robot_objection(const planning::Motion& motion) const override;
+  /// Rejects outputs without a number of the controller at the end of their names.
+  [[nodiscard]] std::string output_objection(const geometric::OutputStep& output) const override;
 
  private:
   /// @throws InputError unless the arm has six revolute joints within ±363°, and for a gripper's
@@ -45,6 +47,8 @@ class UrScriptServoExporter final : public planning::Exporter {
   [[nodiscard]] double point_period() const override { return 0.008; }
   /// Rejects the same arms as UrScriptExporter.
   [[nodiscard]] std::string robot_objection(const planning::Motion& motion) const override;
+  /// Rejects the same outputs as UrScriptExporter.
+  [[nodiscard]] std::string output_objection(const geometric::OutputStep& output) const override;
 
  private:
   /// @throws InputError as UrScriptExporter does.

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -132,10 +133,79 @@ std::string project_file(const std::string& name) {
   return text_of(document);
 }
 
+/// The outputs that a program sets, as arrays of variables that are linked to the controller's.
+class LinkedOutputs {
+ public:
+  explicit LinkedOutputs(const planning::Motion& motion) {
+    for (const geometric::OutputStep& output : outputs_of(motion)) {
+      std::vector<std::string>& links = links_of(output);
+      const std::string link = link_of(output);
+      if (!link.empty() && std::ranges::count(links, link) == 0) {
+        links.push_back(link);
+      }
+    }
+  }
+
+  /// Returns the controller's name of an output: its own, or output N of the first basic board.
+  /// Empty if it has none.
+  static std::string link_of(const geometric::OutputStep& output) {
+    constexpr int kMostOutput = 15;
+    if (output.name.find('\\') != std::string::npos) {
+      return output.name;
+    }
+    const std::optional<int> number = planning::output_number(output.name);
+    return number && *number <= kMostOutput && is_digital(output)
+               ? fmt::format("BasicIO-1\\%Q{}", *number)
+               : std::string();
+  }
+
+  /// Adds the arrays `dOutput` and `aOutput`, if there are outputs of their kind.
+  void add_to(pugi::xml_node all) const {
+    add_array(all, "dOutput", "dio", digital_);
+    add_array(all, "aOutput", "aio", analog_);
+  }
+
+  /// Returns the code that sets an output.
+  [[nodiscard]] std::string code(const geometric::OutputStep& output) const {
+    const std::string link = link_of(output);
+    if (link.empty()) {
+      return fmt::format("  // {}\n", planning::unset_output_comment(output));
+    }
+    const std::vector<std::string>& links = is_digital(output) ? digital_ : analog_;
+    const auto index = std::ranges::find(links, link) - links.begin();
+    const std::string set =
+        is_digital(output)
+            ? fmt::format("dOutput[{}]={}", index, value_text(output))
+            : fmt::format("aioSet(aOutput[{}],{})", index, number(std::get<double>(output.value)));
+    return fmt::format("  waitEndMove()\n  {}\n", set);
+  }
+
+ private:
+  static bool is_digital(const geometric::OutputStep& output) {
+    return std::holds_alternative<bool>(output.value);
+  }
+  std::vector<std::string>& links_of(const geometric::OutputStep& output) {
+    return is_digital(output) ? digital_ : analog_;
+  }
+  static void add_array(pugi::xml_node all, const char* name, const char* type,
+                        const std::vector<std::string>& links) {
+    if (links.empty()) {
+      return;
+    }
+    pugi::xml_node array = add_data(all, name, type, links.size());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      add(array, "Value", {{"key", std::to_string(i)}, {"link", links[i]}});
+    }
+  }
+
+  std::vector<std::string> digital_;
+  std::vector<std::string> analog_;
+};
+
 /// Writes NAME.dtx: `jPath` (deg), `mMove`, `nPause` (s), one of each for every point, `nPoints`,
-/// `nTolerance` (deg) and `tHand`. No move blends into the next.
+/// `nTolerance` (deg), `tHand` and the outputs. No move blends into the next.
 /// @param valve of the tool, 1 or 2.
-std::string data_file(const std::vector<ArmMove>& moves, int valve) {
+std::string data_file(const std::vector<ArmMove>& moves, int valve, const LinkedOutputs& outputs) {
   pugi::xml_document document;
   pugi::xml_node all =
       add(add(document.root(), "Database",
@@ -173,6 +243,7 @@ std::string data_file(const std::vector<ArmMove>& moves, int valve) {
       {{"key", "0"},
        {"fatherId", "flange[0]"},
        {"ioLink", fmt::format("ValveIO\\valve{}", valve)}});
+  outputs.add_to(all);
   return text_of(document);
 }
 
@@ -209,8 +280,9 @@ void add_loop(std::size_t first, std::size_t last, std::string& code) {
 }
 
 /// Writes the instructions as loops over the points, and between these the comments, waits that no
-/// point has, and the tool.
-std::string moves_code(const std::vector<planning::ArmInstruction>& instructions) {
+/// point has, the tool and outputs.
+std::string moves_code(const std::vector<planning::ArmInstruction>& instructions,
+                       const LinkedOutputs& outputs) {
   std::string code;
   std::size_t first = 1;  // point that no loop has yet
   std::size_t next = 1;
@@ -233,6 +305,9 @@ std::string moves_code(const std::vector<planning::ArmInstruction>& instructions
     } else if (const auto* output = std::get_if<planning::GripperOutput>(&instruction)) {
       end_loop();
       code += output->closes ? "  close(tHand)\n" : "  open(tHand)\n";
+    } else if (const auto* set = std::get_if<planning::ArmOutput>(&instruction)) {
+      end_loop();
+      code += outputs.code(set->output);
     } else {
       end_loop();
       code += "  // " + std::get<planning::ArmComment>(instruction).text + "\n";
@@ -244,7 +319,8 @@ std::string moves_code(const std::vector<planning::ArmInstruction>& instructions
 
 /// Writes runPath.pgx: refuses to run unless the arm is at the first point and all points are in
 /// range; then goes from point to point.
-std::string run_path_program(const std::vector<planning::ArmInstruction>& instructions) {
+std::string run_path_program(const std::vector<planning::ArmInstruction>& instructions,
+                             const LinkedOutputs& outputs) {
   return program("runPath", {{"l_i", "num"}, {"l_jHere", "jointRx"}},
                  R"(begin
   l_jHere=herej()
@@ -258,7 +334,7 @@ std::string run_path_program(const std::vector<planning::ArmInstruction>& instru
       return
     endIf
   endFor
-)" + moves_code(instructions) +
+)" + moves_code(instructions, outputs) +
                      R"(  waitEndMove()
 end)");
 }
@@ -283,13 +359,22 @@ std::string Val3Exporter::robot_objection(const planning::Motion& motion) const 
                                           : "a Stäubli arm: VAL3 runs on its controller alone";
 }
 
+std::string Val3Exporter::output_objection(const geometric::OutputStep& output) const {
+  return LinkedOutputs::link_of(output).empty()
+             ? std::string(
+                   R"(VAL3 sets outputs by their links, such as "BasicIO-1\%Q3", or digital )"
+                   "ones by a number up to 15 at the end of the name")
+             : std::string();
+}
+
 std::vector<planning::ExportedFile> Val3Exporter::do_export(
     const planning::Motion& motion, const planning::ExportOptions& options) const {
   const std::vector<ArmMove> moves = arm_moves(motion);
+  const LinkedOutputs outputs(motion);
   const std::filesystem::path folder = motion.name;
   std::vector<planning::ExportedFile> files = {
-      {folder / (motion.name + ".dtx"), data_file(moves, valve_of(options))},
-      {folder / "runPath.pgx", run_path_program(arm_instructions(motion, options))},
+      {folder / (motion.name + ".dtx"), data_file(moves, valve_of(options), outputs)},
+      {folder / "runPath.pgx", run_path_program(arm_instructions(motion, options), outputs)},
       {folder / "start.pgx", start_program()},
       {folder / "stop.pgx", stop_program()},
       {folder / (motion.name + ".pjx"), project_file(motion.name)}};

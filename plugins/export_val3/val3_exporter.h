@@ -37,6 +37,8 @@ class Val3Exporter final : public planning::Exporter {
   /// Rejects arms other than Staeubli's, by the name of the robot, its file or the arm's links:
   /// VAL3's joint points are angles of the controller's own arm.
   [[nodiscard]] std::string robot_objection(const planning::Motion& motion) const override;
+  /// Rejects outputs that are neither linked nor of the first basic board.
+  [[nodiscard]] std::string output_objection(const geometric::OutputStep& output) const override;
 
  private:
   [[nodiscard]] std::vector<planning::ExportedFile> do_export(

@@ -106,6 +106,37 @@ TEST(MotionParts, SqueezeWithinTheVelocitiesOfTheMotion) {
   }
 }
 
+TEST(MotionParts, RestWhereAProgramWaits) {
+  planning::Motion motion = can_task().motion;
+  std::vector<planning::SceneState> scenes(motion.stages.size() + 2);
+  const std::size_t last = motion.path.waypoints.size() - 1;
+  motion.stages.push_back({.name = "output", .step = "set do3 to true", .first = last});
+  motion.stages.back().output = geometric::OutputStep{"do3", true};
+  motion.stages.push_back({.name = "wait", .step = "wait 2 s", .first = last, .waits = true});
+  motion.path.waypoints.push_back(motion.path.waypoints.back());
+  motion.waypoint_times.push_back(motion.waypoint_times.back() + 2.0);
+  motion.trajectory.points.push_back(motion.trajectory.points.back());
+  motion.trajectory.points.back().time += 2.0;
+  const std::vector<MotionPart> parts = parts_of(motion, scenes);
+  ASSERT_EQ(parts.size(), can_task().parts.size() + 1) << "an output has no part";
+  EXPECT_EQ(parts.back().name, "wait 2 s");
+  EXPECT_TRUE(parts.back().rests);
+  EXPECT_NEAR(parts.back().trajectory.duration(), 2.0, 1e-9);
+  EXPECT_EQ(parts.back().stage, motion.stages.size() - 1);
+  EXPECT_FALSE(parts.front().rests);
+  EXPECT_EQ(unset_outputs(motion), "The devices do not set these outputs: do3 to true.");
+  EXPECT_EQ(unset_outputs(can_task().motion), "");
+}
+
+TEST(MotionParts, AreOneRestIfAProgramOnlySetsOutputs) {
+  planning::Motion motion = can_task().motion;
+  motion.stages = {{.name = "output", .step = "set do3 to true"}};
+  motion.stages.back().output = geometric::OutputStep{"do3", true};
+  const std::vector<MotionPart> parts = parts_of(motion, std::vector<planning::SceneState>(1));
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_TRUE(parts[0].rests);
+}
+
 /// A motion of one joint in two parts of 0.3 s each, on a device without wires.
 class TwoParts : public testing::Test {
  protected:
@@ -161,6 +192,72 @@ TEST_F(TwoParts, WaitBetweenThemWhileHeld) {
   const MotionOutcome outcome = run();
   EXPECT_TRUE(outcome.done) << outcome.fault;
   EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(750));
+}
+
+TEST_F(TwoParts, RestBetweenThem) {
+  MotionPart rest = part("wait", 0.2, 0.2);
+  rest.rests = true;
+  parts_.insert(parts_.begin() + 1, rest);
+  const MotionOutcome outcome = run();
+  EXPECT_TRUE(outcome.done) << outcome.fault;
+  EXPECT_NEAR(outcome.time, 0.9, 0.05);
+  EXPECT_THAT(watcher_.parts, ElementsAre(0, 1, 2));
+  const auto rests = [](const MotionSample& sample) {
+    return sample.time > 0.35 && sample.time < 0.55;
+  };
+  EXPECT_GT(std::ranges::count_if(watcher_.samples, rests), 10);
+  for (const MotionSample& sample : watcher_.samples) {
+    if (rests(sample)) {
+      EXPECT_NEAR(sample.measured[0], 0.2, 0.01);
+    }
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(watcher_.samples, {}, &MotionSample::time));
+}
+
+TEST_F(TwoParts, RestLongerWhileHeld) {
+  MotionPart rest = part("wait", 0.0, 0.0);
+  rest.rests = true;
+  parts_.insert(parts_.begin(), rest);
+  watcher_.part = [&](std::size_t part) {
+    requests_.hold = part == 0;
+    if (part == 0) {
+      resuming_ = std::jthread([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        requests_.hold = false;
+      });
+    }
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  const MotionOutcome outcome = run();
+  EXPECT_TRUE(outcome.done) << outcome.fault;
+  EXPECT_NEAR(outcome.time, 0.9, 0.05) << "the time of a hold does not count";
+  EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(1050));
+}
+
+TEST_F(TwoParts, MoveNothingIfTheyAreStoppedInAFirstRest) {
+  MotionPart rest = part("wait", 0.0, 0.0);
+  rest.rests = true;
+  parts_.insert(parts_.begin(), rest);
+  watcher_.progress = [&](double time) {
+    if (time > 0.1) {
+      stop_.request_stop();
+    }
+  };
+  const MotionOutcome outcome = run();
+  EXPECT_FALSE(outcome.done);
+  EXPECT_FALSE(outcome.started);
+  EXPECT_THAT(watcher_.parts, ElementsAre(0));
+  EXPECT_EQ(device_->measured().position[0], 0.0);
+}
+
+TEST_F(TwoParts, EndIfAJointLeavesItsPlaceInARest) {
+  MotionPart rest = part("wait", 0.5, 0.5);
+  rest.rests = true;
+  parts_.insert(parts_.begin(), rest);
+  const MotionOutcome outcome = run();
+  EXPECT_FALSE(outcome.done);
+  EXPECT_THAT(outcome.fault, HasSubstr("0.5000 rad from where it has to wait"));
+  EXPECT_GE(device_->stops, 1);
 }
 
 TEST_F(TwoParts, EndWhereASecondPartCantBegin) {

@@ -56,6 +56,31 @@ class Tasks(unittest.TestCase):
             with self.assertRaises(handway.InputError, msg=str(wrong)):
                 self.scene.planner().plan_task(self.scene, wrong)
 
+    def test_wait_and_set_outputs(self):
+        steps = [
+            {"output": "do3", "value": True},
+            {"wait": 2.5},
+            {"pick": "can", "disabled": True},
+            {"first_of": [[{"wait": 1, "disabled": True}], [{"output": "level", "value": 0.5}]]},
+        ]
+        plan = self.scene.planner().plan_task(self.scene, steps)
+        self.assertTrue(plan.solved, plan.reason)
+        self.assertEqual([stage.kind for stage in plan.stages], ["output", "wait", "output"])
+        self.assertEqual([stage.rest for stage in plan.stages], [0.0, 2.5, 0.0])
+        np.testing.assert_allclose(plan.stages[1].path, [self.scene.start, self.scene.start])
+        for wrong in (
+            {"wait": 0},
+            {"wait": 1e6},
+            {"wait": float("nan")},
+            {"output": "do3"},
+            {"output": "", "value": True},
+            {"output": "do3", "value": float("inf")},
+            {"wait": 1, "in": "table"},
+            {"grab": "can", "disabled": True},
+        ):
+            with self.assertRaises(handway.InputError, msg=str(wrong)):
+                self.scene.planner().plan_task(self.scene, [wrong])
+
     def test_place_in_frames(self):
         place = np.eye(4)
         place[2, 3] = 0.5

@@ -112,4 +112,20 @@ planning::Motion with_stages(planning::Motion motion) {
   return motion;
 }
 
+planning::Motion with_outputs_and_wait(planning::Motion motion,
+                                       const std::vector<geometric::OutputStep>& outputs,
+                                       double wait) {
+  const std::size_t last = motion.path.waypoints.size() - 1;
+  for (const geometric::OutputStep& output : outputs) {
+    motion.stages.push_back(
+        {.name = "output", .step = to_string(output), .first = last, .output = output});
+  }
+  motion.stages.push_back({.name = "wait", .step = "wait", .first = last, .waits = true});
+  motion.path.waypoints.push_back(motion.path.waypoints.back());
+  motion.waypoint_times.push_back(motion.waypoint_times.back() + wait);
+  motion.trajectory.points.push_back(motion.trajectory.points.back());
+  motion.trajectory.points.back().time += wait;
+  return motion;
+}
+
 }  // namespace handway::test

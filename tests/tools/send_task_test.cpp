@@ -51,6 +51,20 @@ TEST_F(SendTask, PicksAndPlacesStageByStage) {
   EXPECT_EQ(compared.exit_code, 0) << compared.err;
 }
 
+TEST_F(SendTask, WaitsAndNamesOutputsBeforeAnythingMoves) {
+  line_.write("task.yaml",
+              "handway_task: 1\nsteps:\n  - output: {name: do3, value: true}\n  - wait: 1\n"
+              "  - move: ready\n  - wait: 0.5\n");
+  const std::string send = "task can.yaml --task task.yaml --to " + targets_ + " --speed 0.5";
+  const Outcome checked = line_.run(send);
+  EXPECT_EQ(checked.exit_code, 2);
+  EXPECT_THAT(checked.err, HasSubstr("The devices do not set these outputs: do3 to true."));
+  const Outcome done = line_.run(send + " --yes");
+  ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
+  EXPECT_THAT(done.out, AllOf(HasSubstr("1 of 3: wait 1 s"), HasSubstr("3 of 3: wait 0.5 s"),
+                              HasSubstr("done: ")));
+}
+
 TEST_F(SendTask, MovesNothingWithoutYes) {
   const Outcome checked = line_.run(task("--speed 0.5"));
   EXPECT_EQ(checked.exit_code, 2);

@@ -101,6 +101,48 @@ TEST_F(TaskCommand, ExportsTheWholeTaskAsOneProgram) {
   EXPECT_LT(program.find("# detach: can"), program.find("out(1, False)"));
 }
 
+TEST_F(TaskCommand, WaitsAndSetsOutputs) {
+  std::ofstream(line_.folder() / "task.yaml") << R"(handway_task: 1
+steps:
+  - move: ready
+  - output: {name: do3, value: true}
+  - wait: 2.5
+  - {pick: can, disabled: true}
+  - output: {name: lamp, value: 0.5}
+  - move: start
+)";
+  const Outcome run = line_.run("task " + scene() +
+                                " --task task.yaml --out plan --export csv,urscript --any-robot");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err,
+              testing::AllOf(HasSubstr("warning: csv does not set the output do3 to true"),
+                             HasSubstr("warning: urscript does not set the output lamp to 0.5"),
+                             testing::Not(HasSubstr("urscript does not set the output do3"))));
+  const auto report = nlohmann::json::parse(line_.read("plan/report.json"));
+  ASSERT_EQ(report["stages"].size(), 5U);
+  EXPECT_EQ(report["stages"][1]["stage"], "output");
+  EXPECT_EQ(report["stages"][1]["duration_s"], 0.0);
+  EXPECT_EQ(report["stages"][1]["output"]["value"], true);
+  EXPECT_NEAR(report["stages"][2]["duration_s"].get<double>(), 2.5, 1e-6);
+  const auto rows = times_and_stages(line_.read("plan/can_on_table.csv"));
+  std::vector<double> waits;
+  for (const auto& [time, stage] : rows) {
+    if (stage == "wait") {
+      waits.push_back(time);
+    }
+  }
+  ASSERT_EQ(waits.size(), 1U) << "its end; its beginning is the end of the stage before";
+  EXPECT_NEAR(rows.back().first, report["duration_s"].get<double>(), 1e-6);
+  const std::string program = line_.read("plan/can_on_table.script");
+  const std::size_t set = program.find("set_standard_digital_out(3, True)");
+  const std::size_t wait = program.find("sleep(2.500000)");
+  ASSERT_NE(set, std::string::npos);
+  EXPECT_LT(set, wait);
+  EXPECT_LT(wait, program.find("# NOT SET: lamp to 0.5"));
+  const Outcome check = line_.run("check plan/03-wait.yaml plan/03-wait.csv");
+  EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
+}
+
 TEST_F(TaskCommand, RefusesToExportWhatAFormatCanNotHold) {
   const std::string task = "task " + scene() + " --pick can --out plan";
   const Outcome format = line_.run(task + " --export val4");

@@ -4,6 +4,7 @@
 #include "features/devices/motion_device_field.h"
 #include "handway/device/arm/val3_arm.h"
 #include "handway/device/hand/hand_protocol.h"
+#include "handway/execution/motion/motion_parts.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/slider_row.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace handway::gui {
@@ -240,8 +242,12 @@ void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards
 
 void DevicesPanel::show_task(const QString& name, const planning::TimedPath& motion) {
   show_motion(motion, false);
-  motion_->setText(tr("<b>Task %1</b>").arg(name.toHtmlEscaped()) + QStringLiteral("<br>") +
-                   motion_text(motion));
+  QString text =
+      tr("<b>Task %1</b>").arg(name.toHtmlEscaped()) + QStringLiteral("<br>") + motion_text(motion);
+  if (const std::string unset = execution::unset_outputs(motion.motion); !unset.empty()) {
+    text += QStringLiteral("<br>") + colored(QString::fromStdString(unset), attention_color());
+  }
+  motion_->setText(text);
   with_margin_->hide();
 }
 

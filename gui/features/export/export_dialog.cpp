@@ -158,7 +158,8 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
     any_robot_->setVisible(
         !plugins_->exporter(format()).robot_objection(motion.value->motion).empty());
     too_close_->setVisible(motion.value->preflight.is_tight());
-    preview_->show_motion(*motion.value);
+    preview_->show_motion(*motion.value,
+                          plugins_->exporter(format()).warnings(motion.value->motion));
     if (motion.value->cleared()) {
       export_.prepare(format(), motion.value, options());
     }

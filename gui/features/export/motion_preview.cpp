@@ -94,8 +94,13 @@ void MotionPreview::show_waiting(const QString& text) {
   show_files({});
 }
 
-void MotionPreview::show_motion(const planning::TimedPath& motion) {
-  report_->setText(motion_text(motion));
+void MotionPreview::show_motion(const planning::TimedPath& motion,
+                                const std::vector<std::string>& warnings) {
+  QString text = motion_text(motion);
+  for (const std::string& warning : warnings) {
+    text += QStringLiteral("<br>") + colored(QString::fromStdString(warning), attention_color());
+  }
+  report_->setText(text);
   if (motion.cleared()) {
     show_velocities(motion.motion);
   }

@@ -7,6 +7,7 @@
 #include <QString>
 #include <QWidget>
 
+#include <string>
 #include <vector>
 
 class QLabel;
@@ -26,7 +27,8 @@ class MotionPreview : public QWidget {
   explicit MotionPreview(QWidget* parent = nullptr);
 
   void show_waiting(const QString& text);
-  void show_motion(const planning::TimedPath& motion);
+  /// @param warnings about parts of the motion that the files will lack.
+  void show_motion(const planning::TimedPath& motion, const std::vector<std::string>& warnings);
   void show_files(std::vector<planning::ExportedFile> files);
 
  private:

@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
@@ -51,6 +52,10 @@ QString stage_text(planning::StageKind kind) {
       return QObject::tr("Retreat");
     case planning::StageKind::kLine:
       return QObject::tr("Straight line");
+    case planning::StageKind::kWait:
+      return QObject::tr("Wait");
+    case planning::StageKind::kOutput:
+      return QObject::tr("Set output");
   }
   return {};
 }
@@ -313,8 +318,20 @@ void TaskCard::place() {
   }
   list_->setFixedHeight(list_->header()->sizeHint().height() +
                         list_->topLevelItemCount() * list_->sizeHintForRow(0) + 2);
-  const int height = std::min(layout()->totalHeightForWidth(width), within.height());
-  stand_where_it_hides_least({width, height}, to_be_seen_());
+  stand_where_it_hides_least({width, wanted_height(width)}, to_be_seen_());
+}
+
+int TaskCard::wanted_height(int width) const {
+  return std::min(layout()->totalHeightForWidth(width), parentWidget()->height() - 2 * kMargin);
+}
+
+bool TaskCard::event(QEvent* event) {
+  const bool taken = FloatingCard::event(event);
+  if (event->type() == QEvent::LayoutRequest && editor_->isVisible() &&
+      height() != wanted_height(width())) {
+    place();
+  }
+  return taken;
 }
 
 }  // namespace handway::gui

@@ -100,6 +100,10 @@ class TaskCard : public FloatingCard {
   enum class State { kAsking, kWorking, kPlanned, kFailed };
   void set_up(const QString& note, State state);
   void place() override;
+  /// Makes room when the editor shows other fields.
+  bool event(QEvent* event) override;
+  /// Height of the card for its present content, px.
+  [[nodiscard]] int wanted_height(int width) const;
 
   /// Shows the choices for picking and placing, or the editor of a program.
   void show_kind(const QString& title, bool is_program);

@@ -11,6 +11,16 @@
 namespace handway::gui {
 namespace {
 
+// Points of a timed stage, one for each frame. A film doesn't wait longer than a minute.
+planning::Trajectory shown_points(const planning::TaskStage& stage, planning::Trajectory trajectory,
+                                  double period) {
+  constexpr double kLongestShownWait = 60.0;  // s
+  if (stage.kind == planning::StageKind::kWait) {
+    trajectory.points.back().time = std::min(trajectory.points.back().time, kLongestShownWait);
+  }
+  return with_rests_sampled(trajectory, period);
+}
+
 // Adds the planned frames from one on, with some objects where a simulation has left them, to the
 // first in which the hand carries `object`. @returns the index of that frame.
 std::size_t add_until_carried(const FilmedTask& task, std::size_t begin, const std::string& object,
@@ -59,7 +69,8 @@ void add_film(FilmedTask& task, const std::stop_token& stop) {
     }
     task.stages.push_back({planned.kind, stage.preflight.duration, stage.preflight.min_clearance,
                            QString::fromStdString(stage.preflight.closest_pair)});
-    for (const planning::TrajectoryPoint& point : stage.motion.trajectory.points) {
+    for (const planning::TrajectoryPoint& point :
+         shown_points(planned, stage.motion.trajectory, options.period).points) {
       TaskFrame frame{{i, point.position}, {}};
       for (const std::string& object : task.objects) {
         frame.X_WO.push_back(

@@ -4,6 +4,8 @@
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/inverse_kinematics.h"
+#include "handway/geometric/setup/placing.h"
 #include "handway/planning/tasks/resting_places.h"
 #include "handway/planning/tasks/task_file.h"
 #include "handway/planning/tasks/timed_task.h"
@@ -261,11 +263,31 @@ StepNames TaskTool::step_names() const {
   }
   for (const std::string& name : geometric::standing_names(scene)) {
     names.supports << QString::fromStdString(name);
+    names.X_WF[name] = *geometric::standing_pose(scene, name);
   }
+  add_links(names);
   for (const std::string& posture : planning::posture_names(scene)) {
     names.postures << QString::fromStdString(posture);
   }
   return names;
+}
+
+void TaskTool::add_links(StepNames& names) const {
+  const geometric::RobotInstance& robot = *document_.robot();
+  const geometric::RobotModel& model = *robot.model;
+  geometric::PoseGoal& goal = names.pose_here.goal;
+  for (int link = 1; link < model.link_count(); ++link) {
+    if (!geometric::chain_variables(model, link).empty()) {
+      names.links << QString::fromStdString(model.link(link).name);
+      goal.link = model.link(link).name;
+    }
+  }
+  if (document_.palm() > 0) {
+    goal.link = model.link(document_.palm()).name;
+  }
+  goal.X_WG =
+      geometric::link_pose(*document_.scene(), document_.configuration(), robot.name, goal.link)
+          .value_or(geometric::Pose::Identity());
 }
 
 void TaskTool::change_steps(const std::vector<geometric::ProgramStep>& steps, const QString& what) {

@@ -69,6 +69,8 @@ class TaskTool : public QObject {
  private:
   /// Returns the names that the steps of a program can have.
   [[nodiscard]] StepNames step_names() const;
+  /// Adds the links of the robot, and the pose of one of them.
+  void add_links(StepNames& names) const;
   /// Changes the steps of the shown program in the scene. @param what for the list of edits.
   void change_steps(const std::vector<geometric::ProgramStep>& steps, const QString& what);
   /// Shows a row of the card: a stage of the plan, or why a stage failed.

@@ -3,8 +3,10 @@
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/tasks/timed_task.h"
+#include "motion_rest.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,14 +57,25 @@ TrajectoryPoint at_rest(double time, const Configuration& q) {
   return {time, q, Eigen::VectorXd::Zero(q.size()), Eigen::VectorXd::Zero(q.size())};
 }
 
+// Time between the points of a motion, s.
+double period_of(const Motion& motion) {
+  constexpr double kUsual = 0.02;  // of a motion in which nothing moves
+  for (std::size_t i = 0; i < motion.stages.size(); ++i) {
+    const std::span<const TrajectoryPoint> points = planning::points_of_stage(motion, i);
+    if (!motion.stages[i].waits && points.size() > 1) {
+      return points[1].time - points[0].time;
+    }
+  }
+  return kUsual;
+}
+
 // Moves in a straight line, with a smooth begin and end, at the speed of the motion.
 Trajectory squeeze(const Motion& motion, const Configuration& from, const Configuration& to) {
   constexpr double kPeak = 1.5;  // largest velocity of 3 u² - 2 u³
   const Eigen::VectorXd velocity = motion.speed * motion.limits.velocity;
   const double duration = std::max(
       kLeastSqueezeTime, kPeak * ((to - from).cwiseAbs().cwiseQuotient(velocity)).maxCoeff());
-  const std::vector<TrajectoryPoint>& points = motion.trajectory.points;
-  const double period = points[1].time - points[0].time;
+  const double period = period_of(motion);
   const int steps = static_cast<int>(std::ceil(duration / period));
   Trajectory line;
   for (int i = 0; i <= steps; ++i) {
@@ -153,6 +166,10 @@ MotionOutcome run_part(std::vector<MotionTarget>& targets, const MotionPart& par
   return run_motion(targets, tolerances, requests, observer);
 }
 
+std::string name_of(const MotionStage& stage) {
+  return stage.waits ? stage.step : fmt::format("{} ({})", stage.name, stage.step);
+}
+
 // Runs a part that is not the first: what keeps it from its begin is a fault.
 MotionOutcome run_later_part(std::vector<MotionTarget>& targets, const MotionPart& part,
                              const device::MotionTolerances& tolerances, MotionRequests& requests,
@@ -187,8 +204,11 @@ std::vector<MotionPart> parts_of(const Motion& motion,
                        here.give()});
       grip.reset();
     }
-    MotionPart part{fmt::format("{} ({})", stage.name, stage.step),
-                    stage_trajectory(motion, i, grip), scene_of(scenes[i]), i};
+    if (stage.output) {
+      continue;
+    }
+    MotionPart part{name_of(stage), stage_trajectory(motion, i, grip), scene_of(scenes[i]), i};
+    part.rests = stage.waits;
     if (grip) {
       part.give = grip->give();
     }
@@ -200,7 +220,23 @@ std::vector<MotionPart> parts_of(const Motion& motion,
                        i + 1, grip->give()});
     }
   }
+  if (parts.empty()) {  // the motion sets outputs alone
+    parts.push_back({.name = motion.stages.back().step,
+                     .trajectory = motion.trajectory,
+                     .scene = scene_of(scenes.back()),
+                     .rests = true});
+  }
   return parts;
+}
+
+std::string unset_outputs(const Motion& motion) {
+  std::vector<std::string> names;
+  for (const geometric::OutputStep& output : outputs_of(motion)) {
+    names.push_back(fmt::format("{} to {}", output.name, value_text(output)));
+  }
+  return names.empty()
+             ? std::string()
+             : fmt::format("The devices do not set these outputs: {}.", fmt::join(names, ", "));
 }
 
 double duration_of(std::span<const MotionPart> parts) {
@@ -224,8 +260,9 @@ MotionOutcome run_parts(std::vector<MotionTarget>& targets, const std::vector<Mo
     const double duration = parts[i].trajectory.duration();
     PartObserver of_part(observer, begin, duration, all.errors);
     const MotionOutcome outcome =
-        i == 0 ? run_part(targets, parts[i], tolerances, requests, of_part)
-               : run_later_part(targets, parts[i], tolerances, requests, of_part);
+        parts[i].rests ? run_rest(targets, parts[i], tolerances, requests, of_part)
+        : i == 0       ? run_part(targets, parts[i], tolerances, requests, of_part)
+                       : run_later_part(targets, parts[i], tolerances, requests, of_part);
     append(outcome, begin, all);
     if (!outcome.done) {
       break;

@@ -1,6 +1,7 @@
 #include "handway/execution/motion/motion_run.h"
 
 #include "handway/execution/motion/motion_target.h"
+#include "target_tolerances.h"
 
 #include <algorithm>
 #include <exception>
@@ -38,15 +39,6 @@ constexpr double kAtRest = 2e-4;
 constexpr double kHoldNotice = 0.1;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
-
-// Tolerances of the joints of one device.
-device::MotionTolerances tolerances_of(const MotionTarget& target,
-                                       device::MotionTolerances of_robot) {
-  if (of_robot.give.size() > 0) {
-    of_robot.give = Eigen::VectorXd(of_robot.give(target.variables));
-  }
-  return of_robot;
-}
 
 class Run {
  public:

@@ -22,13 +22,21 @@ class StepReader {
       : scene_(scene), warnings_(warnings) {}
 
   [[nodiscard]] ProgramStep read(const YamlElement& element) const {
-    element.allow_keys({"pick", "place", "move", "line", "first_of"});
-    const auto entries = element.entries();
+    element.allow_keys({"pick", "place", "move", "line", "wait", "output", "first_of", "disabled"});
+    auto entries = element.entries();
+    std::erase_if(entries, [](const auto& entry) { return entry.first == "disabled"; });
     if (entries.size() != 1) {
       element.refuse(fmt::format("a map of {} keys", entries.size()),
-                     "a map with one key: pick, place, move, line or first_of");
+                     "a map with one key: pick, place, move, line, wait, output or first_of; and "
+                     "disabled, if the step is not to be planned");
     }
-    const auto& [kind, value] = entries.front();
+    ProgramStep step = step_of(entries.front().first, entries.front().second);
+    step.disabled = element.flag_or("disabled", false);
+    return step;
+  }
+
+ private:
+  [[nodiscard]] ProgramStep step_of(const std::string& kind, const YamlElement& value) const {
     if (kind == "pick") {
       return pick_of(value);
     }
@@ -37,6 +45,12 @@ class StepReader {
     }
     if (kind == "line") {
       return line_of(value);
+    }
+    if (kind == "wait") {
+      return wait_of(value);
+    }
+    if (kind == "output") {
+      return output_of(value);
     }
     if (kind == "first_of") {
       return alternatives_of(value);
@@ -47,7 +61,6 @@ class StepReader {
     return PostureStep{value.text()};
   }
 
- private:
   // The name of an object of the scene.
   [[nodiscard]] std::string object_name(const YamlElement& element) const {
     if (warnings_ == nullptr) {
@@ -134,6 +147,32 @@ class StepReader {
     return line;
   }
 
+  static WaitStep wait_of(const YamlElement& element) {
+    const WaitStep wait{element.number()};
+    if (!(wait.duration > 0.0 && wait.duration <= kLongestWait)) {
+      element.refuse(element.found(), fmt::format("a time above 0, up to {:g} s", kLongestWait));
+    }
+    return wait;
+  }
+
+  static OutputStep output_of(const YamlElement& element) {
+    element.allow_keys({"name", "value"});
+    const YamlElement name = element.need("name");
+    const YamlElement value = element.need("value");
+    OutputStep output{name.text()};
+    if (output.name.empty()) {
+      name.refuse(name.found(), "the name of an output");
+    }
+    if (parse_number(value.text())) {
+      output.value = value.number();
+    } else if (value.text() == "true" || value.text() == "false") {
+      output.value = value.text() == "true";
+    } else {
+      value.refuse(value.found(), "true, false or a number");
+    }
+    return output;
+  }
+
   // A list of lists of steps, or a map from names to lists of steps.
   [[nodiscard]] AlternativesStep alternatives_of(const YamlElement& element) const {
     AlternativesStep step;
@@ -169,6 +208,11 @@ class StepReader {
 };
 
 struct StepText {
+  // The step with its key, as an entry of a map in a line.
+  [[nodiscard]] std::string entry(const ProgramStep& step) const {
+    return std::visit(*this, step) + (step.disabled ? ", disabled: true" : "");
+  }
+
   std::string operator()(const PickStep& pick) const {
     return fmt::format("pick: {{object: {}, approach: {}, lift: {}}}", yaml_scalar(pick.object),
                        number_text(pick.approach), number_text(pick.lift));
@@ -193,6 +237,13 @@ struct StepText {
         line.reference.empty() ? "" : fmt::format("in: {}, ", yaml_scalar(line.reference));
     return fmt::format("line: {{{}xyz: {}}}", in, yaml_list(line.shift));
   }
+  std::string operator()(const WaitStep& wait) const {
+    return fmt::format("wait: {}", number_text(wait.duration));
+  }
+  std::string operator()(const OutputStep& output) const {
+    return fmt::format("output: {{name: {}, value: {}}}", yaml_scalar(output.name),
+                       value_text(output));
+  }
   std::string operator()(const AlternativesStep& step) const {
     const bool has_names = std::ranges::none_of(
         step.programs, [](const Program& program) { return program.name.empty(); });
@@ -200,7 +251,7 @@ struct StepText {
     for (const Program& program : step.programs) {
       std::vector<std::string> steps;
       for (const ProgramStep& one : program.steps) {
-        steps.push_back(fmt::format("{{{}}}", std::visit(*this, one)));
+        steps.push_back(fmt::format("{{{}}}", entry(one)));
       }
       const std::string name =
           has_names ? fmt::format("{}: ", yaml_scalar(program.name)) : std::string();
@@ -214,7 +265,9 @@ struct StepText {
 std::string steps_text(const Program& program, const char* indent) {
   std::string text;
   for (const ProgramStep& step : program.steps) {
-    text += fmt::format("{}- {}\n", indent, std::visit(StepText(), step));
+    const std::string entry = StepText().entry(step);
+    text += indent;
+    text += step.disabled ? fmt::format("- {{{}}}\n", entry) : fmt::format("- {}\n", entry);
   }
   return text;
 }

@@ -1,5 +1,6 @@
 #include "handway/geometric/scene/program.h"
 
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,8 @@ class StepRenaming {
     rename(move.goal.tool);
   }
   void operator()(LineStep& line) const { rename(line.reference); }
+  void operator()(WaitStep& /*wait*/) const {}
+  void operator()(OutputStep& /*output*/) const {}
   void operator()(AlternativesStep& step) const { rename_object(step.programs, name_, new_name_); }
 
  private:
@@ -51,6 +54,12 @@ struct StepWords {
   std::string operator()(const LineStep& line) const {
     return fmt::format("line of {:.0f} mm", millimetres(line.shift.norm()));
   }
+  std::string operator()(const WaitStep& wait) const {
+    return fmt::format("wait {} s", number_text(wait.duration));
+  }
+  std::string operator()(const OutputStep& output) const {
+    return fmt::format("set {} to {}", output.name, value_text(output));
+  }
   std::string operator()(const AlternativesStep& step) const {
     std::string words;
     for (const Program& program : step.programs) {
@@ -65,6 +74,11 @@ struct StepWords {
 }  // namespace
 
 std::string to_string(const ProgramStep& step) { return std::visit(StepWords(), step); }
+
+std::string value_text(const OutputStep& output) {
+  const bool* on = std::get_if<bool>(&output.value);
+  return on ? (*on ? "true" : "false") : number_text(std::get<double>(output.value));
+}
 
 void rename_object(std::vector<Program>& programs, const std::string& name,
                    const std::string& new_name) {

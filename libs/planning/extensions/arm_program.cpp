@@ -8,7 +8,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <regex>
+#include <string>
 #include <utility>
 
 namespace handway::planning {
@@ -70,7 +73,7 @@ class InstructionList {
       if (hand_moves(motion_)) {
         list_.emplace_back(comment("hand: see " + targets_file(motion_)));
       }
-      add_moves(0, moves_.size());
+      add_moves(0, moves_.size(), false);
     }
     for (std::size_t i = 0; i < motion_.stages.size(); ++i) {
       const bool is_last = i + 1 == motion_.stages.size();
@@ -95,7 +98,10 @@ class InstructionList {
                                              stage.hand == HandAction::kClose ? "closes" : "opens",
                                              targets_file(motion_))));
     }
-    const double waited = add_moves(stage.first, end);
+    if (stage.output) {
+      list_.emplace_back(ArmOutput{*stage.output});
+    }
+    const double waited = add_moves(stage.first, end, stage.waits);
     if (drives && waited < options_.gripper_time) {
       list_.emplace_back(ArmWait{options_.gripper_time - waited, false});
     }
@@ -104,12 +110,13 @@ class InstructionList {
     }
   }
 
-  // Adds the moves from waypoint `first` to waypoint `end`. @returns the time that the arm waits.
-  double add_moves(std::size_t first, std::size_t end) {
+  // Adds the moves from waypoint `first` to waypoint `end`. @param rests nothing moves.
+  // @returns the time that the arm waits.
+  double add_moves(std::size_t first, std::size_t end, bool rests) {
     double waited = 0.0;
     for (std::size_t i = first; i < end; ++i) {
       if (moves_[i].waits) {
-        list_.emplace_back(ArmWait{moves_[i].duration, true});
+        list_.emplace_back(ArmWait{moves_[i].duration, true, rests});
         waited += moves_[i].duration;
       } else {
         list_.emplace_back(ArmMove{i + 1, moves_[i]});
@@ -174,6 +181,23 @@ bool is_robot_named(const Motion& motion, const std::string& pattern) {
 
 std::vector<ArmInstruction> arm_instructions(const Motion& motion, const ExportOptions& options) {
   return InstructionList(motion, options).make();
+}
+
+std::optional<int> output_number(const std::string& name) {
+  constexpr std::size_t kMostDigits = 4;
+  const std::size_t end = name.find_last_not_of("])") + 1;
+  std::size_t begin = end;
+  while (begin > 0 && name[begin - 1] >= '0' && name[begin - 1] <= '9') {
+    --begin;
+  }
+  if (begin == end || end - begin > kMostDigits) {
+    return std::nullopt;
+  }
+  return std::stoi(name.substr(begin, end - begin));
+}
+
+std::string unset_output_comment(const geometric::OutputStep& output) {
+  return printable_line(fmt::format("NOT SET: {} to {}", output.name, value_text(output)));
 }
 
 std::vector<std::string> program_heading(const Motion& motion) {

@@ -93,6 +93,11 @@ void check_period(const Motion& motion, double period, const std::string& format
   constexpr double kTolerance = 1e-9;  // s
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double step = points[i].time - points[i - 1].time;
+    const bool rests = points[i].position == points[i - 1].position &&
+                       points[i].velocity.isZero() && points[i - 1].velocity.isZero();
+    if (rests && step > period) {
+      continue;  // a stage that waits
+    }
     const bool is_last = i + 1 == points.size();
     if (step > period + kTolerance || (!is_last && step < period - kTolerance)) {
       throw InputError({"the motion", "period", fmt::format("points {:g} ms apart", 1e3 * step),
@@ -151,6 +156,17 @@ std::vector<ExportedFile> Exporter::files(const Motion& motion,
     check_period(motion, period, name());
   }
   return do_export(motion, options);
+}
+
+std::vector<std::string> Exporter::warnings(const Motion& motion) const {
+  std::vector<std::string> warnings;
+  for (const geometric::OutputStep& output : outputs_of(motion)) {
+    if (const std::string objection = output_objection(output); !objection.empty()) {
+      warnings.push_back(fmt::format("{} does not set the output {} to {}: {}.", name(),
+                                     output.name, value_text(output), objection));
+    }
+  }
+  return warnings;
 }
 
 TimingSettings Exporter::settings_for(TimingSettings settings) const {

@@ -23,7 +23,8 @@ void append_poses(const TimedPath& timed, const Pose& X_WB, std::size_t stage,
                   CarriedObjectMotion& carried) {
   const geometric::RobotModel& model = *timed.motion.model;
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
-  for (const TrajectoryPoint& point : timed.motion.trajectory.points) {
+  for (const TrajectoryPoint& point :
+       with_rests_sampled(timed.motion.trajectory, carried.motion.period).points) {
     model.forward_kinematics(point.position, X_BL);
     carried.motion.X_WP.push_back(X_WB * X_BL[static_cast<std::size_t>(carried.palm)]);
     carried.moments.push_back({stage, point.position});

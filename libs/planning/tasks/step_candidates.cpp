@@ -36,6 +36,15 @@ StepCandidate motion_to(const Configuration& q, std::size_t step, const TaskStat
   return {{free_stage(kind, step, begin.world, begin.q, end.q, carried_in(begin))}, end};
 }
 
+// A stage in which nothing moves. @param duration s.
+std::unique_ptr<StepCandidates> rest_candidates(StageKind kind, std::size_t step,
+                                                const TaskState& begin, double duration) {
+  StepCandidate only{
+      {fixed_stage(kind, step, begin.world, Path{{begin.q, begin.q}}, carried_in(begin))}, begin};
+  only.stages.front()->stage.rest = duration;
+  return std::make_unique<KnownCandidates>(std::vector{std::move(only)});
+}
+
 // The scene in which a goal of a step is to be reached from the state.
 geometric::Scene scene_with_goal(const TaskState& begin, geometric::PoseGoal goal) {
   geometric::Scene scene = *begin.world.state.scene;
@@ -150,6 +159,15 @@ std::unique_ptr<StepCandidates> line_candidates(const LineStep& line, std::size_
                                   carried_in(begin), way.deviation)},
                      std::move(end)};
   return std::make_unique<KnownCandidates>(std::vector{std::move(only)});
+}
+
+std::unique_ptr<StepCandidates> wait_candidates(const WaitStep& wait, std::size_t step,
+                                                const TaskState& begin) {
+  return rest_candidates(StageKind::kWait, step, begin, wait.duration);
+}
+
+std::unique_ptr<StepCandidates> output_candidates(std::size_t step, const TaskState& begin) {
+  return rest_candidates(StageKind::kOutput, step, begin, 0.0);
 }
 
 }  // namespace handway::planning

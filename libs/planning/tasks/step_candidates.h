@@ -88,6 +88,14 @@ class StepCandidates {
                                                               const TaskState& begin,
                                                               const TaskContext& context);
 
+/// The robot rests where it is.
+[[nodiscard]] std::unique_ptr<StepCandidates> wait_candidates(const WaitStep& wait,
+                                                              std::size_t step,
+                                                              const TaskState& begin);
+/// The robot stays where it is, without a time.
+[[nodiscard]] std::unique_ptr<StepCandidates> output_candidates(std::size_t step,
+                                                                const TaskState& begin);
+
 /// A stage that the planner has to plan.
 [[nodiscard]] std::shared_ptr<StageDraft> free_stage(StageKind kind, std::size_t step,
                                                      const TaskWorld& world,

@@ -47,15 +47,23 @@ class TaskMaker {
     for (const geometric::Program& program : step.programs) {
       const std::size_t before = task_.size();
       append(program.steps);
-      lengths.push_back(task_.size() - before);
+      if (task_.size() > before) {  // else all of its steps are disabled
+        lengths.push_back(task_.size() - before);
+      }
     }
-    std::get<FirstOfStep>(task_[index]).lengths = std::move(lengths);
+    if (lengths.empty()) {
+      task_.pop_back();
+    } else {
+      std::get<FirstOfStep>(task_[index]).lengths = std::move(lengths);
+    }
   }
 
  private:
   void append(const std::vector<geometric::ProgramStep>& steps) {
     for (const geometric::ProgramStep& step : steps) {
-      std::visit(*this, step);
+      if (!step.disabled) {
+        std::visit(*this, step);
+      }
     }
   }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <span>
@@ -17,6 +18,25 @@
 
 namespace handway::planning {
 namespace {
+
+// Lets a motion that stays in one place last for a time (s), rounded up to whole periods.
+void rest_for(double time, double period, TimedPath& timed) {
+  constexpr double kRounding = 1e-6;  // of a period
+  const double duration = period * std::ceil(time / period - kRounding);
+  Trajectory& trajectory = timed.motion.trajectory;
+  trajectory.points.resize(1);
+  if (duration > 0.0) {
+    trajectory.points.push_back(trajectory.points.front());
+    trajectory.points.back().time = duration;
+  }
+  timed.motion.waypoint_times = {0.0, duration};
+  timed.preflight.points = trajectory.points.size();
+  timed.preflight.duration = duration;
+  timed.least_duration = duration;
+  if (timed.preflight.shortfall) {
+    timed.preflight.shortfall->place = 0.0;
+  }
+}
 
 /// Makes the candidates of a step.
 struct MakeCandidates {
@@ -38,6 +58,12 @@ struct MakeCandidates {
   }
   std::unique_ptr<StepCandidates> operator()(const LineStep& line) const {
     return line_candidates(line, step, begin, context);
+  }
+  std::unique_ptr<StepCandidates> operator()(const WaitStep& wait) const {
+    return wait_candidates(wait, step, begin);
+  }
+  std::unique_ptr<StepCandidates> operator()(const OutputStep& /*output*/) const {
+    return output_candidates(step, begin);
   }
   std::unique_ptr<StepCandidates> operator()(const FirstOfStep& /*step*/) const { return nullptr; }
 };
@@ -202,6 +228,10 @@ const char* to_string(StageKind kind) {
       return "retreat";
     case StageKind::kLine:
       return "line";
+    case StageKind::kWait:
+      return "wait";
+    case StageKind::kOutput:
+      return "output";
   }
   return "";
 }
@@ -244,10 +274,16 @@ std::string to_string(const TaskStep& step) {
       step);
 }
 
+bool is_at_rest(StageKind kind) { return kind == StageKind::kWait || kind == StageKind::kOutput; }
+
 TimedPath time_stage(const TaskStage& stage, const std::string& name,
                      const TimingOptions& options) {
-  return time_path(make_problem(stage.state.scene, stage.state.basis, {options.stop}), stage.path,
-                   name, options);
+  TimedPath timed = time_path(make_problem(stage.state.scene, stage.state.basis, {options.stop}),
+                              stage.path, name, options);
+  if (is_at_rest(stage.kind) && timed.cleared()) {
+    rest_for(stage.rest, options.period, timed);
+  }
+  return timed;
 }
 
 std::vector<geometric::BoundParameter> parameters_of(TaskOptions& options) {

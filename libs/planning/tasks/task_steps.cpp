@@ -90,6 +90,8 @@ class StepCheck {
     }
     return carried_;
   }
+  std::string operator()(const WaitStep& /*wait*/) const { return carried_; }
+  std::string operator()(const OutputStep& /*output*/) const { return carried_; }
   std::string operator()(const FirstOfStep& /*step*/) const { return carried_; }
 
  private:
@@ -166,7 +168,7 @@ void check_steps(const geometric::Scene& scene, const Task& task) {
     throw geometric::InputError({source_of(scene), "robots", "none", "a robot", ""});
   }
   if (task.empty()) {
-    throw geometric::InputError({"task", "", "no steps", "at least one", ""});
+    throw geometric::InputError({"task", "", "no steps", "at least one that is not disabled", ""});
   }
   static_cast<void>(StepCheck(scene, task).carried_after(steps_of(task), ""));
 }

@@ -35,6 +35,10 @@ MotionStage mark_of(const Task& task, const TaskStage& stage, const std::string&
     mark.hand = HandAction::kOpen;
     mark.object = carried;
   }
+  mark.waits = stage.kind == StageKind::kWait;
+  if (const auto* output = std::get_if<OutputStep>(&task[stage.step])) {
+    mark.output = *output;
+  }
   return mark;
 }
 
@@ -44,7 +48,8 @@ void append(const Motion& next, MotionStage mark, Motion& all) {
   const double begin = all.trajectory.empty() ? 0.0 : all.trajectory.points.back().time;
   const std::size_t common = waypoints.empty() ? 0 : 1;  // the end of the stage before
   mark.first = waypoints.empty() ? 0 : waypoints.size() - 1;
-  for (std::size_t w = common; w < next.path.waypoints.size(); ++w) {
+  const std::size_t added = mark.output ? 1 : next.path.waypoints.size();
+  for (std::size_t w = common; w < added; ++w) {
     waypoints.push_back(next.path.waypoints[w]);
     all.waypoint_times.push_back(begin + next.waypoint_times[w]);
   }
@@ -55,8 +60,9 @@ void append(const Motion& next, MotionStage mark, Motion& all) {
   all.stages.push_back(std::move(mark));
 }
 
+// @param period s, of a motion in which nothing takes time.
 Motion joined(const Task& task, const TaskPlan& plan, const std::vector<TimedPath>& stages,
-              const std::string& name) {
+              const std::string& name, double period) {
   Motion all = stages.front().motion;
   all.name = name;
   all.path.waypoints.clear();
@@ -69,6 +75,12 @@ Motion joined(const Task& task, const TaskPlan& plan, const std::vector<TimedPat
     add_joints(all.hand, next.hand);
     append(next, mark_of(task, plan.stages[i], carried), all);
     carried = plan.stages[i].carried;
+  }
+  if (all.path.waypoints.size() == 1) {  // outputs alone: a motion has an end
+    all.path.waypoints.push_back(all.path.waypoints.front());
+    all.waypoint_times.push_back(period);
+    all.trajectory.points.push_back(all.trajectory.points.front());
+    all.trajectory.points.back().time = period;
   }
   return all;
 }
@@ -137,7 +149,7 @@ TimedTask time_task(const Task& task, const TaskPlan& plan, const std::string& n
     of_stage.measured_start.resize(0);
   }
   if (timed.cleared()) {
-    timed.motion = joined(task, plan, timed.stages, name);
+    timed.motion = joined(task, plan, timed.stages, name, options.period);
   }
   return timed;
 }
@@ -170,7 +182,12 @@ TimedPath whole_task(const TimedTask& task) {
   }
   whole.preflight.duration = begin;
   if (task.cleared()) {
-    whole.blends.stops += static_cast<int>(task.stages.size()) - 1;
+    whole.blends.stops +=
+        static_cast<int>(std::ranges::count_if(
+            task.motion.stages,
+            [](const MotionStage& stage) { return !stage.waits && !stage.output; })) -
+        1;
+    whole.blends.stops = std::max(0, whole.blends.stops);
     whole.blends.path.emplace(task.motion.path,
                               std::vector<double>(task.motion.path.waypoints.size(), 0.0));
   }

@@ -174,6 +174,20 @@ const MotionStage* stage_at(const Motion& motion, double time) {
   return at;
 }
 
+std::vector<geometric::OutputStep> outputs_of(const Motion& motion) {
+  std::vector<geometric::OutputStep> outputs;
+  for (const MotionStage& stage : motion.stages) {
+    const bool is_new =
+        stage.output && std::ranges::none_of(outputs, [&](const geometric::OutputStep& other) {
+          return other.name == stage.output->name && other.value == stage.output->value;
+        });
+    if (is_new) {
+      outputs.push_back(*stage.output);
+    }
+  }
+  return outputs;
+}
+
 PreflightReport preflight(const PlanningProblem& problem, const Trajectory& trajectory,
                           const TimingOptions& options) {
   PreflightReport report;

@@ -1,5 +1,6 @@
 #include "handway/planning/timing/trajectory.h"
 
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/limit_violation.h"
 
 #include <fmt/format.h>
@@ -69,6 +70,28 @@ Trajectory sample(const BlendedPath& path, const TimeParameterization& law, doub
   const double end = duration > 0.0 ? duration : period;
   trajectory.points.push_back(at_rest(end, path.polyline().waypoints.back()));
   return trajectory;
+}
+
+Trajectory with_rests_sampled(const Trajectory& trajectory, double period) {
+  constexpr double kRounding = 1e-6;  // of a period
+  if (trajectory.duration() / period > kMostPoints) {
+    throw geometric::InputError(
+        {"the motion", "",
+         fmt::format("{:g} s with points every {:g} ms", trajectory.duration(), 1e3 * period),
+         "at most 10 million points", "Let the program wait for a shorter time"});
+  }
+  Trajectory sampled;
+  for (const TrajectoryPoint& point : trajectory.points) {
+    if (!sampled.empty()) {
+      const double begin = sampled.points.back().time;
+      const auto steps = static_cast<long>(std::ceil((point.time - begin) / period - kRounding));
+      for (long i = 1; i < steps; ++i) {
+        sampled.points.push_back(at_rest(begin + static_cast<double>(i) * period, point.position));
+      }
+    }
+    sampled.points.push_back(point);
+  }
+  return sampled;
 }
 
 std::vector<double> waypoint_times(const BlendedPath& path, const TimeParameterization& law) {

@@ -91,6 +91,56 @@ program:
             "far");
 }
 
+TEST(ScenePrograms, WaitAndSetOutputs) {
+  const SceneFiles files;
+  const auto file = files.scene(kObjects + R"(program:
+  - wait: 2.5
+  - output: {name: do3, value: true}
+  - output: {name: 'lamp: "red"', value: -0.5}
+  - first_of: [[output: {name: 4, value: false}], [wait: 86400]]
+)");
+  const Scene scene = read_scene(file);
+  const std::vector<ProgramStep>& steps = scene.programs.at(0).steps;
+  ASSERT_EQ(steps.size(), 4U);
+  EXPECT_EQ(std::get<WaitStep>(steps[0]).duration, 2.5);
+  EXPECT_EQ(to_string(steps[0]), "wait 2.5 s");
+  EXPECT_EQ(std::get<OutputStep>(steps[1]).name, "do3");
+  EXPECT_TRUE(std::get<bool>(std::get<OutputStep>(steps[1]).value));
+  EXPECT_EQ(std::get<double>(std::get<OutputStep>(steps[2]).value), -0.5);
+  EXPECT_EQ(to_string(steps[3]), "set 4 to false or wait 86400 s");
+  write_scene(scene, file);
+  const std::string first = files.read(file);
+  EXPECT_THAT(first, HasSubstr("  - wait: 2.5\n  - output: {name: do3, value: true}\n"));
+  const std::vector<ProgramStep> again = read_scene(file).programs.at(0).steps;
+  EXPECT_EQ(std::get<OutputStep>(again[2]).name, "lamp: \"red\"");
+  const auto& either = std::get<AlternativesStep>(again[3]).programs;
+  EXPECT_FALSE(std::get<bool>(std::get<OutputStep>(either[0].steps[0]).value));
+  EXPECT_EQ(std::get<OutputStep>(either[0].steps[0]).name, "4");
+}
+
+TEST(ScenePrograms, KeepDisabledSteps) {
+  const SceneFiles files;
+  const auto file = files.scene(kObjects + R"(program:
+  - {pick: can, disabled: true}
+  - move: start
+    disabled: false
+  - first_of: [[{wait: 1, disabled: true}, {move: start}], [wait: 2]]
+)");
+  const Scene scene = read_scene(file);
+  const std::vector<ProgramStep>& steps = scene.programs.at(0).steps;
+  EXPECT_TRUE(steps.at(0).disabled);
+  EXPECT_EQ(std::get<PickStep>(steps[0]).object, "can");
+  EXPECT_FALSE(steps.at(1).disabled);
+  write_scene(scene, file);
+  EXPECT_THAT(files.read(file),
+              HasSubstr("  - {pick: {object: can, approach: 0.1, lift: 0.1}, disabled: true}\n"
+                        "  - move: start\n"
+                        "  - first_of: [[{wait: 1, disabled: true}, {move: start}], [{wait: 2}]]"));
+  const std::vector<ProgramStep> again = read_scene(file).programs.at(0).steps;
+  EXPECT_TRUE(again.at(0).disabled);
+  EXPECT_TRUE(std::get<AlternativesStep>(again.at(2)).programs.at(0).steps.at(0).disabled);
+}
+
 TEST(ScenePrograms, WarnOfObjectsThatAreGone) {
   const SceneFiles files;
   const Scene scene = read_scene(files.scene(kObjects + "program:\n  - pick: cup\n"));
@@ -109,6 +159,15 @@ TEST(ScenePrograms, RefuseWhatIsNoStep) {
   EXPECT_THAT(refusal("  - place: {}\n"), HasSubstr("neither on nor pose"));
   EXPECT_THAT(refusal("  home: []\n"), HasSubstr("at least one step"));
   EXPECT_THAT(refusal("  3\n"), HasSubstr("program"));
+  EXPECT_THAT(refusal("  - wait: 0\n"), HasSubstr("a time above 0, up to 86400 s"));
+  EXPECT_THAT(refusal("  - wait: 86401\n"), HasSubstr("a time above 0, up to 86400 s"));
+  EXPECT_THAT(refusal("  - wait: long\n"), HasSubstr("a finite number"));
+  EXPECT_THAT(refusal("  - output: do3\n"), HasSubstr("keys and values"));
+  EXPECT_THAT(refusal("  - output: {name: do3}\n"), HasSubstr("value"));
+  EXPECT_THAT(refusal("  - output: {name: do3, value: maybe}\n"),
+              HasSubstr("true, false or a number"));
+  EXPECT_THAT(refusal("  - disabled: true\n"), HasSubstr("a map of 0 keys"));
+  EXPECT_THAT(refusal("  - {wait: 1, disabled: perhaps}\n"), HasSubstr("true or false"));
   EXPECT_THAT(refusal("  - line: {xyz: [0, 0, 0]}\n"), HasSubstr("a vector of a length above 0"));
   EXPECT_THAT(refusal("  - first_of: [[move: start]]\n"), HasSubstr("at least two lists of steps"));
   EXPECT_THAT(refusal("  - first_of: [[move: start], []]\n"), HasSubstr("at least one step"));

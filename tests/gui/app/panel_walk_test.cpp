@@ -26,6 +26,7 @@
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTimer>
+#include <QToolButton>
 
 namespace handway::test {
 namespace {
@@ -144,6 +145,7 @@ class PanelWalk : public ::testing::TestWithParam<Form> {
   void walk_docks();
   void walk_properties();
   void walk_cards();
+  void walk_program();
   void walk_goals();
   void walk_menus();
   /// Looks at the window that a command opens, and closes it.
@@ -202,6 +204,20 @@ void PanelWalk::walk_properties() {
   part<QTabWidget>("control_tabs").setCurrentIndex(0);
 }
 
+// The editor of a program, with a step of each kind.
+void PanelWalk::walk_program() {
+  part<QMenu>("programs").actions().at(0)->trigger();
+  part<QAbstractButton>("task_edit").click();
+  look(QStringLiteral("program"));
+  for (QAction* kind : part<QToolButton>("program_add").menu()->actions()) {
+    kind->trigger();
+    look(QStringLiteral("program_") + kind->text());
+  }
+  part<QAbstractButton>("program_disable").click();
+  look(QStringLiteral("program_disabled"));
+  part<QAbstractButton>("task_close").click();
+}
+
 void PanelWalk::walk_cards() {
   const QString message =
       QStringLiteral("/home/somebody/robots/a/folder/with/a/long/name/cell.yaml:12: found a word");
@@ -218,6 +234,7 @@ void PanelWalk::walk_cards() {
   wait_for([&] { return part("grasp_plan").isVisible(); });
   look(QStringLiteral("grasps"));
   part<QAbstractButton>("grasp_close").click();
+  walk_program();
   action("Array…").trigger();
   look(QStringLiteral("array"));
   QTest::keyClick(window_.get(), Qt::Key_Escape);

@@ -32,9 +32,11 @@ std::vector<std::string> words(const std::vector<ArmInstruction>& instructions) 
     if (const auto* move = std::get_if<ArmMove>(&instruction)) {
       all.push_back("move " + std::to_string(move->point));
     } else if (const auto* wait = std::get_if<ArmWait>(&instruction)) {
-      all.emplace_back(wait->is_waypoint ? "wait" : "wait more");
+      all.emplace_back(wait->rests ? "rest" : wait->is_waypoint ? "wait" : "wait more");
     } else if (const auto* output = std::get_if<GripperOutput>(&instruction)) {
       all.push_back("output " + std::to_string(output->number) + (output->closes ? " on" : " off"));
+    } else if (const auto* set = std::get_if<ArmOutput>(&instruction)) {
+      all.push_back("set " + set->output.name);
     } else {
       all.push_back(std::get<ArmComment>(instruction).text);
     }
@@ -69,6 +71,26 @@ TEST(ArmInstructions, SetAnOutputForTheHand) {
       words(arm_instructions(staged, {.gripper_output = 3, .gripper_time = 0.0})),
       ElementsAre("stage: approach (pick can)", "move 1", "stage: close (pick can)", "detach: can",
                   "output 3 off", "wait", "stage: lift (pick can)", "move 3"));
+}
+
+TEST(ArmInstructions, SetOutputsAndRest) {
+  const auto instructions = arm_instructions(
+      test::with_outputs_and_wait(test::with_stages(motion()), {{"do3"}}, 2.0), {});
+  EXPECT_THAT(words(instructions),
+              ElementsAre("stage: approach (pick can)", "move 1", "stage: close (pick can)",
+                          "hand: closes, see wave_hand_targets.csv", "wait", "attach: can",
+                          "stage: lift (pick can)", "move 3", "stage: output (set do3 to true)",
+                          "set do3", "stage: wait (wait)", "rest"));
+  EXPECT_NEAR(std::get<ArmWait>(instructions.back()).duration, 2.0, 1e-9);
+}
+
+TEST(OutputNumber, IsTheEndOfTheName) {
+  EXPECT_EQ(output_number("do3"), 3);
+  EXPECT_EQ(output_number("12"), 12);
+  EXPECT_EQ(output_number("$OUT[17]"), 17);
+  for (const char* name : {"", "gripper", "do3b", "do12345", "[]"}) {
+    EXPECT_EQ(output_number(name), std::nullopt) << name;
+  }
 }
 
 TEST(ArmInstructions, HaveNamesWithoutLineEnds) {

@@ -10,6 +10,7 @@
 #include "handway/planning/grasps/grasp_file.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/tasks/palm_line.h"
+#include "handway/planning/tasks/task_file.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
 
@@ -23,6 +24,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace handway::planning {
@@ -80,6 +82,41 @@ TEST(Tasks, PickACanAndPlaceItElsewhereOnTheTable) {
   EXPECT_NEAR(*gap_to_support(last, can), geometric::kRestingGap, 1e-6);
   EXPECT_FALSE(can.X_PO.isApprox(geometric::find_object(*scene.scene, "can")->X_PO, 0.01));
   EXPECT_GT(plan.stages[2].squeezed.size(), 0) << "what the hand holds it with";
+}
+
+TEST(Tasks, RestWithTheObjectInTheHand) {
+  const SceneState scene = shipped("can_on_table");
+  const TaskPlan plan = planning::plan(
+      scene, {PickStep{"can"}, WaitStep{2.5}, OutputStep{"do3", true}, PlaceStep{{"table"}}});
+  ASSERT_TRUE(plan.solved) << plan.reason;
+  ASSERT_THAT(kinds(plan), ::testing::ElementsAre("approach", "reach", "close", "lift", "wait",
+                                                  "output", "carry", "lower", "open", "retreat"));
+  expect_valid(plan, scene);
+  EXPECT_EQ(plan.stages[4].rest, 2.5);
+  EXPECT_EQ(plan.stages[4].carried, "can");
+  EXPECT_EQ(plan.stages[5].rest, 0.0);
+  EXPECT_EQ(plan.stages[5].path.waypoints.front(), plan.stages[3].path.waypoints.back());
+}
+
+TEST(Tasks, LeaveOutDisabledSteps) {
+  const SceneState scene = shipped("can_on_table");
+  const auto off = [](geometric::ProgramStep step) {
+    step.disabled = true;
+    return step;
+  };
+  const geometric::Program program{
+      "",
+      {off(PickStep{"no such object"}), WaitStep{1.0},
+       geometric::AlternativesStep{{{"", {off(WaitStep{2.0})}}, {"", {WaitStep{3.0}}}}},
+       geometric::AlternativesStep{{{"", {off(WaitStep{4.0})}}, {"", {off(WaitStep{5.0})}}}}}};
+  const Task task = task_of(program, *scene.scene);
+  ASSERT_EQ(task.size(), 3U);
+  EXPECT_EQ(to_string(task[0]), "wait 1 s");
+  EXPECT_THAT(std::get<FirstOfStep>(task[1]).lengths, ::testing::ElementsAre(1U));
+  EXPECT_EQ(to_string(task[2]), "wait 3 s");
+  const Task none = task_of({"", {off(WaitStep{1.0})}}, *scene.scene);
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(plan(scene, none)); }),
+              HasSubstr("at least one that is not disabled"));
 }
 
 TEST(Tasks, PlaceAtAPose) {

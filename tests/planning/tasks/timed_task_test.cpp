@@ -1,5 +1,6 @@
 #include "handway/planning/tasks/timed_task.h"
 
+#include "handway/geometric/io/input_error.h"
 #include "handway/planning/extensions/exporter.h"
 #include "handway/planning/extensions/load_scene.h"
 #include "handway/planning/extensions/plugin.h"
@@ -94,6 +95,96 @@ TEST_P(TasksTimed, TellWhatTheHandDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutArcs, TasksTimed, testing::Bool());
+
+/// A program that moves, sets an output, waits, and moves back.
+Planned with_rests(const Task& rests) {
+  const SceneState scene =
+      load_scene(test::source_dir() / "scenes/can_on_table.yaml", PluginManager());
+  Configuration aside = *scene.scene->start;
+  aside[0] += 0.1;
+  Planned made{{MoveStep{aside, "aside"}}, {}};
+  made.task.insert(made.task.end(), rests.begin(), rests.end());
+  made.task.emplace_back(MoveStep{*scene.scene->start, "start"});
+  made.plan = plan_task(scene, made.task, *PlannerRegistry().create("auto"));
+  return made;
+}
+
+TEST(TasksWithRests, StandStillForTheTime) {
+  const Planned made = with_rests({OutputStep{"do3", true}, WaitStep{2.5}});
+  ASSERT_TRUE(made.plan.solved) << made.plan.reason;
+  const TimedTask timed = time_task(made.task, made.plan, "all");
+  ASSERT_TRUE(timed.cleared());
+  ASSERT_EQ(timed.motion.stages.size(), 4U);
+  EXPECT_NO_THROW(check_motion(timed.motion));
+  const MotionStage& output = timed.motion.stages[1];
+  ASSERT_TRUE(output.output);
+  EXPECT_EQ(output.output->name, "do3");
+  EXPECT_EQ(output.step, "set do3 to true");
+  const MotionStage& wait = timed.motion.stages[2];
+  EXPECT_TRUE(wait.waits);
+  EXPECT_EQ(wait.first, output.first) << "an output takes no time";
+  const MotionStage& back = timed.motion.stages[3];
+  EXPECT_EQ(back.first, wait.first + 1);
+  EXPECT_NEAR(timed.motion.waypoint_times[back.first] - timed.motion.waypoint_times[wait.first],
+              2.5, 1e-9);
+  const auto rest = points_of_stage(timed.motion, 2);
+  ASSERT_EQ(rest.size(), 2U);
+  EXPECT_EQ(rest[0].position, rest[1].position);
+  EXPECT_NEAR(rest[1].time - rest[0].time, 2.5, 1e-9);
+  EXPECT_EQ(points_of_stage(timed.motion, 1).size(), 1U);
+  EXPECT_EQ(stage_at(timed.motion, rest[0].time + 1.0)->name, "wait");
+  EXPECT_EQ(stage_at(timed.motion, rest[1].time + 0.01)->name, "move");
+  const TimedPath whole = whole_task(timed);
+  EXPECT_NEAR(whole.preflight.duration, timed.motion.trajectory.duration(), 1e-9);
+  int stops = 1;  // between both moves
+  for (const TimedPath& stage : timed.stages) {
+    stops += stage.blends.stops;
+  }
+  EXPECT_EQ(whole.blends.stops, stops);
+}
+
+TEST(TasksWithRests, RestForWholePeriods) {
+  const Planned made = with_rests({WaitStep{0.001}});
+  TimingOptions options;
+  options.period = 0.02;
+  const TimedTask timed = time_task(made.task, made.plan, "all", options);
+  ASSERT_TRUE(timed.cleared());
+  const auto& points = timed.motion.trajectory.points;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    ASSERT_NEAR(points[i].time - points[i - 1].time, 0.02, 1e-9);
+  }
+}
+
+TEST(TasksWithRests, AreMotionsEvenIfNothingMoves) {
+  const SceneState scene =
+      load_scene(test::source_dir() / "scenes/can_on_table.yaml", PluginManager());
+  const Task task{OutputStep{"do3", true}, OutputStep{"do4", 0.5}, OutputStep{"do3", true}};
+  const TaskPlan plan = plan_task(scene, task, *PlannerRegistry().create("auto"));
+  const TimedTask timed = time_task(task, plan, "all");
+  ASSERT_TRUE(timed.cleared());
+  EXPECT_NO_THROW(check_motion(timed.motion));
+  EXPECT_EQ(timed.motion.path.waypoints.size(), 2U);
+  EXPECT_EQ(outputs_of(timed.motion).size(), 2U) << "each once";
+}
+
+TEST(TrajectoriesWithRestsSampled, HaveAPointEveryPeriod) {
+  Trajectory trajectory;
+  for (const double time : {0.0, 0.01, 0.041, 0.051}) {
+    trajectory.points.push_back({time, Configuration::Constant(1, time < 0.02 ? time : 0.01),
+                                 Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1)});
+  }
+  const Trajectory sampled = with_rests_sampled(trajectory, 0.01);
+  std::vector<double> times;
+  for (const TrajectoryPoint& point : sampled.points) {
+    times.push_back(point.time);
+  }
+  EXPECT_THAT(times, testing::ElementsAre(0.0, 0.01, testing::DoubleNear(0.02, 1e-12),
+                                          testing::DoubleNear(0.03, 1e-12),
+                                          testing::DoubleNear(0.04, 1e-12), 0.041, 0.051));
+  EXPECT_EQ(sampled.points[3].position[0], 0.01);
+  trajectory.points.back().time = 1e6;
+  EXPECT_THROW(static_cast<void>(with_rests_sampled(trajectory, 0.01)), geometric::InputError);
+}
 
 TEST(Tasks, AreNotTimedWithoutAPlan) {
   const TimedTask timed = time_task(planned().task, {}, "all");

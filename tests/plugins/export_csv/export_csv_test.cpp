@@ -145,6 +145,18 @@ TEST(CsvExporter, HasTheStageOfEachRow) {
   }
 }
 
+TEST(CsvExporter, StandsStillWhileAProgramWaits) {
+  const planning::Motion motion = test::with_outputs_and_wait(
+      test::with_stages(test::tx90_sah_motion(false)), {{"lamp", true}}, 2.5);
+  const std::string text = CsvExporter().files(motion)[0].content;
+  const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
+  EXPECT_EQ(cells(last.substr(0, last.size() - 1)).back(), "wait");
+  EXPECT_NEAR(std::stod(last), motion.waypoint_times.back(), 1e-9);
+  EXPECT_EQ(CsvExporter().warnings(motion),
+            std::vector<std::string>{
+                "csv does not set the output lamp to true: the format has no outputs."});
+}
+
 TEST(CsvExporter, WritesAPathFileOfAMotionWithStages) {
   const planning::Motion motion = test::with_stages(test::tx90_sah_motion(false));
   const test::ScratchFolder scratch;

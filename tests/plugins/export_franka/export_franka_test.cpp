@@ -80,6 +80,24 @@ TEST(FrankaExporter, WritesTheSameAsJsonWithTheLimits) {
   EXPECT_EQ(read["dq"].back(), (std::vector<double>(7, 0.0)));
 }
 
+TEST(FrankaExporter, RepeatsThePointWhileAProgramWaits) {
+  planning::Motion original = motion();
+  original.stages = {{.name = "move", .step = "move to home"}};
+  const planning::Motion waiting =
+      test::with_outputs_and_wait(original, {{"lamp", true}, {"level", 0.5}}, 0.25);
+  const auto files = FrankaExporter().files(waiting);
+  std::string header;
+  const auto table = rows(files[0].content, header);
+  ASSERT_EQ(table.size(), original.trajectory.points.size() + 250);
+  EXPECT_NEAR(table.back()[0] - table[table.size() - 2][0], 1e-3, 1e-9);
+  EXPECT_EQ(table.back()[1], table[table.size() - 250][1]);
+  const auto stages = nlohmann::json::parse(files[1].content)["stages"];
+  EXPECT_EQ(stages[1]["output"]["name"], "lamp");
+  EXPECT_EQ(stages[1]["output"]["value"], true);
+  EXPECT_EQ(stages[2]["output"]["value"], 0.5);
+  EXPECT_THAT(FrankaExporter().warnings(waiting), SizeIs(2));
+}
+
 TEST(FrankaExporter, KnowsTheLimitsOfBothRobots) {
   EXPECT_STREQ(franka_limits(motion()).robot, "the Franka Emika Robot");
   EXPECT_STREQ(franka_limits(test::with_robot_name(motion(), "fr3_cell")).robot,

@@ -135,6 +135,21 @@ TEST(KrlProgram, NamesStagesAndDrivesTheHand) {
               HasSubstr("1 to 4096"));
 }
 
+TEST(KrlProgram, SetsOutputsAndWaits) {
+  const planning::Motion staged = test::with_outputs_and_wait(
+      test::with_stages(motion()),
+      {{"do4", true}, {"$OUT[4]", false}, {"ao2", 0.5}, {"lamp", true}, {"ao2", 3.0}}, 2.5);
+  const test::KrlProgram read = program(staged);
+  EXPECT_THAT(read.faults, IsEmpty());
+  EXPECT_THAT(read.outputs, ElementsAre("4 TRUE", "4 FALSE", "analog 2 0.500000"));
+  EXPECT_GE(read.moves.back().pause, 2.5);
+  EXPECT_THAT(read.comments, Contains("NOT SET: lamp to true"));
+  EXPECT_THAT(
+      KrlExporter().warnings(staged),
+      ElementsAre(HasSubstr("krl does not set the output lamp to true: KRL sets outputs by"),
+                  HasSubstr("from -1 to 1")));
+}
+
 TEST(KrlProgram, HasNamesOfAtMost24Characters) {
   planning::Motion named = motion();
   named.name = "a_task_with_a_name_that_is_too_long_for_krl";

@@ -128,6 +128,10 @@ class Reader {
       program_.outputs.push_back(match_[1].str() + " " + match_[2].str());
       return true;
     }
+    if (matches(line, R"(\$ANOUT\[(\d+)\]=)" + ("(" + kNumber + ")"))) {
+      program_.outputs.push_back("analog " + match_[1].str() + " " + match_[2].str());
+      return true;
+    }
     return line == "HALT" || line == "RETURN" || line == "BAS(#INITMOV,0)" ||
            line == "DECL INT V,A,I" || line == "$VEL_AXIS[I]=V" || line == "$ACC_AXIS[I]=A";
   }

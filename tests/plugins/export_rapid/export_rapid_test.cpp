@@ -86,6 +86,20 @@ TEST(RapidModule, NamesStagesAndDrivesTheHand) {
   EXPECT_NEAR(with.waited, 2.0, 2.1e-3);
 }
 
+TEST(RapidModule, SetsOutputsAndWaits) {
+  const planning::Motion staged = test::with_outputs_and_wait(
+      test::with_stages(motion()),
+      {{"lamp_red", true}, {"3", false}, {"2", 1.5}, {"red lamp", true}, {"While", true}}, 2.5);
+  const test::RapidModule read = module_of(staged);
+  EXPECT_THAT(read.faults, IsEmpty());
+  EXPECT_THAT(read.outputs, ElementsAre("lamp_red 1", "do3 0", "ao2 1.500000"));
+  EXPECT_NEAR(read.waited - module_of(test::with_stages(motion())).waited, 2.5, 1e-9);
+  EXPECT_THAT(read.comments, Contains("NOT SET: red lamp to true"));
+  EXPECT_THAT(RapidExporter().warnings(staged),
+              ElementsAre(HasSubstr("the output red lamp to true: RAPID sets signals by"),
+                          HasSubstr("the output While to true")));
+}
+
 TEST(RapidModule, HasNamesOfAtMost32Characters) {
   planning::Motion named = motion();
   named.name = "a_task_with_a_name_that_is_much_too_long_for_rapid";

@@ -104,6 +104,8 @@ class Reader {
       module_.waited += std::stod(match_[1]);
     } else if (matches(line, "SetDO (" + kWord + "),([01]);")) {
       module_.outputs.push_back(match_[1].str() + " " + match_[2].str());
+    } else if (matches(line, "SetAO (" + kWord + "),(" + kNumber + ");")) {
+      module_.outputs.push_back(match_[1].str() + " " + match_[2].str());
     } else if (matches(line, R"re(IF Abs\([^()]*\)>0\.1( OR Abs\([^()]*\)>0\.1){5} THEN)re")) {
       open_.emplace_back("IF");
     } else if (line != "VAR jointtarget here;" && line != "here:=CJointT();" && line != "EXIT;" &&

@@ -127,6 +127,22 @@ TEST(MoveItExporter, WritesDisplayTrajectories) {
   }
 }
 
+TEST(RosExporter, WritesOutputsAndRestsAmongTheStages) {
+  const planning::Motion motion = test::with_outputs_and_wait(
+      test::with_stages(test::tx90_sah_motion(false)), {{"lamp", true}}, 2.5);
+  const auto files = contents(RosExporter(), motion);
+  const YAML::Node sequence = YAML::Load(files.at("wave_stages_ros2.yaml"));
+  ASSERT_EQ(sequence.size(), 5U);
+  EXPECT_THAT(keys(sequence[3]), ElementsAre("stage", "step", "output"));
+  EXPECT_EQ(sequence[3]["output"]["name"].as<std::string>(), "lamp");
+  EXPECT_TRUE(sequence[3]["output"]["value"].as<bool>());
+  const YAML::Node rest = sequence[4]["trajectory"]["points"];
+  ASSERT_EQ(rest.size(), 2U);
+  EXPECT_EQ(rest[1]["time_from_start"]["sec"].as<int>(), 2);
+  EXPECT_EQ(rest[1]["positions"][3].as<double>(), rest[0]["positions"][3].as<double>());
+  EXPECT_THAT(RosExporter().warnings(motion), SizeIs(1));
+}
+
 TEST(RosExporter, WritesTheStagesOneAfterAnother) {
   const planning::Motion motion = test::with_stages(test::tx90_sah_motion(false));
   const auto files = contents(RosExporter(), motion);

@@ -105,6 +105,37 @@ TEST(UrScript, NamesStagesAndDrivesTheHand) {
   EXPECT_THAT(UrScriptExporter().files(staged, {.gripper_output = 5}), SizeIs(1));
 }
 
+TEST(UrScript, SetsOutputsAndWaits) {
+  const planning::Motion staged = test::with_outputs_and_wait(test::with_stages(motion()),
+                                                              {{"do7", true},
+                                                               {"tool 1", false},
+                                                               {"Config_out 3", true},
+                                                               {"ao1", 0.25},
+                                                               {"lamp", true},
+                                                               {"do8", true},
+                                                               {"ao0", 1.5}},
+                                                              2.5);
+  const test::UrProgram read = program(staged);
+  EXPECT_THAT(read.faults, IsEmpty());
+  EXPECT_THAT(read.outputs,
+              ElementsAre("7 True", "tool 1 False", "configurable 3 True", "analog 1 0.250000"));
+  EXPECT_NEAR(read.slept - program(test::with_stages(motion())).slept, 2.5, 1e-5);
+  EXPECT_THAT(read.comments, Contains("NOT SET: lamp to true"));
+  EXPECT_THAT(UrScriptExporter().warnings(staged),
+              ElementsAre(HasSubstr("urscript does not set the output lamp to true: URScript sets"),
+                          HasSubstr("do8"), HasSubstr("from 0 to 1")));
+}
+
+TEST(UrScriptServo, SleepsInsteadOfPointsWhileItWaits) {
+  const planning::Motion original = test::with_stages(streamed_motion());
+  const planning::Motion staged = test::with_outputs_and_wait(original, {{"do0", true}}, 3600.0);
+  const test::UrProgram read = stream(staged);
+  EXPECT_THAT(read.faults, IsEmpty());
+  EXPECT_NEAR(read.slept, 3600.0, 1e-5);
+  EXPECT_EQ(read.moves.size(), original.trajectory.points.size() - 1) << "no point is lost";
+  EXPECT_THAT(read.outputs, ElementsAre("0 True"));
+}
+
 TEST(UrScriptServo, StreamsEveryPointOfTheMotion) {
   const planning::Motion original = streamed_motion();
   const test::UrProgram read = stream(original);

@@ -100,6 +100,14 @@ class Reader {
       program_.outputs.push_back(match_[1].str() + " " + match_[2].str());
       return true;
     }
+    if (matches(line, R"(set_(tool|configurable)_digital_out\(([0-7]), (True|False)\))")) {
+      program_.outputs.push_back(match_[1].str() + " " + match_[2].str() + " " + match_[3].str());
+      return true;
+    }
+    if (matches(line, R"(set_standard_analog_out\(([01]), )" + number + R"(\))")) {
+      program_.outputs.push_back("analog " + match_[1].str() + " " + match_[2].str());
+      return true;
+    }
     return line == "halt" || matches(line, R"(stopj\()" + number + R"(\))") ||
            matches(line, R"re(popup\("[^"]*", title="[^"]*", error=True, blocking=True\))re");
   }

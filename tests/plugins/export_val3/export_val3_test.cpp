@@ -206,6 +206,42 @@ TEST(Val3Application, NamesStagesAndDrivesTheHand) {
               HasSubstr("1 or 2"));
 }
 
+TEST(Val3Application, SetsOutputsAndWaits) {
+  const planning::Motion staged = test::with_outputs_and_wait(test::with_stages(motion()),
+                                                              {{"do3", true},
+                                                               {"Fieldbus\\lamp", true},
+                                                               {"do3", false},
+                                                               {"Fieldbus\\heat", 2.5},
+                                                               {"lamp", true},
+                                                               {"do16", true},
+                                                               {"ao1", 1.0}},
+                                                              2.5);
+  const Application application(staged);
+  const std::string code =
+      application.file("runPath.pgx").child("Programs").child("Program").child_value("Code");
+  std::set<std::string> known = application.variables();
+  known.insert({"l_i", "l_jHere"});
+  EXPECT_THAT(test::val3_faults(code, known), IsEmpty());
+  EXPECT_THAT(
+      code, AllOf(HasSubstr("  waitEndMove()\n  dOutput[0]=true\n"), HasSubstr("dOutput[1]=true\n"),
+                  HasSubstr("dOutput[0]=false\n"), HasSubstr("  aioSet(aOutput[0],2.500000)\n"),
+                  HasSubstr("  // NOT SET: lamp to true\n")));
+  std::vector<std::string> links;
+  for (const char* name : {"dOutput", "aOutput"}) {
+    EXPECT_EQ(application.data(name).attribute("size").as_uint(), application.values(name).size());
+    for (const pugi::xml_node value : application.values(name)) {
+      links.emplace_back(value.attribute("link").value());
+    }
+  }
+  EXPECT_THAT(links, ElementsAre("BasicIO-1\\%Q3", "Fieldbus\\lamp", "Fieldbus\\heat"));
+  EXPECT_STREQ(application.data("dOutput").attribute("type").value(), "dio");
+  EXPECT_STREQ(application.data("aOutput").attribute("type").value(), "aio");
+  EXPECT_EQ(application.values("nPause").back().attribute("value").as_double(), 2.5)
+      << "the wait is a point with a pause";
+  EXPECT_THAT(Val3Exporter().warnings(staged),
+              ElementsAre(HasSubstr("lamp"), HasSubstr("do16"), HasSubstr("ao1")));
+}
+
 TEST(Val3Grammar, FindsWhatIsWrong) {
   const auto faults = [](const char* code) { return test::val3_faults(code, {"a"}); };
   EXPECT_THAT(faults("begin\n  a=1\nend"), IsEmpty());

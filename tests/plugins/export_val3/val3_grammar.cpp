@@ -16,9 +16,9 @@ const std::set<std::string, std::less<>> kLanguage = {
 
 /// Words of the library that six-axis applications use (VAL3 reference manual, chapters 3 to 8).
 const std::set<std::string, std::less<>> kLibrary = {
-    "abs",      "close",     "delay",     "open",        "disablePower", "enablePower",
-    "herej",    "isInRange", "isPowered", "movej",       "popUpMsg",     "resetMotion",
-    "stopMove", "wait",      "isSettled", "waitEndMove", "runPath"};
+    "abs",         "aioSet",   "close",     "delay",     "open",        "disablePower",
+    "enablePower", "herej",    "isInRange", "isPowered", "movej",       "popUpMsg",
+    "resetMotion", "stopMove", "wait",      "isSettled", "waitEndMove", "runPath"};
 
 bool is_fields_name(const std::string& word) {
   return word.size() == 2 && word[0] == 'j' && word[1] >= '1' && word[1] <= '6';

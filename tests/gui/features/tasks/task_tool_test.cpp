@@ -4,6 +4,7 @@
 #include "features/export/export_dialog.h"
 #include "features/export/pictures_dialog.h"
 #include "features/planning/query_check.h"
+#include "features/tasks/step_list.h"
 #include "features/workbench.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
@@ -16,10 +17,14 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
+#include <QDropEvent>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -68,6 +73,22 @@ class PickAndPlace : public EditingTest {
       words << steps.topLevelItem(i)->text(1);
     }
     return words;
+  }
+  /// Adds a step by the text of the menu.
+  void add_step(const char* text) {
+    for (QAction* action : part<QToolButton>("program_add").menu()->actions()) {
+      if (action->text() == QLatin1String(text)) {
+        action->trigger();
+        return;
+      }
+    }
+    FAIL() << text;
+  }
+  void choose(const char* list, const char* text) {
+    auto& box = part<QComboBox>(list);
+    ASSERT_GE(box.findText(QLatin1String(text)), 0) << text;
+    box.setCurrentText(QLatin1String(text));
+    emit box.activated(box.currentIndex());
   }
   void select_step(int row) {
     auto& steps = part<QTreeWidget>("program_steps");
@@ -175,6 +196,139 @@ TEST_F(PickAndPlace, MakesANewProgram) {
   EXPECT_FALSE(part<QTreeWidget>("program_steps").isVisible());
 }
 
+TEST_F(PickAndPlace, EditsPosesAndLines) {
+  edit_program();
+  add_step("Move to a pose");
+  const auto goal = [this] {
+    return std::get<geometric::PoseStep>(scene().programs.at(0).steps.at(1)).goal;
+  };
+  const geometric::Pose here = goal().X_WG;
+  EXPECT_EQ(goal().link, "palm") << "where it is shown";
+  choose("program_frame", "table");
+  EXPECT_EQ(goal().reference, "table");
+  const geometric::Pose X_WF = *geometric::standing_pose(scene(), "table");
+  EXPECT_TRUE((X_WF * goal().X_WG).isApprox(here, 1e-9)) << "the pose stays";
+  type("program_position_x", "20 cm");
+  EXPECT_NEAR(goal().X_WG.translation().x(), 0.2, 1e-9);
+  EXPECT_TRUE(goal().X_WG.linear().isApprox((X_WF.inverse() * here).linear(), 1e-9));
+  choose("program_name", "forearm_link");
+  EXPECT_EQ(goal().link, "forearm_link");
+  keep_picture("program_pose");
+  choose("program_frame", "world");
+  EXPECT_EQ(goal().reference, "");
+
+  add_step("Move straight");
+  const auto line = [this] {
+    return std::get<geometric::LineStep>(scene().programs.at(0).steps.at(2));
+  };
+  EXPECT_FALSE(part<QWidget>("program_position_x").isVisible());
+  EXPECT_EQ(line().shift, Eigen::Vector3d(0.0, 0.0, 0.1));
+  type("program_line_z", "0");
+  EXPECT_EQ(line().shift.z(), 0.1) << "a line has a length";
+  type("program_line_y", "-5 cm");
+  EXPECT_TRUE(line().shift.isApprox(Eigen::Vector3d(0.0, -0.05, 0.0), 1e-9));
+  choose("program_frame", "palm");
+  EXPECT_EQ(line().reference, "palm");
+  EXPECT_EQ(shown_steps().at(2), "line of 50 mm");
+  editor().undo_stack().undo();
+  EXPECT_EQ(line().reference, "");
+}
+
+TEST_F(PickAndPlace, EditsWaitsAndOutputs) {
+  edit_program();
+  add_step("Wait");
+  part<QDoubleSpinBox>("program_wait").setValue(2.5);
+  EXPECT_EQ(std::get<geometric::WaitStep>(scene().programs.at(0).steps.at(1)).duration, 2.5);
+  add_step("Set an output");
+  const auto output = [this] {
+    return std::get<geometric::OutputStep>(scene().programs.at(0).steps.at(2));
+  };
+  auto& name = part<QLineEdit>("program_output_name");
+  name.setText("do7");
+  emit name.editingFinished();
+  EXPECT_EQ(output().name, "do7");
+  name.setText(" ");
+  emit name.editingFinished();
+  EXPECT_EQ(output().name, "do7") << "an output has a name";
+  EXPECT_FALSE(part<QDoubleSpinBox>("program_output_number").isVisible());
+  choose("program_output_value", "Off");
+  EXPECT_FALSE(std::get<bool>(output().value));
+  choose("program_output_value", "Number");
+  part<QDoubleSpinBox>("program_output_number").setValue(0.5);
+  EXPECT_EQ(std::get<double>(output().value), 0.5);
+  keep_picture("program_output");
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("pick can", "wait 2.5 s", "set do7 to 0.5",
+                                                    "place on table", "move to start"));
+}
+
+TEST_F(PickAndPlace, DisablesSteps) {
+  edit_program();
+  auto& steps = part<QTreeWidget>("program_steps");
+  select_step(1);
+  click("program_disable");
+  EXPECT_TRUE(scene().programs.at(0).steps.at(1).disabled);
+  EXPECT_TRUE(steps.topLevelItem(1)->font(1).strikeOut());
+  EXPECT_EQ(part<QLabel>("task_note").text(), "Steps: pick can, move to start");
+  EXPECT_TRUE(part<QToolButton>("program_disable").isChecked());
+  keep_picture("program_disabled");
+  select_step(0);
+  EXPECT_FALSE(part<QToolButton>("program_disable").isChecked());
+  type("program_first_length", "5 cm");
+  EXPECT_TRUE(scene().programs.at(0).steps.at(1).disabled) << "others are as they were";
+  select_step(1);
+  type("program_first_length", "5 cm");
+  EXPECT_TRUE(scene().programs.at(0).steps.at(1).disabled) << "also with other values";
+  click("program_disable");
+  EXPECT_FALSE(steps.topLevelItem(1)->font(1).strikeOut());
+  editor().undo_stack().undo();
+  EXPECT_TRUE(scene().programs.at(0).steps.at(1).disabled);
+}
+
+TEST_F(PickAndPlace, MovesAStepThatIsDragged) {
+  edit_program();
+  auto& steps = part<gui::StepList>("program_steps");
+  // Drops the selected step on the upper or the lower half of another one's row.
+  const auto drop = [&](int row, bool below) {
+    const QRect there = steps.visualItemRect(steps.topLevelItem(row));
+    const QMimeData data;
+    QDropEvent event(QPoint(there.center().x(), below ? there.bottom() : there.top() + 1),
+                     Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
+    steps.dropEvent(&event);
+    EXPECT_NE(event.dropAction(), Qt::MoveAction) << "else the list removes the row";
+    QCoreApplication::processEvents();
+  };
+  select_step(0);
+  drop(2, true);
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("place on table", "move to start", "pick can"));
+  EXPECT_EQ(steps.row(), 2) << "it stays selected";
+  drop(1, false);
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("place on table", "pick can", "move to start"));
+  drop(1, true);
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("place on table", "pick can", "move to start"));
+  editor().undo_stack().undo();
+  editor().undo_stack().undo();
+  EXPECT_THAT(shown_steps(), ::testing::ElementsAre("pick can", "place on table", "move to start"));
+}
+
+TEST_F(PickAndPlace, PausesWhereAProgramWaits) {
+  part<QMenu>("programs").actions().back()->trigger();
+  add_step("Wait");
+  part<QDoubleSpinBox>("program_wait").setValue(0.5);
+  add_step("Set an output");
+  select_step(0);
+  click("program_remove");
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved) << tool<gui::TaskTool>().plan().reason;
+  const auto& stages = part<QTreeWidget>("task_stages");
+  ASSERT_EQ(stages.topLevelItemCount(), 2);
+  EXPECT_EQ(stages.topLevelItem(0)->text(0), "Wait");
+  EXPECT_EQ(stages.topLevelItem(0)->text(1), "0.50 s");
+  EXPECT_EQ(stages.topLevelItem(1)->text(0), "Set output");
+  const auto& moment = *part<gui::FilmBar>("task_film").findChild<QSlider*>();
+  EXPECT_EQ(moment.maximum() + 1, 500 / gui::FilmBar::kFrameTimeMs + 2)
+      << "a frame every 20 ms, and one of the output";
+}
+
 class PickAndPlaceWithPlugins : public PickAndPlace {
  protected:
   [[nodiscard]] std::shared_ptr<planning::PluginManager> plugins() const override {
@@ -221,6 +375,27 @@ TEST_F(PickAndPlaceWithPlugins, ExportsTheWholeTask) {
   for (const char* stage : {"// stage: lift (pick can)", "// stage: open (place on table)"}) {
     EXPECT_THAT(program, ::testing::HasSubstr(stage));
   }
+}
+
+TEST_F(PickAndPlaceWithPlugins, WarnsOfOutputsThatAFormatCantSet) {
+  part<QMenu>("programs").actions().back()->trigger();
+  add_step("Set an output");
+  plan();
+  ASSERT_TRUE(tool<gui::TaskTool>().plan().solved) << tool<gui::TaskTool>().plan().reason;
+  click("task_export");
+  auto* dialog = window().findChild<gui::ExportDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  const auto says = [&](const char* text) {
+    return std::ranges::any_of(dialog->findChildren<QLabel*>(), [&](const QLabel* label) {
+      return label->text().contains(QLatin1String(text));
+    });
+  };
+  dialog->choose_format("csv");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return says("csv does not set the output do1 to true"); },
+                              kPatienceMs));
+  dialog->choose_format("val3");
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return says("The motion takes") && !says("does not set the output"); }, kPatienceMs));
 }
 
 TEST_F(PickAndPlaceWithPlugins, SimulatesWhetherTheHandHoldsTheObject) {

@@ -5,6 +5,7 @@
 #include "handway/planning/timing/time_path.h"
 
 #include <string>
+#include <vector>
 
 namespace handway::test {
 
@@ -29,5 +30,9 @@ namespace handway::test {
 /// Returns tx90_sah_motion() with stages: "approach", "close" of the object "can", while the hand
 /// moves alone, and "lift".
 [[nodiscard]] planning::Motion with_stages(planning::Motion motion);
+
+/// Returns the motion with more stages at its end: it sets outputs, and waits for `wait` s.
+[[nodiscard]] planning::Motion with_outputs_and_wait(
+    planning::Motion motion, const std::vector<geometric::OutputStep>& outputs, double wait);
 
 }  // namespace handway::test

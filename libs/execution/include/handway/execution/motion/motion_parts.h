@@ -22,15 +22,21 @@ struct MotionPart {
   /// Distance by which an object in the hand may keep each variable from its target, rad or m,
   /// [variable_count]; of size 0: none.
   geometric::Configuration give = {};
+  bool rests = false;  ///< Nothing moves: the devices get no motion, and time passes.
 };
 
 /// Returns the parts of a task's motion, in their order. While the hand carries an object, the
 /// targets of its joints are those that squeeze the object (MotionStage::squeezed); an object of
 /// the real world keeps the fingers from reaching them. Between the stages, a part `hold` moves the
-/// fingers to these targets, and a part `release` moves them back.
+/// fingers to these targets, and a part `release` moves them back. Stages that set an output have
+/// no part, see unset_outputs().
 /// @param motion of planning::time_task(). @param scenes those of its stages, shape [stages].
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT std::vector<MotionPart> parts_of(
     const planning::Motion& motion, const std::vector<planning::SceneState>& scenes);
+
+/// Returns a sentence that names the outputs which a motion sets, and its devices don't; empty if
+/// there are none. No device has outputs.
+[[nodiscard]] HANDWAY_EXECUTION_EXPORT std::string unset_outputs(const planning::Motion& motion);
 
 /// Returns the sum of the durations of parts, s.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT double duration_of(std::span<const MotionPart> parts);

@@ -20,9 +20,12 @@ inline constexpr double kLongestStraightMotion = 10.0;
 ///     - move: start                                     # or a posture of the scene
 ///     - move: {link: palm, in: shelf, xyz: [0, 0, 0.2]} # or as in `goal_pose`
 ///     - line: {xyz: [0, 0, 0.1], in: palm}              # along the axes of the palm
+///     - wait: 2.5                                       # s
+///     - output: {name: do3, value: true}                # or false, or a number
 ///     - first_of: [[place: shelf], [place: table]]      # the first list that is possible
 ///
-/// `pick: can` and `place: shelf` are short for maps with default lengths.
+/// `pick: can` and `place: shelf` are short for maps with default lengths. A step with a second
+/// key, `disabled: true`, is kept, but not planned.
 /// @param scene whose objects the steps name.
 /// @param warnings receives the names of objects that the scene does not have; nullptr: they are
 /// errors.

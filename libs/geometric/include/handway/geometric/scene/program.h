@@ -56,6 +56,20 @@ struct LineStep {
   std::string reference = {};
 };
 
+/// Longest time of a WaitStep, s: a day.
+inline constexpr double kLongestWait = 86400.0;
+
+/// A step in which the robot rests.
+struct WaitStep {
+  double duration = 1.0;  ///< s, above 0, at most kLongestWait.
+};
+
+/// A step that sets an output of the robot's controller. Nothing moves.
+struct OutputStep {
+  std::string name;                         ///< Of the output, as the controller has it: "do3".
+  std::variant<bool, double> value = true;  ///< Of a digital or of another output.
+};
+
 struct Program;
 
 /// A step that is one of several programs: the first that is possible, with all steps after it.
@@ -64,8 +78,12 @@ struct AlternativesStep {
 };
 
 /// A step of a program.
-using ProgramStep =
-    std::variant<PickStep, PlaceStep, PostureStep, PoseStep, LineStep, AlternativesStep>;
+struct ProgramStep : std::variant<PickStep, PlaceStep, PostureStep, PoseStep, LineStep, WaitStep,
+                                  OutputStep, AlternativesStep> {
+  using variant::variant;
+
+  bool disabled = false;  ///< The program is planned without it.
+};
 
 /// Steps in their order.
 struct Program {
@@ -75,6 +93,9 @@ struct Program {
 
 /// Returns the words for a step: "pick can", "place on table", "move to start".
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const ProgramStep& step);
+
+/// Returns the value of an output as text: "true", "false" or a number.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string value_text(const OutputStep& output);
 
 /// The word that stands for the palm in LineStep::reference.
 inline constexpr const char* kPalmAxes = "palm";

@@ -6,6 +6,7 @@
 #include "handway/planning/timing/time_path.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,6 +34,7 @@ struct ArmWait {
   /// True if the motion has a waypoint at its end, where only the hand has moved. Otherwise the
   /// time is added to the motion.
   bool is_waypoint = true;
+  bool rests = false;  ///< The hand rests, too: the trajectory has no points between.
 };
 
 /// A digital output of the controller that closes the hand.
@@ -41,8 +43,13 @@ struct GripperOutput {
   bool closes = false;
 };
 
+/// An output of the controller that a step of a program sets.
+struct ArmOutput {
+  geometric::OutputStep output;
+};
+
 /// An instruction of a program.
-using ArmInstruction = std::variant<ArmComment, ArmMove, ArmWait, GripperOutput>;
+using ArmInstruction = std::variant<ArmComment, ArmMove, ArmWait, GripperOutput, ArmOutput>;
 
 /// Requirements of a language on an arm.
 struct ArmRequirements {
@@ -67,6 +74,14 @@ HANDWAY_PLANNING_EXPORT void require_arm(const Motion& motion, const ArmRequirem
 /// @pre check_motion() accepts the motion.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<ArmInstruction> arm_instructions(
     const Motion& motion, const ExportOptions& options);
+
+/// Returns the number at the end of an output's name, before brackets: 3 for "do3", "3" and
+/// "$OUT[3]". Nothing without one, or beyond 9999.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<int> output_number(const std::string& name);
+
+/// Returns the comment in place of an output that a format can't set.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string unset_output_comment(
+    const geometric::OutputStep& output);
 
 /// Returns comments for the beginning of a program: the motion, its robot, number of moves and
 /// duration.

@@ -50,6 +50,14 @@ class HANDWAY_PLANNING_EXPORT Exporter {
   [[nodiscard]] TimingSettings settings_for(TimingSettings settings) const;
   /// Robots that the format is for, if the motion's robot seems to be another one; else empty.
   [[nodiscard]] virtual std::string robot_objection(const Motion& /*motion*/) const { return {}; }
+  /// Reason why the format can't set an output of a program; empty if it can.
+  [[nodiscard]] virtual std::string output_objection(
+      const geometric::OutputStep& /*output*/) const {
+    return "the format has no outputs";
+  }
+  /// Returns warnings about parts of a motion that the files lack, a sentence each: the outputs
+  /// with an output_objection().
+  [[nodiscard]] std::vector<std::string> warnings(const Motion& motion) const;
 
   /// Makes the files for a motion without writing them.
   /// @throws InputError naming joint, time and value if the motion can't run (see

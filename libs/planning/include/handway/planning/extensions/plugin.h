@@ -38,7 +38,7 @@ using MakeHoldTest = std::unique_ptr<HoldTest> (*)(const PlanningProblem& proble
                                                    std::string_view object, int palm);
 
 /// Raised whenever a plugin built against an older header would misbehave.
-inline constexpr int kPluginApiVersion = 11;
+inline constexpr int kPluginApiVersion = 12;
 
 /// Hash of the sizes of shared types: it differs for most other versions of the headers.
 inline constexpr std::uint64_t kPluginLayout = [] {

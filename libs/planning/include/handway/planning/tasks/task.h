@@ -31,9 +31,11 @@
 namespace handway::planning {
 
 using geometric::LineStep;
+using geometric::OutputStep;
 using geometric::PickStep;
 using geometric::PlaceStep;
 using geometric::PoseStep;
+using geometric::WaitStep;
 
 /// A step that moves to a posture.
 struct MoveStep {
@@ -49,7 +51,8 @@ struct FirstOfStep {
 };
 
 /// A step of a task.
-using TaskStep = std::variant<PickStep, PlaceStep, MoveStep, PoseStep, LineStep, FirstOfStep>;
+using TaskStep = std::variant<PickStep, PlaceStep, MoveStep, PoseStep, LineStep, WaitStep,
+                              OutputStep, FirstOfStep>;
 
 /// Steps in their order.
 using Task = std::vector<TaskStep>;
@@ -87,6 +90,8 @@ enum class StageKind {
   kOpen,      ///< Until the fingers have left the object.
   kRetreat,   ///< Straight away from the object.
   kLine,      ///< Straight, as a LineStep says.
+  kWait,      ///< Nothing moves, for the time of a WaitStep.
+  kOutput,    ///< Nothing moves, and no time passes: an output is set.
 };
 
 /// Word for display: "approach", ….
@@ -102,6 +107,7 @@ struct TaskStage {
   Path path;
   std::string carried;     ///< The object that the hand carries; empty: none.
   double deviation = 0.0;  ///< m: bound of the palm's distance from the line, of a straight stage.
+  double rest = 0.0;       ///< s: time of a StageKind::kWait.
   /// Joint targets with which the hand holds the object (Pregrasp::squeezed), of StageKind::kClose;
   /// else of size 0.
   Configuration squeezed = {};
@@ -144,7 +150,12 @@ struct TaskPlan {
                                                          const TaskOptions& options = {},
                                                          const std::stop_token& stop = {});
 
-/// Times the path of a stage in the scene of the stage.
+/// Returns whether nothing moves in stages of this kind.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_at_rest(StageKind kind);
+
+/// Times the path of a stage in the scene of the stage. The trajectory of a StageKind::kWait has
+/// the two points of its ends, a whole number of periods apart, that of a StageKind::kOutput has
+/// one.
 /// @param name of the motion, see Motion::name.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimedPath time_stage(const TaskStage& stage,
                                                            const std::string& name,

@@ -21,7 +21,8 @@ inline constexpr int kTaskVersion = 1;
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Task read_task(const std::filesystem::path& file,
                                                      const geometric::Scene& scene);
 
-/// Returns the steps of a program of the scene as a task.
+/// Returns the steps of a program of the scene as a task, without those that are disabled. A list
+/// of alternatives in which all steps are disabled is left out, too.
 /// @throws InputError for a posture that scene and robot lack, naming those that there are.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Task task_of(const geometric::Program& program,
                                                    const geometric::Scene& scene);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/scene/program.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace handway::planning {
@@ -25,6 +27,10 @@ struct MotionStage {
   /// Joint targets with which the hand holds the object after this stage; shape [variable_count],
   /// or of size 0.
   geometric::Configuration squeezed = {};
+  /// Nothing moves during this stage, which takes time: the trajectory has its ends alone.
+  bool waits = false;
+  /// Output that is set in this stage, which has no length.
+  std::optional<geometric::OutputStep> output = {};
 };
 
 }  // namespace handway::planning

@@ -26,7 +26,7 @@ struct Motion {
   double speed = 1.0;                    ///< Share of full speed in (0, 1] of the timing.
   Path path;                             ///< The waypoints, …
   std::vector<double> waypoint_times;    ///< … and their times, s; shape [waypoints].
-  Trajectory trajectory;                 ///< At a fixed period.
+  Trajectory trajectory;                 ///< At a fixed period, but for MotionStage::waits.
   std::vector<MotionStage> stages = {};  ///< In their order, the first from waypoint 0; or none.
 };
 
@@ -34,6 +34,10 @@ struct Motion {
 /// two stages it is the one that ends there.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const MotionStage* stage_at(const Motion& motion,
                                                                   double time);
+
+/// Returns the outputs that the stages of a motion set, each name and value once, in their order.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<geometric::OutputStep> outputs_of(
+    const Motion& motion);
 
 /// Options of timing a path.
 struct TimingOptions {

@@ -45,6 +45,13 @@ struct Trajectory {
                                                         const TimeParameterization& law,
                                                         double period);
 
+/// Adds points to the rests of a trajectory: where two points are farther apart than `period` (s),
+/// there are points after each period.
+/// @pre the joints are at rest between two such points, and period is above 0.
+/// @throws InputError for more than 10 million points.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Trajectory with_rests_sampled(const Trajectory& trajectory,
+                                                                    double period);
+
 /// Time at which the motion passes each waypoint of the path (the middle of its arc), s; shape
 /// [waypoints].
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> waypoint_times(
