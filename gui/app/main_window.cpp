@@ -21,6 +21,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/typed_input.h"
 #include "widgets/forms/wheel_guard.h"
+#include "widgets/forms/xacro_dialog.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
@@ -191,7 +192,14 @@ void MainWindow::begin(const Options& options) {
   workbench_.options = options;
   emit workbench_.begun();
   if (!options.scene.empty()) {
-    workbench_.document.open(options.scene);
+    if (!options.screenshot.empty() || !options.xacro.empty()) {
+      workbench_.document.open(options.scene, options.xacro);
+    } else {
+      with_xacro_arguments(this, options.scene,
+                           [this, options](const geometric::XacroArguments& arguments) {
+                             workbench_.document.open(options.scene, arguments);
+                           });
+    }
   } else {
     emit ready();
   }

@@ -74,8 +74,8 @@ void give_package(const std::string& name, const fs::path& given, const fs::path
 
 bool is_package_name(const std::string& name) {
   return !name.empty() && std::ranges::all_of(name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           c == '_' || c == '-';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
   });
 }
 
@@ -113,7 +113,8 @@ std::vector<std::string> environment_with(const fs::path& prefix) {
   std::vector<std::string> variables;
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string_view text(*variable);
-    if (std::ranges::none_of(paths, [&](const auto& path) { return text.starts_with(path.first); })) {
+    if (std::ranges::none_of(paths,
+                             [&](const auto& path) { return text.starts_with(path.first); })) {
       variables.emplace_back(text);
     }
   }
@@ -154,8 +155,8 @@ pid_t start(const fs::path& xacro, const XacroArguments& arguments, const fs::pa
   }
   std::vector<std::string> environment = environment_with(prefix);
   pid_t process = 0;
-  const int error = ::posix_spawnp(&process, "xacro", &actions, nullptr,
-                                   pointers_to(words).data(), pointers_to(environment).data());
+  const int error = ::posix_spawnp(&process, "xacro", &actions, nullptr, pointers_to(words).data(),
+                                   pointers_to(environment).data());
   ::posix_spawn_file_actions_destroy(&actions);
   return error == 0 ? process : 0;
 }
@@ -199,9 +200,7 @@ void check_arguments(const fs::path& xacro, const XacroFile& contents,
     }
     throw InputError({xacro.string(), "xacro argument \"" + name + "\"",
                       "no declaration of it in the file",
-                      names.empty() ? "no arguments: it declares none"
-                                    : fmt::format("one of its arguments: {}",
-                                                  fmt::join(names, ", ")),
+                      names.empty() ? "no argument: it declares none" : "an argument of the file",
                       advise_name(name, names)});
   }
 }
@@ -227,9 +226,10 @@ std::string advice_for(const XacroFile& contents, const XacroArguments& argument
         fmt::join(open, ", "));
   }
   if (!missing.empty()) {
-    advice += fmt::format("{}Name the folder of its packages that are not near the file ({}): "
-                          "--package-path FOLDER",
-                          advice.empty() ? "" : ". ", fmt::join(missing, ", "));
+    advice += fmt::format(
+        "{}Name the folder of its packages that are not near the file ({}): "
+        "--package-path FOLDER",
+        advice.empty() ? "" : ". ", fmt::join(missing, ", "));
   }
   return advice;
 }

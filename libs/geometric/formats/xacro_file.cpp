@@ -23,8 +23,9 @@ constexpr std::string_view kBlanks = " \t\r\n";
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
+  return first == std::string::npos
+             ? ""
+             : text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
 }
 
 /// A substitution `$(COMMAND WORD…)` in a text.
@@ -165,7 +166,8 @@ class XacroReader {
 
   // The text with its substitutions replaced; nothing if that takes the program.
   [[nodiscard]] std::optional<std::string> substituted(const std::string& text,
-                                                       const fs::path& folder, int depth = 0) const {
+                                                       const fs::path& folder,
+                                                       int depth = 0) const {
     constexpr int kDeepest = 10;  // defaults that name other arguments
     if (text.find("${") != std::string::npos || depth > kDeepest) {
       return std::nullopt;
@@ -228,8 +230,8 @@ std::pair<std::string, std::string> xacro_argument_of(const std::string& text,
                                                       const std::string& source) {
   const std::size_t sign = text.find(":=");
   const std::string name = text.substr(0, sign);
-  const bool is_name = !name.empty() && name.front() != '-' &&
-                       name.find_first_of(kBlanks) == std::string::npos;
+  const bool is_name =
+      !name.empty() && name.front() != '-' && name.find_first_of(kBlanks) == std::string::npos;
   if (sign == std::string::npos || !is_name) {
     throw InputError({source, "", "\"" + text + "\"", "an argument of a xacro file, NAME:=VALUE",
                       "Put it in quotes if the value has blanks"});

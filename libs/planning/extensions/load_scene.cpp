@@ -149,10 +149,10 @@ void check_used(geometric::XacroArguments arguments, const fs::path& file,
                std::ranges::any_of(robot.parts, takes_arguments, &geometric::RobotPart::model);
       });
   if (!arguments.empty() && !is_used) {
-    throw geometric::InputError({file.string(), "",
-                                 "the xacro argument \"" + arguments.begin()->first +
-                                     "\", and no xacro file that takes it",
-                                 "a robot file called *.xacro, or a scene with one", ""});
+    throw geometric::InputError(
+        {file.string(), "",
+         "the xacro argument \"" + arguments.begin()->first + "\", and no xacro file that takes it",
+         "a robot file called *.xacro, or a scene with one", ""});
   }
 }
 

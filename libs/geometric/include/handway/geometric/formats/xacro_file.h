@@ -31,8 +31,8 @@ struct XacroFile {
 /// Reads a xacro file without expanding it.
 /// @param given values, for names of included files that depend on arguments.
 /// @throws InputError if the file itself can't be read or is not XML.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT XacroFile
-read_xacro_file(const std::filesystem::path& file, const XacroArguments& given = {});
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT XacroFile read_xacro_file(const std::filesystem::path& file,
+                                                                 const XacroArguments& given = {});
 
 /// Splits `NAME:=VALUE`, as the program xacro takes arguments.
 /// @param source of the text, for messages: "--xacro".

@@ -15,8 +15,8 @@ class PluginManager;
 /// @param arguments of a robot file in xacro. Those of $HANDWAY_XACRO count for every xacro file.
 /// @throws InputError if the file can't be read or is of an unknown format, or there are arguments
 /// and no xacro file.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState load_scene(
-    const std::filesystem::path& file, const PluginManager& plugins,
-    const geometric::XacroArguments& arguments = {});
+[[nodiscard]] HANDWAY_PLANNING_EXPORT SceneState
+load_scene(const std::filesystem::path& file, const PluginManager& plugins,
+           const geometric::XacroArguments& arguments = {});
 
 }  // namespace handway::planning
