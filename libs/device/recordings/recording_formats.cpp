@@ -18,6 +18,7 @@ std::unique_ptr<ArrayFile> RecordingFormat::open(const RecordingFile& /*file*/) 
 const std::vector<const RecordingFormat*>& recording_formats() {
   static const std::vector<const RecordingFormat*> kFormats{
       &lerobot_format(),
+      &pickle_format(),
       &joint_message_format(),
       &table_map_format(),
       &matlab_format(),

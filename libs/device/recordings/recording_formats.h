@@ -28,6 +28,8 @@ namespace handway::device {
 [[nodiscard]] const RecordingFormat& landmark_document_format();
 /// Lines of JSON with the landmarks of a hand.
 [[nodiscard]] const RecordingFormat& landmark_line_format();
+/// Pickles of Python: refused with advice.
+[[nodiscard]] const RecordingFormat& pickle_format();
 /// Handway's own recordings.
 [[nodiscard]] const RecordingFormat& handway_recording_format();
 /// Logs of VirtualHand.

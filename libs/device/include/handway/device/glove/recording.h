@@ -91,6 +91,7 @@ struct Recording {
 ///   - a variable of a file with several, behind a `#`: arrays of NumPy and HDF5, episodes of
 ///     LeRobot data sets and other tables in Parquet, topics of ROS 2 bags in SQLite or MCAP (see
 ///     recording_contents());
+///   - postures of MANO in arrays, JSON or tables (see mano_landmarks());
 ///   - any table of numbers, text or MATLAB, by a YAML map of its columns, which names it:
 ///
 ///         table: postures.csv        # from this file's folder; lines end in CR, LF or both
