@@ -61,7 +61,8 @@ std::vector<RecordingVariable> positions_first(const std::vector<RecordingVariab
   return preferred(
       preferred(all,
                 [](const RecordingVariable& variable) {
-                  return variable.type == "sensor_msgs/msg/JointState";
+                  return variable.type == "sensor_msgs/msg/JointState" ||
+                         variable.type == "sensor_msgs/JointState";
                 }),
       [](const RecordingVariable& variable) { return names_positions(variable.name); });
 }

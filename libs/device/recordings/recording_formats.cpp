@@ -24,6 +24,7 @@ const std::vector<const RecordingFormat*>& recording_formats() {
       &matlab_format(),
       &numpy_format(),
       &hdf5_format(),
+      &ros1_bag_format(),
       &ros_bag_format(),
       &landmark_document_format(),
       &landmark_line_format(),

@@ -1,6 +1,6 @@
 #include "recordings/topic_rows.h"
 
-#include "recordings/cdr_reader.h"
+#include "recordings/message_reader.h"
 
 #include <fmt/format.h>
 
@@ -15,16 +15,10 @@ constexpr double kNotReceived = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostJoints = 10000;
 constexpr std::size_t kLandmarkPoses = 21;
 
-/// The stamp of a header; nothing if it was not set.
-std::optional<double> read_stamp(CdrReader& message) {
-  const double stamp = message.seconds();
-  static_cast<void>(message.text());  // the frame
-  return stamp > 0.0 ? std::optional(stamp) : std::nullopt;
-}
-
 /// Rows of joints by name: a joint that is missing in a message keeps its value.
 class JointRows : public TopicRows {
  public:
+  explicit JointRows(MessageEncoding encoding) : encoding_(encoding) {}
   [[nodiscard]] std::vector<std::size_t> row_shape() const final { return {names_.size()}; }
   [[nodiscard]] std::size_t row_count() const final { return rows_.size(); }
   [[nodiscard]] std::vector<std::string> names() const final { return names_; }
@@ -50,6 +44,8 @@ class JointRows : public TopicRows {
   }
 
  protected:
+  MessageEncoding encoding_;
+
   void add_row(const std::vector<std::string>& names, const std::vector<double>& positions,
                double time) {
     if (positions.empty() || names.size() != positions.size()) {
@@ -62,7 +58,7 @@ class JointRows : public TopicRows {
     }
     numbers_ += names_.size();
     if (numbers_ + row.size() > kMostNumbers) {
-      throw CdrError("more numbers than can be read");
+      throw MessageError("more numbers than can be read");
     }
     rows_.push_back(std::move(row));
     times_.push_back(time);
@@ -77,7 +73,7 @@ class JointRows : public TopicRows {
     const auto known = std::ranges::find(names_, name);
     if (known == names_.end()) {
       if (names_.size() == kMostJoints) {
-        throw CdrError("more than 10000 names of joints");
+        throw MessageError("more than 10000 names of joints");
       }
       names_.push_back(name);
       return names_.size() - 1;
@@ -94,9 +90,11 @@ class JointRows : public TopicRows {
 
 class JointStates final : public JointRows {
  public:
+  using JointRows::JointRows;
+
   void add(std::string_view bytes, double received) override {
-    CdrReader message(bytes);
-    const std::optional<double> stamp = read_stamp(message);
+    MessageReader message(bytes, encoding_);
+    const std::optional<double> stamp = message.stamp();
     const std::vector<std::string> names = message.texts();
     add_row(names, message.float64s(), stamp.value_or(received));
   }
@@ -104,9 +102,11 @@ class JointStates final : public JointRows {
 
 class JointTrajectories final : public JointRows {
  public:
+  using JointRows::JointRows;
+
   void add(std::string_view bytes, double received) override {
-    CdrReader message(bytes);
-    const double begin = read_stamp(message).value_or(received);
+    MessageReader message(bytes, encoding_);
+    const double begin = message.stamp().value_or(received);
     const std::vector<std::string> names = message.texts();
     constexpr std::size_t kLeast = 24;  // four empty sequences and a duration
     for (std::size_t points = message.count(kLeast); points > 0; --points) {
@@ -122,9 +122,11 @@ class JointTrajectories final : public JointRows {
 /// Positions of poses. Messages with another number of poses are frames without a hand.
 class PoseArrays final : public TopicRows {
  public:
+  explicit PoseArrays(MessageEncoding encoding) : encoding_(encoding) {}
+
   void add(std::string_view bytes, double received) override {
-    CdrReader message(bytes);
-    const std::optional<double> stamp = read_stamp(message);
+    MessageReader message(bytes, encoding_);
+    const std::optional<double> stamp = message.stamp();
     constexpr std::size_t kNumbers = 7;  // a point and a quaternion
     const std::size_t poses = message.count(kNumbers * sizeof(double));
     times_.push_back(stamp.value_or(received));
@@ -138,7 +140,7 @@ class PoseArrays final : public TopicRows {
     }
     has_hands_ = has_hands_ || poses == kLandmarkPoses;
     if (positions_.size() > kMostNumbers) {
-      throw CdrError("more numbers than can be read");
+      throw MessageError("more numbers than can be read");
     }
   }
   [[nodiscard]] std::vector<std::size_t> row_shape() const override {
@@ -156,6 +158,7 @@ class PoseArrays final : public TopicRows {
   }
 
  private:
+  MessageEncoding encoding_;
   std::vector<double> times_;
   std::vector<double> positions_;
   std::size_t other_ = 0;
@@ -164,15 +167,20 @@ class PoseArrays final : public TopicRows {
 
 }  // namespace
 
-std::unique_ptr<TopicRows> rows_of_type(std::string_view type) {
-  if (type == "sensor_msgs/msg/JointState") {
-    return std::make_unique<JointStates>();
+std::unique_ptr<TopicRows> rows_of_type(std::string_view type, MessageEncoding encoding) {
+  const auto is_type = [&](std::string_view package, std::string_view name) {
+    // ROS 1 has no folder between package and name.
+    return type ==
+           fmt::format("{}{}{}", package, encoding == MessageEncoding::kCdr ? "/msg/" : "/", name);
+  };
+  if (is_type("sensor_msgs", "JointState")) {
+    return std::make_unique<JointStates>(encoding);
   }
-  if (type == "trajectory_msgs/msg/JointTrajectory") {
-    return std::make_unique<JointTrajectories>();
+  if (is_type("trajectory_msgs", "JointTrajectory")) {
+    return std::make_unique<JointTrajectories>(encoding);
   }
-  if (type == "geometry_msgs/msg/PoseArray") {
-    return std::make_unique<PoseArrays>();
+  if (is_type("geometry_msgs", "PoseArray")) {
+    return std::make_unique<PoseArrays>(encoding);
   }
   return nullptr;
 }

@@ -5,6 +5,7 @@
 #include "handway/device/recordings/recording_contents.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
+#include "ros1_message.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -188,6 +189,16 @@ TEST_F(Mcap, OtherEncodingsAreNamed) {
       write("bag.mcap", whole_file(schema(1, "sensor_msgs/msg/JointState") +
                                    channel(7, 1, "/joint_states", "json") + message(7, 1, "{}")));
   EXPECT_EQ(recording_contents(file).variables.at(0).problem, "messages encoded as json");
+}
+
+TEST_F(Mcap, MessagesOfRos1AreRead) {
+  const RecordedTable table = read_recorded_table(write(
+      "bag.mcap",
+      whole_file(schema(1, "sensor_msgs/JointState") + channel(7, 1, "/joint_states", "ros1") +
+                 message(7, 1, test::ros1_joint_state(2.0, {"pan", "tilt"}, {0.5, 0.1})) +
+                 message(7, 2, test::ros1_joint_state(3.0, {"pan"}, {0.6})))));
+  EXPECT_THAT(table.names, ElementsAre("pan", "tilt"));
+  EXPECT_EQ(table.values, (Eigen::MatrixXd{{0.5, 0.1}, {0.6, 0.1}}));
 }
 
 TEST_F(Mcap, DamagedRecordsAreRefusedByTheirPlace) {

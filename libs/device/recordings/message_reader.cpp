@@ -1,4 +1,4 @@
-#include "recordings/cdr_reader.h"
+#include "recordings/message_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -12,27 +12,34 @@ constexpr std::size_t kEncapsulation = 4;
 
 }  // namespace
 
-CdrReader::CdrReader(std::string_view message) {
+MessageReader::MessageReader(std::string_view message, MessageEncoding encoding) {
+  if (encoding == MessageEncoding::kRos1) {
+    body_ = message;
+    is_aligned_ = false;
+    has_sequence_ = true;
+    return;
+  }
   if (message.size() < kEncapsulation || message[0] != 0 || (message[1] != 0 && message[1] != 1)) {
-    throw CdrError("an encoding other than CDR");
+    throw MessageError("an encoding other than CDR");
   }
   big_endian_ = message[1] == 0;
   body_ = message.substr(kEncapsulation);
 }
 
-std::string_view CdrReader::take(std::size_t size) {
+std::string_view MessageReader::take(std::size_t size) {
   if (size > body_.size() - std::min(at_, body_.size())) {
-    throw CdrError("an end within a field");
+    throw MessageError("an end within a field");
   }
   const std::string_view bytes = body_.substr(at_, size);
   at_ += size;
   return bytes;
 }
 
-// A number begins at a multiple of its size.
 template <typename Number>
-Number CdrReader::number() {
-  at_ = (at_ + sizeof(Number) - 1) / sizeof(Number) * sizeof(Number);
+Number MessageReader::number() {
+  if (is_aligned_) {
+    at_ = (at_ + sizeof(Number) - 1) / sizeof(Number) * sizeof(Number);
+  }
   const std::string_view bytes = take(sizeof(Number));
   std::array<char, sizeof(Number)> copy{};
   std::memcpy(copy.data(), bytes.data(), copy.size());
@@ -42,38 +49,47 @@ Number CdrReader::number() {
   return std::bit_cast<Number>(copy);
 }
 
-std::int32_t CdrReader::int32() { return number<std::int32_t>(); }
+std::int32_t MessageReader::int32() { return number<std::int32_t>(); }
 
-std::uint32_t CdrReader::uint32() { return number<std::uint32_t>(); }
+std::uint32_t MessageReader::uint32() { return number<std::uint32_t>(); }
 
-double CdrReader::float64() { return number<double>(); }
+double MessageReader::float64() { return number<double>(); }
 
-std::string CdrReader::text() {
+std::string MessageReader::text() {
   const std::string_view bytes = take(uint32());
   return std::string(bytes.substr(0, bytes.find('\0')));
 }
 
-std::size_t CdrReader::count(std::size_t least) {
+std::size_t MessageReader::count(std::size_t least) {
   const std::size_t count = uint32();
-  if (count > (body_.size() - at_) / least) {
-    throw CdrError("a sequence that is longer than the message");
+  if (count > (body_.size() - std::min(at_, body_.size())) / least) {
+    throw MessageError("a sequence that is longer than the message");
   }
   return count;
 }
 
-std::vector<std::string> CdrReader::texts() {
+std::vector<std::string> MessageReader::texts() {
   std::vector<std::string> all(count(sizeof(std::uint32_t)));
   std::ranges::generate(all, [this] { return text(); });
   return all;
 }
 
-std::vector<double> CdrReader::float64s() {
+std::vector<double> MessageReader::float64s() {
   std::vector<double> all(count(sizeof(double)));
   std::ranges::generate(all, [this] { return float64(); });
   return all;
 }
 
-double CdrReader::seconds() {
+std::optional<double> MessageReader::stamp() {
+  if (has_sequence_) {
+    static_cast<void>(uint32());
+  }
+  const double time = seconds();
+  static_cast<void>(text());  // the frame
+  return time > 0.0 ? std::optional(time) : std::nullopt;
+}
+
+double MessageReader::seconds() {
   const std::int32_t whole = int32();
   return static_cast<double>(whole) + 1e-9 * static_cast<double>(uint32());
 }
