@@ -55,6 +55,18 @@ std::uint32_t MessageReader::uint32() { return number<std::uint32_t>(); }
 
 double MessageReader::float64() { return number<double>(); }
 
+void MessageReader::skip(std::size_t bytes) { static_cast<void>(take(bytes)); }
+
+void MessageReader::skip_sequence(std::size_t size) {
+  const std::size_t elements = count(size);
+  static_cast<void>(take(elements * size));
+}
+
+bool MessageReader::is_at_end() const {
+  const std::size_t filling = is_aligned_ ? sizeof(std::uint32_t) - 1 : 0;
+  return body_.size() - std::min(at_, body_.size()) <= filling;
+}
+
 std::string MessageReader::text() {
   const std::string_view bytes = take(uint32());
   return std::string(bytes.substr(0, bytes.find('\0')));

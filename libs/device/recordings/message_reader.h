@@ -35,6 +35,11 @@ class MessageReader {
   [[nodiscard]] std::int32_t int32();
   [[nodiscard]] std::uint32_t uint32();
   [[nodiscard]] double float64();
+  /// Passes over so many bytes, which are not aligned.
+  void skip(std::size_t bytes);
+  /// Passes over a sequence of parts of `size` bytes, each of numbers of 4 bytes or of single
+  /// bytes.
+  void skip_sequence(std::size_t size);
   [[nodiscard]] std::string text();
   [[nodiscard]] std::vector<std::string> texts();
   [[nodiscard]] std::vector<double> float64s();
@@ -42,6 +47,8 @@ class MessageReader {
   [[nodiscard]] std::size_t count(std::size_t least);
   /// A time or duration of ROS, s.
   [[nodiscard]] double seconds();
+  /// Returns whether no field follows, but bytes that fill up the message.
+  [[nodiscard]] bool is_at_end() const;
   /// The stamp of a header, s since 1970; nothing if it was not set.
   [[nodiscard]] std::optional<double> stamp();
 

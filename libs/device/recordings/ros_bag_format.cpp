@@ -79,7 +79,15 @@ class BagTopics final : public ArrayFile {
       add_topics(*parts_.back());
     }
     for (RecordingVariable& variable : variables_) {
-      describe(variable);
+      try {
+        describe(variable);
+      } catch (const InputError& error) {
+        if (!is_incidental_type(variable.type)) {
+          throw;
+        }
+        variable.problem = fmt::format("messages of {} that can't be read: {}", variable.type,
+                                       error.problem().found);
+      }
     }
   }
 
@@ -100,7 +108,7 @@ class BagTopics final : public ArrayFile {
       const std::optional<MessageEncoding> encoding = encoding_of(topic.encoding);
       if (!encoding) {
         variable.problem = fmt::format("messages encoded as {:.20}", topic.encoding);
-      } else if (!rows_of_type(variable.type, *encoding)) {
+      } else if (!rows_of_type(variable.type, variable.name, *encoding)) {
         variable.problem = "messages of " + variable.type;
       } else {
         encodings_[topic.name] = *encoding;
@@ -123,6 +131,10 @@ class BagTopics final : public ArrayFile {
       if (count <= kFirstMessages) {
         variable.shape = {rows->row_count()};
       }
+      if (rows->row_count() == 0 && is_incidental_type(variable.type)) {
+        variable.problem = "no values in messages of " + variable.type;
+        return;
+      }
       variable.shape.insert(variable.shape.end(), row.begin(), row.end());
       if (const bool poses = row.size() == 2; poses && !has_landmarks(variable)) {
         variable.problem =
@@ -133,7 +145,8 @@ class BagTopics final : public ArrayFile {
 
   [[nodiscard]] std::unique_ptr<TopicRows> read_rows(const RecordingVariable& variable,
                                                      std::size_t most) const {
-    std::unique_ptr<TopicRows> rows = rows_of_type(variable.type, encodings_.at(variable.name));
+    std::unique_ptr<TopicRows> rows =
+        rows_of_type(variable.type, variable.name, encodings_.at(variable.name));
     std::size_t number = 0;
     const auto add = [&](std::string_view message, double received) {
       ++number;

@@ -32,7 +32,14 @@ class TopicRows {
 
 /// Returns rows for the messages of a type, as "sensor_msgs/msg/JointState" of ROS 2 or
 /// "sensor_msgs/JointState" of ROS 1; nullptr for a type that is not read.
-[[nodiscard]] std::unique_ptr<TopicRows> rows_of_type(std::string_view type,
+/// @param topic its name, by which poses are called.
+[[nodiscard]] std::unique_ptr<TopicRows> rows_of_type(std::string_view type, std::string_view topic,
                                                       MessageEncoding encoding);
+
+/// Returns whether messages of a type are poses of bodies or frames.
+[[nodiscard]] bool is_pose_type(std::string_view type);
+
+/// Returns whether messages of a type often are of other things than recordings: poses and markers.
+[[nodiscard]] bool is_incidental_type(std::string_view type);
 
 }  // namespace handway::device

@@ -251,6 +251,82 @@ TEST_F(Ros1Bag, OfPosesHasLandmarksOfAHand) {
       glove_angles(in_palm_frame(points, false)).angles.at(static_cast<std::size_t>(sensor)), 1e-6);
 }
 
+TEST_F(Ros1Bag, OfTransformsHasTheFramesAsColumns) {
+  const auto transforms = [](double stamp, const std::vector<std::string>& frames, double x) {
+    Ros1Message message;
+    message.count(frames.size());
+    for (const std::string& frame : frames) {
+      message.header(stamp, "world");
+      message.text(frame);
+      for (const double number : {x, 0.2, 0.3, 0.0, 0.0, 0.0, 1.0}) {
+        message.number(number);
+      }
+    }
+    return message.bytes();
+  };
+  const std::string messages = message(4, 1.0, transforms(10.0, {"wrist", "camera"}, 0.1)) +
+                               message(4, 2.0, transforms(10.5, {"wrist"}, 0.4));
+  for (const char* type : {"tf/tfMessage", "tf2_msgs/TFMessage"}) {
+    const fs::path file = write(
+        "bag.bag", kMagic + bag_header() + chunk("none", connection(4, "/tf", type) + messages));
+    const RecordedTable table = read_recorded_table(file);
+    ASSERT_EQ(table.names.size(), 14U);
+    EXPECT_EQ(table.names.front(), "wrist.x");
+    EXPECT_EQ(table.names.back(), "camera.qw");
+    EXPECT_EQ(table.values.col(0), Eigen::Vector2d(0.1, 0.4));
+    EXPECT_EQ(table.values.col(7), Eigen::Vector2d(0.1, 0.1)) << "the camera keeps its place";
+    EXPECT_NEAR(table.times[1], 0.5, 1e-9);
+  }
+  // Beside joints, poses are read by their name only.
+  const fs::path both = write(
+      "bag.bag",
+      kMagic + bag_header() +
+          chunk("none", kConnections + messages +
+                            message(0, 1.0, ros1_joint_state(10.0, {"pan", "tilt"}, {0.1, 0.2})) +
+                            message(0, 2.0, ros1_joint_state(10.1, {"pan", "tilt"}, {0.1, 0.3}))));
+  EXPECT_THAT(read_recorded_table(both).names, ElementsAre("pan", "tilt"));
+  EXPECT_EQ(read_recorded_table(both.string() + "#/tf[0:7]").names.front(), "wrist.x");
+}
+
+TEST_F(Ros1Bag, OfMarkersHasLandmarksOfAHand) {
+  GloveAngles bent;
+  bent.angles.fill(0.3);
+  const HandLandmarks points = hand_landmarks(bent);
+  Ros1Message array;  // one marker with 21 points
+  array.count(1);
+  array.header(30.0);
+  array.text("hand");
+  for (const int number : {0, 7, 0}) {
+    array.number(static_cast<std::int32_t>(number));
+  }
+  for (int i = 0; i < 10; ++i) {
+    array.number(0.0);  // pose and scale
+  }
+  for (int i = 0; i < 4; ++i) {
+    array.number(1.0F);
+  }
+  array.time(0.0);
+  array.number(std::uint8_t{0});
+  array.count(21);
+  for (const double coordinate : points.reshaped()) {
+    array.number(coordinate);
+  }
+  array.count(0);
+  array.text("");
+  array.text("");
+  array.number(std::uint8_t{0});
+  const fs::path file =
+      write("bag.bag",
+            kMagic + bag_header() +
+                chunk("none", connection(2, "/hand", "visualization_msgs/MarkerArray") +
+                                  message(2, 1.0, array.bytes()) + message(2, 2.0, array.bytes())));
+  const Recording recording = read_recording(file);
+  const int sensor = *find_sensor("MiddleMPJ");
+  EXPECT_NEAR(
+      recording.values(1, column_of(recording.header, sensor)),
+      glove_angles(in_palm_frame(points, false)).angles.at(static_cast<std::size_t>(sensor)), 1e-6);
+}
+
 TEST_F(Ros1Bag, OfOtherVersionsAndKindsIsRefused) {
   EXPECT_THAT(refusal("#ROSBAG V1.2\n" + whole_bag("none").substr(kMagic.size())),
               AllOf(HasSubstr("bag.bag"), HasSubstr("another version"), HasSubstr("rosbag fix")));
