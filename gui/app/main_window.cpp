@@ -21,11 +21,11 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/typed_input.h"
 #include "widgets/forms/wheel_guard.h"
-#include "widgets/forms/xacro_dialog.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
+#include "widgets/panels/xacro_dialog.h"
 #include "widgets/style/text_rules.h"
 #include "widgets/style/theme.h"
 

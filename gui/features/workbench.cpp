@@ -2,10 +2,10 @@
 
 #include "view3d/scene_view.h"
 #include "widgets/forms/arrangement.h"
-#include "widgets/forms/xacro_dialog.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
+#include "widgets/panels/xacro_dialog.h"
 #include "widgets/style/actions.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"

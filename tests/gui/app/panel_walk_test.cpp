@@ -11,8 +11,8 @@
 #include "patience.h"
 #include "reader_names.h"
 #include "small_cell.h"
-#include "widgets/forms/xacro_dialog.h"
 #include "widgets/panels/floating_card.h"
+#include "widgets/panels/xacro_dialog.h"
 #include "widgets/style/theme.h"
 #include "window_test.h"
 

@@ -8,7 +8,7 @@
 #include "handway/planning/edits/scene_state.h"
 #include "handway_test/fake_xacro.h"
 #include "patience.h"
-#include "widgets/forms/xacro_dialog.h"
+#include "widgets/panels/xacro_dialog.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -1,4 +1,4 @@
-#include "widgets/forms/xacro_dialog.h"
+#include "widgets/panels/xacro_dialog.h"
 
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
