@@ -108,7 +108,7 @@ TEST_F(Xacro, ArgumentsOfTheEnvironmentComeFirst) {
   EXPECT_EQ(
       refusal(file),
       "--xacro: found \"size=0.3\", expected an argument of a xacro file, NAME:=VALUE. Put it "
-      "in quotes if the value has blanks");
+      "in quotes if the value has blanks.");
 }
 
 TEST_F(Xacro, UnknownArgumentsAreNamed) {
