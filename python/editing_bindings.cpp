@@ -56,13 +56,14 @@ Pose pose_or_identity(const py::object& X, const std::string& argument) {
   return X.is_none() ? Pose::Identity() : pose_from(py::cast<Array>(X), argument);
 }
 
-RobotInstance robot_from(const py::object& reference, const std::string& name) {
+RobotInstance robot_from(const py::object& reference, const std::string& name,
+                         const py::object& xacro) {
   const std::filesystem::path file =
       geometric::find_resource(geometric::ResourceKind::kRobot, text_of(reference),
                                std::filesystem::current_path(), "model");
   static_cast<void>(plugin_manager());  // they read other formats
   RobotInstance robot;
-  robot.model = geometric::load_robot(file);
+  robot.model = geometric::load_robot(file, xacro_arguments_from(xacro));
   robot.name = name.empty() ? robot.model->name() : name;
   robot.configuration = robot.model->neutral();
   return robot;
@@ -75,9 +76,9 @@ void check_name(const Scene& scene, const std::string& name) {
 }
 
 std::unique_ptr<SceneModel> new_scene(const py::object& model, const std::string& name,
-                                      const py::object& X_WB) {
+                                      const py::object& X_WB, const py::object& xacro) {
   auto scene = std::make_shared<Scene>();
-  scene->robots.push_back(robot_from(model, name));
+  scene->robots.push_back(robot_from(model, name, xacro));
   scene->name = scene->robots.front().name;
   scene->robots.front().X_WB = pose_or_identity(X_WB, "X_WB");
   scene->warnings = scene->robots.front().model->description().warnings;
@@ -86,9 +87,10 @@ std::unique_ptr<SceneModel> new_scene(const py::object& model, const std::string
 
 std::unique_ptr<SceneModel> with_robot(const SceneModel& model, const py::object& file,
                                        const std::string& name, const py::object& X,
-                                       const std::string& mount, const std::string& link) {
+                                       const std::string& mount, const std::string& link,
+                                       const py::object& xacro) {
   auto scene = std::make_shared<Scene>(model.scene());
-  RobotInstance robot = robot_from(file, name);
+  RobotInstance robot = robot_from(file, name, xacro);
   check_name(*scene, robot.name);
   if (mount.empty() != link.empty()) {
     throw InputError({"mount", "", "a mount without a link, or the other way round", "both", ""});
@@ -441,10 +443,12 @@ void bind_editing(py::module_& module) {
   scene
       .def("with_robot", &with_robot, py::arg("model"), py::arg("name") = "", py::kw_only(),
            py::arg("X") = py::none(), py::arg("mount") = "", py::arg("link") = "",
+           py::arg("xacro") = py::none(),
            "Returns this scene with one more robot.\n\n"
            "model: name in the library, or a robot's file. name: the model's own if empty.\n"
            "mount, link: the robot of the scene and its link that carries it; it stands in the\n"
-           "world if both are empty. X: its base in that link or in the world, [4, 4], m.")
+           "world if both are empty. X: its base in that link or in the world, [4, 4], m.\n"
+           "xacro: a dict with the arguments of a robot file in xacro.")
       .def("with_objects", &with_objects, py::arg("objects"),
            "Returns this scene with these objects, in place of those of the same names.\n\n"
            "objects: a list of dicts with the keys that objects of scene files have, such as\n"
@@ -545,10 +549,11 @@ void bind_editing(py::module_& module) {
            "format: gltf, moveit-scene, or a plugin's. folder: created if it does not exist.\n"
            "Returns the files.");
   module.def("new_scene", &new_scene, py::arg("model"), py::arg("name") = "",
-             py::arg("X_WB") = py::none(),
+             py::arg("X_WB") = py::none(), py::kw_only(), py::arg("xacro") = py::none(),
              "Returns a scene with one robot and nothing around it.\n\n"
              "model: name in the library, or a robot's file. name: the model's own if empty.\n"
-             "X_WB: its base in the world, [4, 4], m.");
+             "X_WB: its base in the world, [4, 4], m.\n"
+             "xacro: a dict with the arguments of a robot file in xacro.");
 }
 
 }  // namespace handway::python

@@ -1,5 +1,7 @@
 #include "keyword_settings.h"
 
+#include "handway/geometric/formats/xacro_file.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -54,6 +56,17 @@ std::string setting_text(const py::handle& value) {
     return value.cast<bool>() ? "true" : "false";
   }
   return py::str(value).cast<std::string>();
+}
+
+geometric::XacroArguments xacro_arguments_from(const py::object& arguments) {
+  geometric::XacroArguments result;
+  if (!arguments.is_none()) {
+    for (const auto& [name, value] : py::cast<py::dict>(arguments)) {
+      result.insert(geometric::xacro_argument_of(
+          py::str(name).cast<std::string>() + ":=" + setting_text(value), "xacro"));
+    }
+  }
+  return result;
 }
 
 std::string keywords_text(const std::vector<geometric::BoundParameter>& parameters) {

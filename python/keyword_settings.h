@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/io/parameter.h"
+#include "handway/geometric/robot/robot_description.h"
 
 #include <pybind11/pybind11.h>
 
@@ -11,6 +12,9 @@ namespace handway::python {
 
 /// Writes a value as the command line does: true, 3, 0.01, joint.
 [[nodiscard]] std::string setting_text(const pybind11::handle& value);
+
+/// Reads the arguments of a xacro file from a dict; none from None.
+[[nodiscard]] geometric::XacroArguments xacro_arguments_from(const pybind11::object& arguments);
 
 /// Sets described settings from keyword arguments, by their keys.
 /// @throws TypeError for a keyword that is no setting, InputError for a value out of its range.

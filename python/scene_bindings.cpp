@@ -3,6 +3,7 @@
 #include "handway/geometric/robot/robot_state.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/path_file.h"
+#include "keyword_settings.h"
 #include "planner_model.h"
 #include "scene_questions.h"
 
@@ -275,15 +276,17 @@ void bind_scene(py::module_& module) {
   });
   module.def(
       "load_scene",
-      [](const py::object& file, const py::object& basis) {
+      [](const py::object& file, const py::object& basis, const py::object& xacro) {
         const std::string path = file_name_from(file, "file");
         const std::string other = basis.is_none() ? std::string() : std::string(py::str(basis));
+        const geometric::XacroArguments arguments = xacro_arguments_from(xacro);
         const py::gil_scoped_release release;
-        return std::make_unique<SceneModel>(path, other);
+        return std::make_unique<SceneModel>(path, other, arguments);
       },
-      py::arg("file"), py::kw_only(), py::arg("basis") = py::none(),
-      "Reads a scene, or a problem in a format that a plugin knows.\n\n"
+      py::arg("file"), py::kw_only(), py::arg("basis") = py::none(), py::arg("xacro") = py::none(),
+      "Reads a scene, a robot, or a problem in a format that a plugin knows.\n\n"
       "basis: a hand basis (file, or name in the library) instead of the scene's.\n"
+      "xacro: a dict with the arguments of a robot file in xacro.\n"
       "Raises InputError naming file, line and key of what is wrong.");
 }
 

@@ -41,8 +41,9 @@ using geometric::Configuration;
 using geometric::InputError;
 using geometric::Scene;
 
-planning::SceneState load(const std::filesystem::path& file, const std::string& basis) {
-  planning::SceneState loaded = planning::load_scene(file, plugin_manager());
+planning::SceneState load(const std::filesystem::path& file, const std::string& basis,
+                          const geometric::XacroArguments& xacro) {
+  planning::SceneState loaded = planning::load_scene(file, plugin_manager(), xacro);
   if (loaded.scene->robots.empty()) {
     throw InputError({file.string(), "robots", "none", "a robot to plan for", ""});
   }
@@ -94,8 +95,9 @@ SceneModel::SceneModel(std::shared_ptr<const Scene> scene,
       problem_(planning::make_problem(with_goal(scene_), basis)),
       checkers_(std::make_unique<CheckerPool>(problem_.checker)) {}
 
-SceneModel::SceneModel(const std::filesystem::path& file, const std::string& basis)
-    : SceneModel(load(file, basis)) {}
+SceneModel::SceneModel(const std::filesystem::path& file, const std::string& basis,
+                       const geometric::XacroArguments& xacro)
+    : SceneModel(load(file, basis, xacro)) {}
 
 planning::PlanningProblem SceneModel::problem_between(
     const std::optional<Configuration>& start, const std::optional<Configuration>& goal,

@@ -36,9 +36,11 @@ class CheckerPool {
 class SceneModel {
  public:
   /// @param basis file or name in the library, instead of the scene's; empty: the scene's.
+  /// @param xacro arguments of a robot file in xacro.
   /// @throws InputError as load_scene(), make_problem() and read_pmd_basis(); but start and goal
   /// may be missing.
-  SceneModel(const std::filesystem::path& file, const std::string& basis);
+  SceneModel(const std::filesystem::path& file, const std::string& basis,
+             const geometric::XacroArguments& xacro = {});
 
   /// @param basis null: none.
   /// @throws InputError as make_problem().

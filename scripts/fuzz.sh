@@ -35,7 +35,7 @@ runs_of() {
   case $1 in
     mesh | recorded_hdf5) echo 150 ;;
     cache_entry) echo 2000 ;;
-    cloud | moveit | recorded_lerobot | recorded_mcap | recorded_numpy | recorded_ros_bag) echo 3000 ;;
+    cloud | moveit | recorded_lerobot | recorded_mcap | recorded_numpy | recorded_ros1_bag | recorded_ros_bag) echo 3000 ;;
     rosbridge | urdf) echo 5000 ;;
     hand) echo 8000 ;;
     haptic | polhemus | pose_datagram | simple_message) echo 40000 ;;

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "handway/geometric/formats/xacro_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "printing.h"
 #include "version.h"
@@ -52,6 +53,18 @@ void add_file_options(CLI::App& app) {
          },
          "Folder in which package:// of robot files is searched; may be given several times")
       ->type_name("DIR")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option_function<std::vector<std::string>>(
+         "--xacro",
+         [](const std::vector<std::string>& arguments) {
+           for (const std::string& argument : arguments) {
+             static_cast<void>(geometric::xacro_argument_of(argument, "--xacro"));
+           }
+           ::setenv("HANDWAY_XACRO", fmt::format("{}", fmt::join(arguments, "\n")).c_str(), 1);
+         },
+         "Argument of the xacro file of a robot; may be given several times")
+      ->type_name("NAME:=VALUE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }

@@ -1,6 +1,8 @@
 #include "app/main_window.h"
 #include "app/snapshot.h"
 #include "features/workbench.h"
+#include "handway/geometric/formats/xacro_file.h"
+#include "handway/geometric/io/input_error.h"
 #include "model/devices/program_end.h"
 #include "model/settings/options.h"
 #include "model/settings/preferences.h"
@@ -57,14 +59,29 @@ std::string check_setting(const std::string& text) {
   return equals == std::string::npos || equals == 0 ? "\"" + text + "\" is not KEY=VALUE" : "";
 }
 
+std::string check_xacro(const std::string& text) {
+  try {
+    static_cast<void>(handway::geometric::xacro_argument_of(text, "--xacro"));
+  } catch (const handway::geometric::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 // Prints help or what is wrong itself. @param[out] exit_code what to end with if nothing is
 // returned.
 std::optional<gui::Options> parse_options(int argc, char** argv, int& exit_code) {
   gui::Options options;
   std::string size;
   std::vector<std::string> settings;
+  std::vector<std::string> xacro;
   CLI::App app("The Handway workbench: see, plan and play hand-arm motions.");
   app.add_option("scene", options.scene, "Scene or problem file to open");
+  app.add_option("--xacro", xacro, "Argument of the scene, a robot file in xacro")
+      ->type_name("NAME:=VALUE")
+      ->expected(1)
+      ->check(check_xacro)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--screenshot", options.screenshot, "Save a picture of the window and exit")
       ->type_name("OUT.png");
   app.add_flag("--view-only", options.view_only,
@@ -113,6 +130,10 @@ std::optional<gui::Options> parse_options(int argc, char** argv, int& exit_code)
     return std::nullopt;
   }
   options.size = parse_size(size);
+  for (const std::string& argument : xacro) {
+    const auto [name, value] = handway::geometric::xacro_argument_of(argument, "--xacro");
+    options.xacro[name] = value;
+  }
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     options.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));

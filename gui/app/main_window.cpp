@@ -25,6 +25,7 @@
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
+#include "widgets/panels/xacro_dialog.h"
 #include "widgets/style/text_rules.h"
 #include "widgets/style/theme.h"
 
@@ -191,7 +192,14 @@ void MainWindow::begin(const Options& options) {
   workbench_.options = options;
   emit workbench_.begun();
   if (!options.scene.empty()) {
-    workbench_.document.open(options.scene);
+    if (!options.screenshot.empty() || !options.xacro.empty()) {
+      workbench_.document.open(options.scene, options.xacro);
+    } else {
+      with_xacro_arguments(this, options.scene,
+                           [this, options](const geometric::XacroArguments& arguments) {
+                             workbench_.document.open(options.scene, arguments);
+                           });
+    }
   } else {
     emit ready();
   }

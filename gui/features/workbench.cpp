@@ -5,6 +5,7 @@
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
+#include "widgets/panels/xacro_dialog.h"
 #include "widgets/style/actions.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
@@ -319,8 +320,11 @@ QString Workbench::scene_name() const {
 
 void Workbench::open(const std::filesystem::path& file, const Options& with) {
   if (may_leave()) {
-    options = with;
-    document.open(file);
+    with_xacro_arguments(&window, file,
+                         [this, file, with](const geometric::XacroArguments& arguments) {
+                           options = with;
+                           document.open(file, arguments);
+                         });
   }
 }
 

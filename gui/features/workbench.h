@@ -132,7 +132,8 @@ class Workbench : public QObject {
 
   /// Returns the displayed name of the open scene.
   [[nodiscard]] QString scene_name() const;
-  /// Opens a file unless something keeps the scene from being left.
+  /// Opens a file unless something keeps the scene from being left. Asks for the arguments of a
+  /// robot file in xacro.
   void open(const std::filesystem::path& file, const Options& with = {});
   /// Begins a new scene with a robot of the library and a hand on it unless something keeps the
   /// scene from being left. @param hand empty: none.

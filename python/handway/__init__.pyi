@@ -1,5 +1,5 @@
 from os import PathLike
-from typing import Any, Sequence, Union
+from typing import Any, Mapping, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -307,6 +307,7 @@ class Scene:
         X: Union[npt.ArrayLike, None] = None,
         mount: str = "",
         link: str = "",
+        xacro: Union[Mapping[str, _Value], None] = None,
     ) -> Scene: ...
     def with_objects(self, objects: Sequence[dict[str, Any]]) -> Scene: ...
     def with_cloud(
@@ -417,9 +418,18 @@ class Emulator:
     @property
     def stops(self) -> int: ...
 
-def load_scene(file: _File, *, basis: Union[_File, None] = None) -> Scene: ...
+def load_scene(
+    file: _File,
+    *,
+    basis: Union[_File, None] = None,
+    xacro: Union[Mapping[str, _Value], None] = None,
+) -> Scene: ...
 def new_scene(
-    model: _File, name: str = "", X_WB: Union[npt.ArrayLike, None] = None
+    model: _File,
+    name: str = "",
+    X_WB: Union[npt.ArrayLike, None] = None,
+    *,
+    xacro: Union[Mapping[str, _Value], None] = None,
 ) -> Scene: ...
 def find_pmds(
     postures: npt.ArrayLike,

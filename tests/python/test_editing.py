@@ -1,13 +1,15 @@
 """Scenes made from others, timed motions, grasps."""
 
+import os
 import pathlib
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 
 import handway
-from cells import can_on_table
+from cells import ROOT, can_on_table
 
 
 class Editing(unittest.TestCase):
@@ -18,6 +20,31 @@ class Editing(unittest.TestCase):
         self.assertEqual(more.objects, scene.objects + ["box"])
         self.assertEqual(scene.objects, ["pedestal", "table", "can"])
         self.assertEqual(more.without_object("box").objects, scene.objects)
+
+    def test_gives_xacro_files_arguments(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "xacro"
+            program.write_text('#!/bin/sh\nsed "s|SIDE|${2#side:=}|g" "$1"\n')
+            program.chmod(0o700)
+            file = pathlib.Path(folder) / "r.xacro"
+            file.write_text(
+                '<robot name="SIDE_r" xmlns:xacro="http://ros.org/wiki/xacro">\n'
+                '<xacro:arg name="side" default="left"/><link name="SIDE_base"/></robot>\n'
+            )
+            path = {"PATH": f"{folder}:{os.environ['PATH']}"}
+            with unittest.mock.patch.dict(os.environ, path):
+                scene = handway.load_scene(file, xacro={"side": "right"})
+                self.assertEqual(scene.robot, "right_r")
+                more = scene.with_robot(file, "other", xacro={"side": True})
+                more.save(pathlib.Path(folder) / "scene.yaml")
+                again = handway.load_scene(pathlib.Path(folder) / "scene.yaml")
+                self.assertEqual(again.robot, "right_r")
+                self.assertIn("side: true", (pathlib.Path(folder) / "scene.yaml").read_text())
+                self.assertEqual(handway.new_scene(file, xacro={"side": "up"}).robot, "up_r")
+                with self.assertRaisesRegex(handway.InputError, "no declaration"):
+                    handway.new_scene(file, xacro={"sides": 1})
+            with self.assertRaisesRegex(handway.InputError, "no xacro file"):
+                handway.load_scene(ROOT / "scenes" / "can_on_table.yaml", xacro={"side": 1})
 
     def test_adds_points_of_a_camera(self):
         scene = can_on_table()

@@ -47,10 +47,10 @@ QList<GlovePort> find_glove_ports(const QString& devices) {
 QString recording_filter() {
   return QObject::tr(
       "Recordings of hands (*.csv *.txt *.dat *.json *.jsonl *.mat *.npy *.npz *.h5 *.hdf5 "
-      "*.parquet *.db3 *.mcap *.yaml *.yml);;"
+      "*.parquet *.db3 *.mcap *.bag *.yaml *.yml);;"
       "Tables, of this window and of other programs (*.csv *.txt *.dat);;"
       "Hand landmarks (*.json *.jsonl);;"
-      "Arrays and bags (*.mat *.npy *.npz *.h5 *.hdf5 *.parquet *.db3 *.mcap);;"
+      "Arrays and bags (*.mat *.npy *.npz *.h5 *.hdf5 *.parquet *.db3 *.mcap *.bag);;"
       "Maps of a table's columns (*.yaml *.yml);;"
       "All files (*)");
 }

@@ -10,6 +10,7 @@
 #include "widgets/forms/arrangement.h"
 #include "widgets/forms/pose_form.h"
 #include "widgets/panels/dock_layout.h"
+#include "widgets/panels/xacro_dialog.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
@@ -54,8 +55,9 @@ QString ask_for(QWidget* parent, const QString& title, const QString& filter) {
 
 // A robot that a scene is made of already is one robot from here on.
 RobotInstance read_robot(const std::filesystem::path& file,
+                         const geometric::XacroArguments& arguments,
                          const planning::PluginManager& plugins) {
-  const planning::SceneState loaded = planning::load_scene(file, plugins);
+  const planning::SceneState loaded = planning::load_scene(file, plugins, arguments);
   RobotInstance robot = loaded.scene->robots.front();
   if (!robot.parts.empty()) {
     robot.parts.clear();
@@ -231,10 +233,13 @@ void AddRobotDialog::search() {
 }
 
 void AddRobotDialog::choose_file(const std::filesystem::path& file) {
-  model_->addItem(icon("robot"), QString::fromStdString(file.filename().string()),
-                  QString::fromStdString(file.string()));
-  model_->setCurrentIndex(model_->count() - 1);
-  read_chosen();
+  with_xacro_arguments(this, file, [this, file](const geometric::XacroArguments& arguments) {
+    model_->addItem(icon("robot"), QString::fromStdString(file.filename().string()),
+                    QString::fromStdString(file.string()));
+    model_->setCurrentIndex(model_->count() - 1);
+    arguments_[model_->currentIndex()] = arguments;
+    read_chosen();
+  });
 }
 
 void AddRobotDialog::read_chosen() {
@@ -247,9 +252,10 @@ void AddRobotDialog::read_chosen() {
     return;
   }
   show_note(tr("Reading %1…").arg(QString::fromStdString(file.filename().string())), false);
-  job_.run([this, file, plugins = plugins_](const std::stop_token&) -> LatestJob::Answer {
+  job_.run([this, file, arguments = arguments_[model_->currentIndex()],
+            plugins = plugins_](const std::stop_token&) -> LatestJob::Answer {
     try {
-      return [this, read = read_robot(file, *plugins)] { take_robot(read); };
+      return [this, read = read_robot(file, arguments, *plugins)] { take_robot(read); };
     } catch (const geometric::MissingMeshError& error) {
       return [this, message = QString::fromUtf8(error.what())] {
         show_note(message, true);

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -47,7 +48,7 @@ class AddRobotDialog : public QDialog {
   AddRobotDialog(std::shared_ptr<const planning::PluginManager> plugins, SceneEditor& editor,
                  FreePlace free_place, QWidget* parent = nullptr);
 
-  /// Reads a robot file and chooses it.
+  /// Reads a robot file and chooses it. Asks for the arguments of a xacro file.
   void choose_file(const std::filesystem::path& file);
 
  signals:
@@ -80,8 +81,9 @@ class AddRobotDialog : public QDialog {
   QComboBox* on_;
   PoseForm* pose_;
   QPushButton* add_;
-  geometric::Pose X_;                              ///< In the world or the chosen link.
-  std::optional<geometric::RobotInstance> robot_;  ///< The robot as read; nothing: not yet.
+  std::map<int, geometric::XacroArguments> arguments_;  ///< By rows of `model_`.
+  geometric::Pose X_;                                   ///< In the world or the chosen link.
+  std::optional<geometric::RobotInstance> robot_;       ///< The robot as read; nothing: not yet.
   LatestJob job_;
 };
 

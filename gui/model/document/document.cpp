@@ -120,8 +120,11 @@ SceneLoader::SceneLoader(std::shared_ptr<const planning::PluginManager> plugins,
 
 SceneLoader::~SceneLoader() = default;
 
-void SceneLoader::load(const std::filesystem::path& file) {
-  run([file, plugins = plugins_] { return planning::load_scene(file, *plugins); });
+void SceneLoader::load(const std::filesystem::path& file,
+                       const geometric::XacroArguments& arguments) {
+  run([file, arguments, plugins = plugins_] {
+    return planning::load_scene(file, *plugins, arguments);
+  });
 }
 
 void SceneLoader::create(const std::string& robot, const std::string& hand) {
@@ -226,13 +229,20 @@ bool Document::is_changed_on_disk() const {
   return !file_.empty() && stamp_of(file_) != stamp_ && std::filesystem::exists(file_);
 }
 
-void Document::open(const std::filesystem::path& file) { open_copy(file, file); }
+void Document::open(const std::filesystem::path& file, const geometric::XacroArguments& arguments) {
+  request(file, file, arguments);
+}
 
 void Document::open_copy(const std::filesystem::path& copy, const std::filesystem::path& file) {
+  request(copy, file, {});
+}
+
+void Document::request(const std::filesystem::path& read, const std::filesystem::path& file,
+                       const geometric::XacroArguments& arguments) {
   requested_ = file;
   requested_stamp_ = stamp_of(file);
-  emit opening(QString::fromStdString(copy.string()));
-  loader_.load(copy);
+  emit opening(QString::fromStdString(read.string()));
+  loader_.load(read, arguments);
 }
 
 void Document::create(const std::string& robot, const std::string& hand) {

@@ -89,7 +89,8 @@ class SceneLoader : public QObject {
   ~SceneLoader() override;
 
   /// Reads `file`, without waiting; what an earlier call is still reading is dropped.
-  void load(const std::filesystem::path& file);
+  /// @param arguments of a robot file in xacro.
+  void load(const std::filesystem::path& file, const geometric::XacroArguments& arguments = {});
 
   /// Makes a new scene with a robot of the library, and a hand on it, in the same way.
   void create(const std::string& robot, const std::string& hand);
@@ -156,7 +157,8 @@ class Document : public QObject {
   [[nodiscard]] bool is_changed_on_disk() const;
 
   /// Begins to read `file`; opened() or open_failed() follows.
-  void open(const std::filesystem::path& file);
+  /// @param arguments of a robot file in xacro.
+  void open(const std::filesystem::path& file, const geometric::XacroArguments& arguments = {});
   /// Reads `copy`, but goes by the name of `file` (or none).
   void open_copy(const std::filesystem::path& copy, const std::filesystem::path& file);
   /// Begins a new scene as new_scene() makes it; opened() or open_failed() follows.
@@ -196,6 +198,9 @@ class Document : public QObject {
   void measured_shown(bool shown);
 
  private:
+  /// Begins to read `read`, which goes by the name of `file`.
+  void request(const std::filesystem::path& read, const std::filesystem::path& file,
+               const geometric::XacroArguments& arguments);
   /// Updates the data that follow from the robot and the hand's basis.
   void take_hand();
   void use_first_robot(const geometric::Configuration& q);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/mesh/shape.h"
+#include "handway/geometric/robot/robot_description.h"
 
 #include <QSize>
 
@@ -19,6 +20,7 @@ constexpr QSize kUsualSize{1440, 900};
 /// Options of the workbench on the command line.
 struct Options {
   std::filesystem::path scene;       ///< Empty: start with an empty window.
+  geometric::XacroArguments xacro;   ///< Arguments of a robot file in xacro; empty: ask for them.
   std::filesystem::path screenshot;  ///< Empty: stay open.
   bool view_only = false;            ///< The picture shows the 3-D view alone, of that size.
   /// Window size; empty: the last one; at first, and for pictures, kUsualSize.

@@ -5,6 +5,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/table_times.h"
 #include "recordings/landmark_recording.h"
+#include "recordings/mano_recording.h"
 #include "recordings/series_table.h"
 #include "recordings/table_layout.h"
 #include "recordings/table_recording.h"
@@ -43,8 +44,8 @@ bool is_recordable(const ArrayFile& arrays, const RecordingVariable& variable) {
 std::string chosen_variable(const ArrayFile& arrays) {
   return only_variable(
       arrays, recordable_variables(arrays),
-      "one array of a glove (18, 22 or 23 columns, or columns named as its sensors) or of "
-      "landmarks (n x 21 x 3, or n x 63)",
+      "one array of a glove (18, 22 or 23 columns, or columns named as its sensors), of landmarks "
+      "(n x 21 x 3, or n x 63) or of postures of MANO (n x 45, or n x 48)",
       choose_advice);
 }
 
@@ -113,6 +114,13 @@ std::vector<RecordingVariable> recordable_variables(const ArrayFile& arrays) {
   std::ranges::copy_if(
       arrays.variables(), std::back_inserter(fitting),
       [&](const RecordingVariable& variable) { return is_recordable(arrays, variable); });
+  if (fitting.empty()) {  // trackers often write landmarks, which are measured, beside parameters
+    std::ranges::copy_if(arrays.variables(), std::back_inserter(fitting),
+                         [&](const RecordingVariable& variable) {
+                           return variable.problem.empty() && variable.shape.size() > 1 &&
+                                  variable.shape.front() > 1 && has_mano_poses(arrays, variable);
+                         });
+  }
   return fitting;
 }
 
@@ -123,8 +131,9 @@ Recording read_array_recording(const ArrayFile& arrays, const std::string& varia
     throw InputError(
         {file.string(), "variable " + series.variable.name, "no rows", "at least one", ""});
   }
-  return has_landmarks(series.variable)
-             ? recording_of_landmarks(file, series)
+  return has_landmarks(series.variable) ? recording_of_landmarks(file, series)
+         : has_mano_poses(arrays, series.variable)
+             ? recording_of_mano(arrays, series)
              : recording_by_numbers(file, table_of(series), layout_of_series(file, series));
 }
 

@@ -9,7 +9,8 @@
 namespace handway::device {
 
 /// Returns the variables that may be recordings of a glove or of a hand's landmarks: several rows
-/// of 18, 22 or 23 columns, of columns of which half are named as sensors, or of 21 landmarks.
+/// of 18, 22 or 23 columns, of columns of which half are named as sensors, or of 21 landmarks; if
+/// there are none, those with postures of MANO.
 [[nodiscard]] std::vector<RecordingVariable> recordable_variables(const ArrayFile& arrays);
 
 /// Makes a recording of one variable of a file, as tables of text are read.

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// Files in which ROS 2 stores the messages of a bag.
+/// Files in which ROS stores the messages of a bag.
 
 namespace handway::device {
 
@@ -16,7 +16,7 @@ namespace handway::device {
 struct BagTopic {
   std::string name;      ///< "/joint_states".
   std::string type;      ///< "sensor_msgs/msg/JointState".
-  std::string encoding;  ///< Encoding of its messages: "cdr".
+  std::string encoding;  ///< Encoding of its messages: "cdr", "ros1".
 };
 
 /// One file of a bag.
@@ -41,6 +41,12 @@ class BagStorage {
 
 /// Opens a file of MCAP (.mcap). @throws InputError if it is damaged.
 [[nodiscard]] std::unique_ptr<BagStorage> open_mcap_bag(const std::filesystem::path& file);
+
+/// Opens a bag of ROS 1 (.bag). @throws InputError if it is damaged or of an old version.
+[[nodiscard]] std::unique_ptr<BagStorage> open_ros1_bag(const std::filesystem::path& file);
+
+/// First bytes of a bag of ROS 1, before its version.
+inline constexpr std::string_view kRos1BagMark = "#ROSBAG V";
 
 /// First bytes of a file of MCAP, before its version.
 inline constexpr std::string_view kMcapMark = "\x89MCAP";

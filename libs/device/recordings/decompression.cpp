@@ -1,5 +1,6 @@
 #include "recordings/decompression.h"
 
+#include <bzlib.h>
 #include <lz4frame.h>
 #include <snappy-c.h>
 #include <zstd.h>
@@ -69,6 +70,31 @@ std::optional<std::string> zstd_decompressed(std::string_view block, std::size_t
         ZSTD_outBuffer out{to, most, 0};
         const std::size_t result = ZSTD_decompressStream(stream.get(), &out, &in);
         return DecompressedPiece{in.pos, out.pos, ZSTD_isError(result) != 0};
+      });
+}
+
+std::optional<std::string> bzip2_decompressed(std::string_view block, std::size_t size) {
+  bz_stream stream{};
+  if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) {
+    return std::nullopt;
+  }
+  const std::unique_ptr<bz_stream, int (*)(bz_stream*)> opened(&stream, BZ2_bzDecompressEnd);
+  bool is_at_end = false;
+  return decompressed_in_pieces(
+      block, size, [&](std::string_view input, char* to, std::size_t most) {
+        if (is_at_end) {
+          return DecompressedPiece{0, 0, !input.empty()};
+        }
+        const std::size_t given = std::min<std::size_t>(input.size(), kOutputPiece);
+        std::string copy(input.substr(0, given));  // the library's interface is not const
+        stream.next_in = copy.data();
+        stream.avail_in = static_cast<unsigned>(given);
+        stream.next_out = to;
+        stream.avail_out = static_cast<unsigned>(most);
+        const int result = BZ2_bzDecompress(&stream);
+        is_at_end = result == BZ_STREAM_END;
+        return DecompressedPiece{given - stream.avail_in, most - stream.avail_out,
+                                 result != BZ_OK && result != BZ_STREAM_END};
       });
 }
 

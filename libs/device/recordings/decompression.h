@@ -17,6 +17,9 @@ namespace handway::device {
 /// Decompresses frames of Zstandard.
 [[nodiscard]] std::optional<std::string> zstd_decompressed(std::string_view block,
                                                            std::size_t size);
+/// Decompresses streams of bzip2.
+[[nodiscard]] std::optional<std::string> bzip2_decompressed(std::string_view block,
+                                                            std::size_t size);
 /// Decompresses frames of LZ4.
 [[nodiscard]] std::optional<std::string> lz4_decompressed(std::string_view block, std::size_t size);
 

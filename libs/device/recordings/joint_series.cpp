@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/plural.h"
 #include "recordings/array_recording.h"
+#include "recordings/topic_rows.h"
 
 #include <fmt/format.h>
 
@@ -61,7 +62,8 @@ std::vector<RecordingVariable> positions_first(const std::vector<RecordingVariab
   return preferred(
       preferred(all,
                 [](const RecordingVariable& variable) {
-                  return variable.type == "sensor_msgs/msg/JointState";
+                  return variable.type == "sensor_msgs/msg/JointState" ||
+                         variable.type == "sensor_msgs/JointState";
                 }),
       [](const RecordingVariable& variable) { return names_positions(variable.name); });
 }
@@ -178,6 +180,8 @@ std::string only_table(const ArrayFile& arrays) {
                        [](const RecordingVariable& variable) {
                          return is_table(variable) && columns_of(variable) > 1;
                        });
+  tables = preferred(
+      tables, [](const RecordingVariable& variable) { return !is_pose_type(variable.type); });
   return only_of(arrays, positions_first(tables), "one table of numbers", 7);
 }
 

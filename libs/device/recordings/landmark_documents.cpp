@@ -2,6 +2,7 @@
 #include "handway/device/glove/human_hand.h"
 #include "handway/geometric/io/input_error.h"
 #include "recordings/landmark_recording.h"
+#include "recordings/mano_documents.h"
 #include "recordings/recording_formats.h"
 
 #include <fmt/format.h>
@@ -143,17 +144,27 @@ bool is_landmark_document(std::string_view text) {
   return !first.is_object() || !first.contains("landmarks") || !first.contains("time");
 }
 
+Recording recording_of_found(const std::filesystem::path& file, const HandFinder& finder,
+                             const ManoFinder& mano) {
+  return finder.hands().empty() && mano.has_found()
+             ? mano.recording(file)
+             : recording_of_hands(file, finder.hands(), finder.time_unit());
+}
+
 /// Every array of 21 points in a JSON document, or in lines of JSON, is a hand: the first of each
 /// frame, of its world landmarks if there are some. Times are values of keys with such a name
 /// beside or around it.
+/// Without any, postures of MANO are looked for.
 /// @throws InputError if it is not JSON, or has no hand.
 Recording read_landmark_document(const std::filesystem::path& file, std::string_view text,
                                  const std::vector<TextLine>& lines) {
   HandFinder finder;
+  ManoFinder mano;
   const Json whole = Json::parse(text, nullptr, false);
   if (!whole.is_discarded()) {
     finder.look_at(whole, std::nullopt);
-    return recording_of_hands(file, finder.hands(), finder.time_unit());
+    mano.look_at(whole);
+    return recording_of_found(file, finder, mano);
   }
   for (const TextLine& line : lines) {
     const Json row = Json::parse(line.text, nullptr, false);
@@ -163,15 +174,17 @@ Recording read_landmark_document(const std::filesystem::path& file, std::string_
     }
     if (!row.is_discarded()) {
       finder.look_at(row, std::nullopt);
+      mano.look_at(row);
     }
   }
-  return recording_of_hands(file, finder.hands(), finder.time_unit());
+  return recording_of_found(file, finder, mano);
 }
 
 class LandmarkDocuments final : public RecordingFormat {
  public:
   [[nodiscard]] RecordingKindOfFile kind() const override {
-    return {"landmark document", "JSON that contains arrays of 21 landmarks of a hand."};
+    return {"landmark document",
+            "JSON that contains arrays of 21 landmarks of a hand, or postures of MANO."};
   }
   [[nodiscard]] bool recognises(const RecordingFile& file) const override {
     return file.first_line() != nullptr && is_landmark_document(file.text());

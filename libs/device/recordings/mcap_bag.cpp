@@ -4,18 +4,16 @@
 #include "recordings/decompression.h"
 #include "recordings/file_bytes.h"
 #include "recordings/mcap_records.h"
+#include "recordings/record_fields.h"
 
 #include <boost/crc.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 // Source: MCAP File Format Specification, version 0.
@@ -30,41 +28,6 @@ constexpr const char* kWhatMcap = "a bag of ROS 2 in MCAP";
 constexpr std::uint64_t kRecordHead = 9;                           // bytes: the kind and the size
 constexpr std::uint64_t kLargestRecord = std::uint64_t{64} << 20;  // bytes, but of chunks
 constexpr std::uint64_t kLargestMcapChunk = std::uint64_t{256} << 20;  // bytes, in memory
-
-/// Thrown for a record that is damaged.
-class McapError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Reads the fields of records.
-class FieldReader {
- public:
-  explicit FieldReader(std::string_view bytes) : bytes_(bytes) {}
-
-  /// All functions throw McapError if the bytes end before.
-  template <typename Number>
-  Number number() {
-    static_assert(std::endian::native == std::endian::little);
-    Number value{};
-    std::memcpy(&value, take(sizeof(Number)).data(), sizeof(Number));
-    return value;
-  }
-  std::string_view text() { return take(number<std::uint32_t>()); }
-  std::string_view take(std::uint64_t size) {
-    if (size > bytes_.size() - at_) {
-      throw McapError("an end within a field");
-    }
-    const std::string_view taken = bytes_.substr(at_, static_cast<std::size_t>(size));
-    at_ += taken.size();
-    return taken;
-  }
-  [[nodiscard]] std::string_view rest() const { return bytes_.substr(at_); }
-
- private:
-  std::string_view bytes_;
-  std::size_t at_ = 0;
-};
 
 /// A record in the file, without its content.
 struct RecordPlace {
@@ -165,7 +128,7 @@ class McapBag final : public BagStorage {
   auto at_record(const RecordPlace& place, const Read& read) const {
     try {
       return read();
-    } catch (const McapError& error) {
+    } catch (const RecordError& error) {
       throw InputError({bytes_.path().string(), fmt::format("record at byte {}", place.offset),
                         error.what(), kWhatMcap, "Copy the file again, or run mcap recover."});
     }
@@ -286,10 +249,10 @@ class McapBag final : public BagStorage {
     return channels;
   }
 
-  /// The content of a record. @throws McapError if it is too large.
+  /// The content of a record. @throws RecordError if it is too large.
   const std::string& read_record(const RecordPlace& place) {
     if (place.size > kLargestRecord) {
-      throw McapError(
+      throw RecordError(
           fmt::format("a record of {} bytes, which are more than can be read", place.size));
     }
     record_ = bytes_.read(place.offset, place.size);
@@ -300,7 +263,7 @@ class McapBag final : public BagStorage {
   [[nodiscard]] std::string records_of(const RecordPlace& place) const {
     return at_record(place, [&] {
       if (place.size > kLargestMcapChunk) {
-        throw McapError(
+        throw RecordError(
             fmt::format("a record of {} bytes, which are more than can be read", place.size));
       }
       return place.opcode == McapOpcode::kChunk
@@ -309,7 +272,7 @@ class McapBag final : public BagStorage {
     });
   }
 
-  /// The records in a chunk. @throws McapError if they are damaged.
+  /// The records in a chunk. @throws RecordError if they are damaged.
   static std::string decompressed(const std::string& chunk) {
     FieldReader fields(chunk);
     static_cast<void>(fields.take(2 * sizeof(std::uint64_t)));  // the times
@@ -318,8 +281,8 @@ class McapBag final : public BagStorage {
     const std::string_view method = fields.text();
     const std::string_view stored = fields.take(fields.number<std::uint64_t>());
     if (size > kLargestMcapChunk) {
-      throw McapError(fmt::format("a chunk of {} bytes, more than the {} that can be read", size,
-                                  kLargestMcapChunk));
+      throw RecordError(fmt::format("a chunk of {} bytes, more than the {} that can be read", size,
+                                    kLargestMcapChunk));
     }
     std::optional<std::string> records;
     if (method.empty()) {
@@ -329,16 +292,16 @@ class McapBag final : public BagStorage {
     } else if (method == "lz4") {
       records = lz4_decompressed(stored, static_cast<std::size_t>(size));
     } else {
-      throw McapError(fmt::format("a chunk compressed by {:.20} (zstd, lz4 or none are read)",
-                                  geometric::printable(method)));
+      throw RecordError(fmt::format("a chunk compressed by {:.20} (zstd, lz4 or none are read)",
+                                    geometric::printable(method)));
     }
     if (!records || records->size() != size) {
-      throw McapError("a damaged chunk");
+      throw RecordError("a damaged chunk");
     }
     boost::crc_32_type computed;
     computed.process_bytes(records->data(), records->size());
     if (checksum != 0 && checksum != computed.checksum()) {
-      throw McapError("a chunk with another checksum");
+      throw RecordError("a chunk with another checksum");
     }
     return *std::move(records);
   }

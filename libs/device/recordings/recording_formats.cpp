@@ -18,11 +18,13 @@ std::unique_ptr<ArrayFile> RecordingFormat::open(const RecordingFile& /*file*/) 
 const std::vector<const RecordingFormat*>& recording_formats() {
   static const std::vector<const RecordingFormat*> kFormats{
       &lerobot_format(),
+      &pickle_format(),
       &joint_message_format(),
       &table_map_format(),
       &matlab_format(),
       &numpy_format(),
       &hdf5_format(),
+      &ros1_bag_format(),
       &ros_bag_format(),
       &landmark_document_format(),
       &landmark_line_format(),

@@ -22,12 +22,16 @@ namespace handway::device {
 [[nodiscard]] const RecordingFormat& numpy_format();
 /// Data sets of HDF5.
 [[nodiscard]] const RecordingFormat& hdf5_format();
-/// Bags of ROS 2 in SQLite.
+/// Bags of ROS 1 (.bag).
+[[nodiscard]] const RecordingFormat& ros1_bag_format();
+/// Bags of ROS 2 in SQLite or MCAP.
 [[nodiscard]] const RecordingFormat& ros_bag_format();
 /// Any JSON that contains arrays of 21 points.
 [[nodiscard]] const RecordingFormat& landmark_document_format();
 /// Lines of JSON with the landmarks of a hand.
 [[nodiscard]] const RecordingFormat& landmark_line_format();
+/// Pickles of Python: refused with advice.
+[[nodiscard]] const RecordingFormat& pickle_format();
 /// Handway's own recordings.
 [[nodiscard]] const RecordingFormat& handway_recording_format();
 /// Logs of VirtualHand.

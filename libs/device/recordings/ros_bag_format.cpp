@@ -3,7 +3,7 @@
 #include "handway/geometric/io/text_file.h"
 #include "recordings/array_recording.h"
 #include "recordings/bag_storage.h"
-#include "recordings/cdr_reader.h"
+#include "recordings/message_reader.h"
 #include "recordings/recording_formats.h"
 #include "recordings/topic_rows.h"
 
@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -55,11 +56,21 @@ bool is_mcap(const fs::path& file, std::string_view head) {
 }
 
 std::unique_ptr<BagStorage> open_storage(const fs::path& file) {
+  if (geometric::head_of(file, kRos1BagMark.size()) == kRos1BagMark) {
+    return open_ros1_bag(file);
+  }
   return is_mcap(file, geometric::head_of(file, kMcapMark.size())) ? open_mcap_bag(file)
                                                                    : open_sqlite_bag(file);
 }
 
-/// The topics of a bag of ROS 2. Messages of a topic are read when they are needed.
+/// The encoding of a topic's messages; nothing for one that is not read.
+std::optional<MessageEncoding> encoding_of(std::string_view name) {
+  return name == "cdr"    ? std::optional(MessageEncoding::kCdr)
+         : name == "ros1" ? std::optional(MessageEncoding::kRos1)
+                          : std::nullopt;
+}
+
+/// The topics of a bag. Messages of a topic are read when they are needed.
 class BagTopics final : public ArrayFile {
  public:
   explicit BagTopics(const fs::path& bag) : ArrayFile(bag) {
@@ -68,7 +79,15 @@ class BagTopics final : public ArrayFile {
       add_topics(*parts_.back());
     }
     for (RecordingVariable& variable : variables_) {
-      describe(variable);
+      try {
+        describe(variable);
+      } catch (const InputError& error) {
+        if (!is_incidental_type(variable.type)) {
+          throw;
+        }
+        variable.problem = fmt::format("messages of {} that can't be read: {}", variable.type,
+                                       error.problem().found);
+      }
     }
   }
 
@@ -86,10 +105,13 @@ class BagTopics final : public ArrayFile {
         continue;
       }
       RecordingVariable variable{topic.name, {}, topic.type, ""};
-      if (topic.encoding != "cdr") {
+      const std::optional<MessageEncoding> encoding = encoding_of(topic.encoding);
+      if (!encoding) {
         variable.problem = fmt::format("messages encoded as {:.20}", topic.encoding);
-      } else if (!rows_of_type(variable.type)) {
+      } else if (!rows_of_type(variable.type, variable.name, *encoding)) {
         variable.problem = "messages of " + variable.type;
+      } else {
+        encodings_[topic.name] = *encoding;
       }
       variables_.push_back(std::move(variable));
     }
@@ -109,6 +131,10 @@ class BagTopics final : public ArrayFile {
       if (count <= kFirstMessages) {
         variable.shape = {rows->row_count()};
       }
+      if (rows->row_count() == 0 && is_incidental_type(variable.type)) {
+        variable.problem = "no values in messages of " + variable.type;
+        return;
+      }
       variable.shape.insert(variable.shape.end(), row.begin(), row.end());
       if (const bool poses = row.size() == 2; poses && !has_landmarks(variable)) {
         variable.problem =
@@ -119,13 +145,14 @@ class BagTopics final : public ArrayFile {
 
   [[nodiscard]] std::unique_ptr<TopicRows> read_rows(const RecordingVariable& variable,
                                                      std::size_t most) const {
-    std::unique_ptr<TopicRows> rows = rows_of_type(variable.type);
+    std::unique_ptr<TopicRows> rows =
+        rows_of_type(variable.type, variable.name, encodings_.at(variable.name));
     std::size_t number = 0;
     const auto add = [&](std::string_view message, double received) {
       ++number;
       try {
         rows->add(message, received);
-      } catch (const CdrError& error) {
+      } catch (const MessageError& error) {
         throw InputError({path().string(), fmt::format("{}, message {}", variable.name, number),
                           error.what(), "a " + variable.type, ""});
       }
@@ -154,6 +181,7 @@ class BagTopics final : public ArrayFile {
   }
 
   std::vector<std::unique_ptr<BagStorage>> parts_;
+  std::map<std::string, MessageEncoding> encodings_;  ///< Of topics that are read.
   mutable std::map<std::string, std::unique_ptr<TopicRows>> rows_;
 };
 
@@ -178,7 +206,29 @@ class RosBags final : public RecordingFormat {
   }
 };
 
+class Ros1Bags final : public RecordingFormat {
+ public:
+  [[nodiscard]] RecordingKindOfFile kind() const override {
+    return {"ROS 1 bag", "Topics of a bag of ROS 1 (.bag, format 2.0)."};
+  }
+  [[nodiscard]] bool has_variables() const override { return true; }
+  [[nodiscard]] bool recognises(const RecordingFile& file) const override {
+    return file.head().starts_with(kRos1BagMark);
+  }
+  [[nodiscard]] std::unique_ptr<ArrayFile> open(const RecordingFile& file) const override {
+    return std::make_unique<BagTopics>(file.path());
+  }
+  [[nodiscard]] Recording read(const RecordingFile& file) const override {
+    return read_array_recording(*open(file), file.variable());
+  }
+};
+
 }  // namespace
+
+const RecordingFormat& ros1_bag_format() {
+  static const Ros1Bags kFormat;
+  return kFormat;
+}
 
 const RecordingFormat& ros_bag_format() {
   static const RosBags kFormat;

@@ -2,18 +2,22 @@
 #include "handway/geometric/io/input_error.h"
 #include "recordings/landmark_columns.h"
 #include "recordings/landmark_recording.h"
+#include "recordings/mano_recording.h"
 #include "recordings/recording_formats.h"
 #include "recordings/table_layout.h"
 #include "recordings/table_recording.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace handway::device {
 namespace {
@@ -57,6 +61,74 @@ std::vector<SeenHand> hands_in(const std::filesystem::path& file, const NumberTa
   return hands;
 }
 
+/// Columns of a posture of MANO.
+struct ManoColumns {
+  std::vector<Eigen::Index> columns;
+  ManoSide side = ManoSide::kUnnamed;
+};
+
+// Columns "hand_pose_0" to "hand_pose_44" (or 47, or from 1 on), by their names; of several hands
+// those of the first.
+ManoColumns named_mano_columns(const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, ManoColumns>> hands;
+  for (std::size_t column = 0; column < names.size(); ++column) {
+    const std::size_t letters = names[column].find_last_not_of("0123456789") + 1;
+    const std::string prefix = names[column].substr(0, letters);
+    if (letters == 0 || letters == names[column].size() || !is_mano_name(prefix)) {
+      continue;
+    }
+    auto hand = std::ranges::find(hands, prefix, &std::pair<std::string, ManoColumns>::first);
+    if (hand == hands.end()) {
+      hand = hands.insert(hand, {prefix, {{}, side_in_name(prefix)}});
+    }
+    hand->second.columns.push_back(static_cast<Eigen::Index>(column));
+  }
+  const auto whole = std::ranges::find_if(
+      hands, [](const auto& hand) { return is_mano_count(hand.second.columns.size()); });
+  return whole == hands.end() ? ManoColumns{} : whole->second;
+}
+
+// The columns of postures of MANO: by their names, or 45 or 48 columns without names.
+ManoColumns mano_columns(const NumberTable& table, TableLayout& layout) {
+  ManoColumns found = named_mano_columns(table.names);
+  const MeasuredColumns measured = measured_columns(table);
+  if (found.columns.empty() && table.names.empty() &&
+      is_mano_count(static_cast<std::size_t>(measured.end - measured.first))) {
+    found.columns.resize(static_cast<std::size_t>(measured.end - measured.first));
+    std::iota(found.columns.begin(), found.columns.end(), measured.first);
+    layout.times = measured.times;
+  }
+  return found;
+}
+
+/// A recording of the postures of MANO in a table; nothing if it has none.
+std::optional<Recording> read_mano_table(const std::filesystem::path& file,
+                                         const NumberTable& table) {
+  TableLayout layout;
+  const ManoColumns mano = mano_columns(table, layout);
+  if (mano.columns.empty()) {
+    return std::nullopt;
+  }
+  find_times(table, layout);
+  std::vector<std::string> warnings;
+  std::vector<Eigen::Index> rows(static_cast<std::size_t>(table.values.rows()));
+  std::iota(rows.begin(), rows.end(), Eigen::Index{0});
+  const std::vector<double> times = times_of(file, table, layout, rows, warnings);
+  std::vector<ManoFrame> frames;
+  for (const Eigen::Index row : rows) {
+    const Eigen::VectorXd numbers = table.values.row(row)(mano.columns).transpose();
+    ManoFrame& frame = frames.emplace_back();
+    frame.pose = mano_pose({numbers.data(), static_cast<std::size_t>(numbers.size())});
+    if (const double time = times[static_cast<std::size_t>(row)];
+        !layout.times.empty() && std::isfinite(time)) {
+      frame.time = time;
+    }
+  }
+  Recording recording = recording_of_mano(file, frames, mano.side, {}, {1.0});
+  recording.warnings.insert(recording.warnings.begin(), warnings.begin(), warnings.end());
+  return recording;
+}
+
 /// Reads text of other programs: columns by the names of their header, as sensors are called by
 /// Handway or others; without names, those of a glove's records or of VirtualHand. Unit and signs
 /// are inferred from the numbers; warnings report the inference, and the columns and rows left out.
@@ -67,6 +139,9 @@ Recording read_other_table(const std::filesystem::path& file, const std::vector<
     Recording recording = recording_of_hands(file, hands, {1.0});
     recording.warnings.insert(recording.warnings.begin(), warnings.begin(), warnings.end());
     return recording;
+  }
+  if (std::optional<Recording> mano = read_mano_table(file, table)) {
+    return std::move(*mano);
   }
   return recording_by_numbers(file, table, layout_of(file, table));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "recordings/array_file.h"
+#include "recordings/message_reader.h"
 
 #include <cstddef>
 #include <memory>
@@ -8,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// Rows of numbers in the messages of a topic of ROS 2.
+/// Rows of numbers in the messages of a topic of ROS.
 
 namespace handway::device {
 
@@ -19,7 +20,7 @@ class TopicRows {
 
   /// Adds the rows of a message.
   /// @param received s since 1970, the time of messages without a stamp.
-  /// @throws CdrError if it is damaged.
+  /// @throws MessageError if it is damaged.
   virtual void add(std::string_view message, double received) = 0;
   /// The size of the rows so far, without their number.
   [[nodiscard]] virtual std::vector<std::size_t> row_shape() const = 0;
@@ -29,8 +30,16 @@ class TopicRows {
   [[nodiscard]] virtual Series series() const = 0;
 };
 
-/// Returns rows for the messages of a type, as "sensor_msgs/msg/JointState"; nullptr for a type
-/// that is not read.
-[[nodiscard]] std::unique_ptr<TopicRows> rows_of_type(std::string_view type);
+/// Returns rows for the messages of a type, as "sensor_msgs/msg/JointState" of ROS 2 or
+/// "sensor_msgs/JointState" of ROS 1; nullptr for a type that is not read.
+/// @param topic its name, by which poses are called.
+[[nodiscard]] std::unique_ptr<TopicRows> rows_of_type(std::string_view type, std::string_view topic,
+                                                      MessageEncoding encoding);
+
+/// Returns whether messages of a type are poses of bodies or frames.
+[[nodiscard]] bool is_pose_type(std::string_view type);
+
+/// Returns whether messages of a type often are of other things than recordings: poses and markers.
+[[nodiscard]] bool is_incidental_type(std::string_view type);
 
 }  // namespace handway::device

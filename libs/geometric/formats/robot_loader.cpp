@@ -1,32 +1,24 @@
 #include "handway/geometric/formats/robot_loader.h"
 
+#include "formats/expanded_xacro.h"
 #include "handway/geometric/formats/joint_limits_file.h"
 #include "handway/geometric/formats/srdf.h"
 #include "handway/geometric/formats/urdf.h"
+#include "handway/geometric/formats/xacro_file.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/robot/group_proposal.h"
 #include "handway/geometric/setup/collision_sampling.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <cstring>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -34,107 +26,6 @@ namespace handway::geometric {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::chrono::seconds kLongestRun(60);
-constexpr std::size_t kMostMessage = 4096;
-
-fs::path new_folder(const fs::path& xacro) {
-  std::string name = (fs::temp_directory_path() / "handway-xacro-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw InputError({xacro.string(), "", std::strerror(errno), "a folder for the URDF", ""});
-  }
-  return name;
-}
-
-// Starts `xacro FILE` with its output and messages in files. @returns 0 if the program does not
-// exist.
-pid_t start(const fs::path& xacro, const fs::path& out, const fs::path& messages) {
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT,
-                                     0600);
-  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT,
-                                     0600);
-  std::string program = "xacro";
-  std::string file = fs::absolute(xacro).string();
-  std::array<char*, 3> arguments = {program.data(), file.data(), nullptr};
-  pid_t process = 0;
-  const int error = ::posix_spawnp(&process, "xacro", &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  return error == 0 ? process : 0;
-}
-
-// Its exit status; -1 if it takes too long.
-int wait_for(pid_t process) {
-  const auto end = std::chrono::steady_clock::now() + kLongestRun;
-  int status = 0;
-  while (::waitpid(process, &status, WNOHANG) == 0) {
-    if (std::chrono::steady_clock::now() > end) {
-      ::kill(process, SIGKILL);
-      ::waitpid(process, &status, 0);
-      return -1;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
-std::string last_words(const fs::path& messages) {
-  std::string text;
-  try {
-    text = read_text_file(messages, "messages of xacro");
-  } catch (const InputError&) {
-    return "";  // it said nothing that can be read
-  }
-  return text.size() > kMostMessage ? text.substr(text.size() - kMostMessage) : text;
-}
-
-/// The URDF that the program `xacro` makes of a file, without arguments: a temporary file during
-/// the lifetime of this object.
-class ExpandedXacro {
- public:
-  /// @throws InputError if there is no such program, or with its output if it fails or takes longer
-  /// than a minute.
-  explicit ExpandedXacro(const fs::path& xacro);
-  ~ExpandedXacro();
-  ExpandedXacro(const ExpandedXacro&) = delete;
-  ExpandedXacro& operator=(const ExpandedXacro&) = delete;
-
-  [[nodiscard]] fs::path file() const { return folder_ / "robot.urdf"; }
-
- private:
-  fs::path folder_;
-};
-
-ExpandedXacro::ExpandedXacro(const fs::path& xacro) : folder_(new_folder(xacro)) {
-  const fs::path messages = folder_ / "messages.txt";
-  const pid_t process = start(xacro, file(), messages);
-  std::error_code ignored;
-  // Exit code of the shell for a missing program, on systems that detect it after the start.
-  constexpr int kNoProgram = 127;
-  const int status = process == 0 ? kNoProgram : wait_for(process);
-  if (status == 0) {
-    return;
-  }
-  const std::string said = last_words(messages);
-  fs::remove_all(folder_, ignored);
-  if (status == kNoProgram) {
-    throw InputError(
-        {xacro.string(), "", "a xacro file, and no program xacro to read it",
-         "that program on the PATH, or a robot file (*.urdf)",
-         "Install xacro, or convert the file where it is: xacro FILE.xacro > FILE.urdf"});
-  }
-  throw InputError({xacro.string(), "",
-                    status < 0 ? "a file on which xacro runs for more than a minute"
-                               : "a file that xacro does not take: " + said,
-                    "a xacro file that makes a robot without arguments", ""});
-}
-
-ExpandedXacro::~ExpandedXacro() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
 
 constexpr int kSamples = 200;
 constexpr std::uint64_t kSeed = 1;
@@ -220,15 +111,28 @@ bool is_urdf(const fs::path& file) {
   return tag != std::string::npos && head.compare(tag, 6, "<robot") == 0;
 }
 
-RobotDescription read_description(const fs::path& file) {
+RobotDescription read_xacro(const fs::path& file, const XacroArguments& given) {
+  XacroArguments arguments = xacro_arguments_of_environment();
+  arguments.merge(XacroArguments(given));
+  const ExpandedXacro urdf(file, arguments);
+  RobotDescription robot = read_urdf(urdf.file(), file.parent_path());
+  robot.file = file;
+  robot.xacro_arguments = std::move(arguments);
+  return robot;
+}
+
+RobotDescription read_description(const fs::path& file, const XacroArguments& arguments) {
+  if (!arguments.empty() && !has_extension(file, ".xacro")) {
+    throw InputError({file.string(), "xacro",
+                      "a value for the argument \"" + arguments.begin()->first + "\"",
+                      "a file called *.xacro, which takes arguments", ""});
+  }
   if (is_urdf(file)) {
     return read_urdf(file);
   }
   RobotDescription robot;
   if (has_extension(file, ".xacro")) {
-    const ExpandedXacro urdf(file);
-    robot = read_urdf(urdf.file(), file.parent_path());
-    robot.file = file;
+    robot = read_xacro(file, arguments);
   } else if (const std::optional<RobotReader> reader = find_reader(file)) {
     robot = reader->read(file);
   } else {
@@ -254,8 +158,9 @@ bool is_robot_file(const fs::path& file) {
   return is_urdf(file) || has_extension(file, ".xacro") || find_reader(file).has_value();
 }
 
-std::shared_ptr<const RobotModel> load_robot(const fs::path& file) {
-  RobotDescription description = read_description(file);
+std::shared_ptr<const RobotModel> load_robot(const fs::path& file,
+                                             const XacroArguments& arguments) {
+  RobotDescription description = read_description(file, arguments);
   narrow_joint_limits(description);
   if (description.allowed_collisions.entries().empty()) {
     find_allowed_collisions(description);

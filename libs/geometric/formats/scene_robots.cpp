@@ -1,5 +1,6 @@
 #include "formats/scene_sections.h"
 #include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/formats/xacro_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/resources.h"
@@ -51,15 +52,28 @@ std::shared_ptr<const RobotModel> with_couplings(const YamlElement& robot,
   return std::make_shared<const RobotModel>(std::move(description));
 }
 
+// Reads `{prefix: left_}`. Every scalar is passed as it is written.
+XacroArguments xacro_arguments_of(const YamlElement& robot) {
+  XacroArguments arguments;
+  if (const std::optional<YamlElement> list = robot.find("xacro")) {
+    for (const auto& [name, value] : list->entries()) {
+      const auto argument = xacro_argument_of(name + ":=" + value.text(), value.where());
+      arguments.insert(argument);
+    }
+  }
+  return arguments;
+}
+
 Entry entry_of(const YamlElement& element, const fs::path& folder, Scene& scene) {
-  element.allow_keys({"name", "model", "base", "mount", "moving_base", "bounds", "padding",
+  element.allow_keys({"name", "model", "xacro", "base", "mount", "moving_base", "bounds", "padding",
                       "couplings", "configuration"});
   const YamlElement model = element.need("model");
   Entry entry{element, {}};
   entry.part.file = model.text();
   entry.part.model = with_bases(
       element,
-      with_couplings(element, load_robot(find_noted(ResourceKind::kRobot, model, folder, scene))));
+      with_couplings(element, load_robot(find_noted(ResourceKind::kRobot, model, folder, scene),
+                                         xacro_arguments_of(element))));
   entry.part.name = element.text_or("name", entry.part.model->name());
   if (const std::optional<YamlElement> base = element.find("base")) {
     entry.X_WB = pose_of(*base);

@@ -81,6 +81,15 @@ std::string bases_text(const RobotModel& model) {
   return bounds.empty() ? "" : text + "    bounds:\n" + bounds;
 }
 
+std::string xacro_text(const RobotModel& model) {
+  std::string entries;
+  for (const auto& [name, value] : model.description().xacro_arguments) {
+    entries +=
+        fmt::format("{}{}: {}", entries.empty() ? "" : ", ", yaml_scalar(name), yaml_scalar(value));
+  }
+  return entries.empty() ? "" : fmt::format("    xacro: {{{}}}\n", entries);
+}
+
 std::string couplings_text(const RobotModel& model) {
   std::string text;
   for (const JointCoupling& coupling : model.description().couplings) {
@@ -143,9 +152,10 @@ std::string robot_text(const RobotInstance& robot, const std::vector<RobotRefere
   for (std::size_t i = 0; i < references.size(); ++i) {
     const RobotPart* part = robot.parts.empty() ? nullptr : &robot.parts[i];
     text += fmt::format(
-        "  - name: {}\n    model: {}\n{}{}{}{}    configuration:{}",
+        "  - name: {}\n    model: {}\n{}{}{}{}{}    configuration:{}",
         yaml_scalar(part ? part->name : robot.name),
         yaml_scalar(references[i].file.generic_string()),
+        references[i].is_saved ? "" : xacro_text(part ? *part->model : *robot.model),
         i == 0 ? fmt::format("    base: {}\n", yaml_pose(robot.X_WB)) : mount_text(robot, *part),
         references[i].is_saved ? "" : couplings_text(part ? *part->model : *robot.model),
         i > 0 || references[i].is_saved ? "" : bases_text(part ? *part->model : *robot.model),

@@ -1,6 +1,7 @@
 #include "handway/geometric/io/package_path.h"
 
 #include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/text_file.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -94,6 +96,34 @@ std::optional<fs::path> find_in_roots(const std::string& name) {
   return std::nullopt;
 }
 
+// Searches folders of another name whose manifest has the name, such as downloads with the name of
+// a branch: `folder`, its parents, and folders beside these.
+std::optional<fs::path> find_by_manifest(const std::string& name, const fs::path& folder) {
+  constexpr int kMostParents = 6;
+  constexpr int kMostEntries = 200;
+  int parents = 0;
+  for (fs::path above = folder; above.has_relative_path() && parents < kMostParents;
+       above = above.parent_path(), ++parents) {
+    if (package_name_of(above) == name) {
+      return above;
+    }
+    std::vector<fs::path> beside;
+    std::error_code error;
+    int entries = 0;
+    for (fs::directory_iterator entry(above, fs::directory_options::skip_permission_denied, error),
+         end;
+         !error && entry != end && ++entries < kMostEntries; entry.increment(error)) {
+      if (package_name_of(entry->path()) == name) {
+        beside.push_back(entry->path());
+      }
+    }
+    if (!beside.empty()) {
+      return *std::ranges::min_element(beside);  // entries come in any order
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<fs::path> find_package(const std::string& name, const fs::path& folder) {
@@ -101,7 +131,29 @@ std::optional<fs::path> find_package(const std::string& name, const fs::path& fo
   if (!found) {
     found = find_in_roots(name);
   }
-  return found ? found : find_near(name, folder, Letters::kAnyCase);
+  if (!found) {
+    found = find_near(name, folder, Letters::kAnyCase);
+  }
+  return found ? found : find_by_manifest(name, folder);
+}
+
+std::string package_name_of(const fs::path& folder) {
+  constexpr std::string_view kBegin = "<name>";
+  const fs::path manifest = folder / "package.xml";
+  std::error_code error;
+  if (!fs::is_regular_file(manifest, error)) {
+    return "";
+  }
+  const std::string text = head_of(manifest);
+  const std::size_t begin = text.find(kBegin);
+  const std::size_t end = begin == std::string::npos ? begin : text.find("</name>", begin);
+  if (end == std::string::npos) {
+    return "";
+  }
+  std::istringstream words(text.substr(begin + kBegin.size(), end - begin - kBegin.size()));
+  std::string name;
+  words >> name;
+  return name;
 }
 
 void add_package_path(const fs::path& folder) {

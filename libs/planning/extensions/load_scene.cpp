@@ -2,6 +2,7 @@
 
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/formats/scene_file.h"
+#include "handway/geometric/formats/xacro_file.h"
 #include "handway/geometric/io/alike_lines.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
@@ -38,10 +39,10 @@ SceneState read_own_format(const fs::path& file) {
   return {std::make_shared<const geometric::Scene>(std::move(scene)), std::move(basis)};
 }
 
-SceneState scene_of_robot(const fs::path& file) {
+SceneState scene_of_robot(const fs::path& file, const geometric::XacroArguments& arguments) {
   const fs::path path = fs::absolute(file).lexically_normal();
   geometric::RobotInstance robot;
-  robot.model = geometric::load_robot(path);
+  robot.model = geometric::load_robot(path, arguments);
   robot.name = robot.model->name();
   const fs::path reference =
       geometric::resource_reference(ResourceKind::kRobot, path, path.parent_path());
@@ -75,13 +76,15 @@ SceneState scene_of_robot(const fs::path& file) {
       {file.string(), "", "a file of no known format", formats, std::move(advice)});
 }
 
-SceneState read_any(const fs::path& file, const PluginManager& plugins) {
+SceneState read_any(const fs::path& file, const PluginManager& plugins,
+                    const geometric::XacroArguments& arguments) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
     const std::vector<std::string> robots = geometric::resource_names(ResourceKind::kRobot);
     if (std::ranges::find(robots, file.string()) != robots.end()) {
       return scene_of_robot(
-          geometric::find_resource(ResourceKind::kRobot, file, geometric::resource_dir()));
+          geometric::find_resource(ResourceKind::kRobot, file, geometric::resource_dir()),
+          arguments);
     }
     const bool is_there = fs::exists(file, error);
     throw geometric::InputError({file.string(), "",
@@ -100,7 +103,7 @@ SceneState read_any(const fs::path& file, const PluginManager& plugins) {
     return read_own_format(file);
   }
   if (geometric::is_robot_file(file)) {
-    return scene_of_robot(file);
+    return scene_of_robot(file, arguments);
   }
   refuse(file, plugins);
 }
@@ -133,10 +136,32 @@ void hollow_out(geometric::Scene& scene) {
   }
 }
 
+// Refuses arguments that no robot was read with.
+void check_used(geometric::XacroArguments arguments, const fs::path& file,
+                const geometric::Scene& scene) {
+  arguments.merge(geometric::xacro_arguments_of_environment());
+  const auto takes_arguments = [](const std::shared_ptr<const geometric::RobotModel>& model) {
+    return !model->description().xacro_arguments.empty();
+  };
+  const bool is_used =
+      std::ranges::any_of(scene.robots, [&](const geometric::RobotInstance& robot) {
+        return takes_arguments(robot.model) ||
+               std::ranges::any_of(robot.parts, takes_arguments, &geometric::RobotPart::model);
+      });
+  if (!arguments.empty() && !is_used) {
+    throw geometric::InputError(
+        {file.string(), "",
+         "the xacro argument \"" + arguments.begin()->first + "\", and no xacro file that takes it",
+         "a robot file called *.xacro, or a scene with one", ""});
+  }
+}
+
 }  // namespace
 
-SceneState load_scene(const fs::path& file, const PluginManager& plugins) {
-  SceneState loaded = read_any(file, plugins);
+SceneState load_scene(const fs::path& file, const PluginManager& plugins,
+                      const geometric::XacroArguments& arguments) {
+  SceneState loaded = read_any(file, plugins, arguments);
+  check_used(arguments, file, *loaded.scene);
   auto scene = std::make_shared<geometric::Scene>(*loaded.scene);
   scene->warnings = geometric::merged_alike(scene->warnings);
   hollow_out(*scene);

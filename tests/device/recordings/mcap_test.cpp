@@ -1,10 +1,13 @@
 /// Recordings in bags of ROS 2 in MCAP; also cut off and damaged.
 #include "cdr_message.h"
 #include "damaged_copies.h"
+#include "handway/device/glove/human_hand.h"
+#include "handway/device/glove/recording.h"
 #include "handway/device/recordings/recorded_table.h"
 #include "handway/device/recordings/recording_contents.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
+#include "ros1_message.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -190,6 +193,16 @@ TEST_F(Mcap, OtherEncodingsAreNamed) {
   EXPECT_EQ(recording_contents(file).variables.at(0).problem, "messages encoded as json");
 }
 
+TEST_F(Mcap, MessagesOfRos1AreRead) {
+  const RecordedTable table = read_recorded_table(write(
+      "bag.mcap",
+      whole_file(schema(1, "sensor_msgs/JointState") + channel(7, 1, "/joint_states", "ros1") +
+                 message(7, 1, test::ros1_joint_state(2.0, {"pan", "tilt"}, {0.5, 0.1})) +
+                 message(7, 2, test::ros1_joint_state(3.0, {"pan"}, {0.6})))));
+  EXPECT_THAT(table.names, ElementsAre("pan", "tilt"));
+  EXPECT_EQ(table.values, (Eigen::MatrixXd{{0.5, 0.1}, {0.6, 0.1}}));
+}
+
 TEST_F(Mcap, DamagedRecordsAreRefusedByTheirPlace) {
   const std::string records = kDefinitions + first_messages();
   const std::size_t place = whole_file("").size() - 2 * kMagic.size() - 29 + kMagic.size() + 9;
@@ -251,11 +264,91 @@ TEST_F(Mcap, IsWrittenWithPosesAsTopicsOfTheirOwn) {
   ASSERT_EQ(contents.variables.size(), 2U);
   EXPECT_EQ(contents.variables[0].name, "/joint_states");
   EXPECT_EQ(contents.variables[1].name, "/palm");
-  EXPECT_THAT(contents.variables[1].problem, HasSubstr("geometry_msgs/msg/PoseStamped"));
+  EXPECT_EQ(to_string(contents.variables[1]), "/palm (2 x 7)");
+  const RecordedTable palm = read_recorded_table(file.string() + "#/palm");
+  EXPECT_THAT(palm.names, ElementsAre("palm.x", "palm.y", "palm.z", "palm.qx", "palm.qy", "palm.qz",
+                                      "palm.qw"));
+  EXPECT_EQ(palm.values, table.values.middleCols(1, 7));
   const RecordedTable read = read_recorded_table(file);
   EXPECT_THAT(read.names, ElementsAre("pan", "tilt", "alone.x"));
   EXPECT_EQ(read.values.col(1), table.values.col(8));
   EXPECT_NEAR(read.times[1], 0.75, 1e-9);
+}
+
+// A marker of ROS 2, before Humble or since then.
+void add_marker(test::CdrMessage& array, const std::string& space, int type,
+                const Eigen::Vector3d& position, bool is_humble) {
+  array.stamp(3.0);
+  array.text(space);
+  for (const int number : {7, type, 0}) {
+    array.number(static_cast<std::int32_t>(number));
+  }
+  for (const double number : {position.x(), position.y(), position.z(), 0.0, 0.0, 0.0, 1.0}) {
+    array.number(number);
+  }
+  for (int i = 0; i < 3; ++i) {
+    array.number(0.01);
+  }
+  for (int i = 0; i < 4; ++i) {
+    array.number(1.0F);
+  }
+  array.number(std::int32_t{0});
+  array.number(std::uint32_t{0});
+  array.number(std::uint8_t{0});
+  array.number(std::uint32_t{0});  // points
+  array.number(std::uint32_t{1});  // colors
+  for (int i = 0; i < 4; ++i) {
+    array.number(0.5F);
+  }
+  if (is_humble) {
+    array.text("");
+    array.stamp(0.0);
+    array.text("png");
+    array.number(std::uint32_t{3});
+    for (int i = 0; i < 3; ++i) {
+      array.number(std::uint8_t{9});
+    }
+    array.number(std::uint32_t{0});
+  }
+  array.text("a label");
+  array.text("");
+  if (is_humble) {
+    array.text("");
+    array.number(std::uint32_t{0});
+  }
+  array.number(std::uint8_t{0});
+}
+
+TEST_F(Mcap, MarkersOfAHandAreLandmarks) {
+  GloveAngles bent;
+  bent.angles.fill(0.3);
+  const HandLandmarks points = hand_landmarks(bent);
+  constexpr int kSphere = 2;
+  constexpr int kText = 9;
+  for (const bool is_humble : {false, true}) {
+    test::CdrMessage array;
+    array.number(std::uint32_t{23});
+    add_marker(array, "names", kText, Eigen::Vector3d::Zero(), is_humble);
+    for (int i = 0; i < 21; ++i) {
+      add_marker(array, "hand", kSphere, points.col(i), is_humble);
+    }
+    add_marker(array, "other", kSphere, Eigen::Vector3d::Zero(), is_humble);
+    const std::string frame = array.encapsulated();
+    const fs::path file =
+        write("bag.mcap",
+              whole_file(schema(1, "visualization_msgs/msg/MarkerArray") + channel(7, 1, "/hand") +
+                         message(7, 1'000'000'000, frame) + message(7, 2'000'000'000, frame) +
+                         schema(2, "visualization_msgs/msg/MarkerArray") + channel(8, 2, "/rooms") +
+                         message(8, 1, std::string("\0\1\0\0\1\0\0\0", 8))));
+    EXPECT_THAT(recording_contents(file).variables.at(1).problem, HasSubstr("can't be read"));
+    const Recording recording = read_recording(file);
+    ASSERT_EQ(recording.times.size(), 2);
+    const int sensor = *find_sensor("RingPIJ");
+    EXPECT_NEAR(
+        recording.values(1, column_of(recording.header, sensor)),
+        glove_angles(in_palm_frame(points, false)).angles.at(static_cast<std::size_t>(sensor)),
+        1e-6);
+  }
 }
 
 TEST_F(Mcap, IsWrittenInChunksThatAreRead) {

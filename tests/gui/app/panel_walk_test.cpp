@@ -5,12 +5,14 @@
 #include "features/glove/glove_panel.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"
+#include "handway_test/fake_xacro.h"
 #include "handway_test/paths.h"
 #include "layout_audit.h"
 #include "patience.h"
 #include "reader_names.h"
 #include "small_cell.h"
 #include "widgets/panels/floating_card.h"
+#include "widgets/panels/xacro_dialog.h"
 #include "widgets/style/theme.h"
 #include "window_test.h"
 
@@ -342,6 +344,11 @@ TEST_P(PanelWalk, CutsNothingAndIsReadable) {
   look_at_opened(QStringLiteral("new_scene"), action("New…"));
   look_at_opened(QStringLiteral("add_robot"), action("Robot…"));
   look_at_opened(QStringLiteral("robot_setup"), action("Robot setup…"));
+  look_at_opened(QStringLiteral("xacro_arguments"), [this] {
+    const std::filesystem::path file = folder_.path() / "box.xacro";
+    std::ofstream(file) << kXacroBox;
+    gui::with_xacro_arguments(window_.get(), file, [](const geometric::XacroArguments&) {});
+  });
   look_at_opened(QStringLiteral("commands"), action("Find a command…"));
   look_at_opened(QStringLiteral("help"), action("Help on this panel"));
   look_at_opened(QStringLiteral("about"), action("About Handway"));

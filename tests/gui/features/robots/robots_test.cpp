@@ -6,7 +6,9 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/edits/scene_state.h"
+#include "handway_test/fake_xacro.h"
 #include "patience.h"
+#include "widgets/panels/xacro_dialog.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -259,6 +261,59 @@ TEST_F(Robots, CanBePlannedForInTurn) {
   editor().undo_stack().undo();
   EXPECT_EQ(robot().name, "arm");
   EXPECT_TRUE(scene().goal);
+}
+
+class XacroRobots : public Robots {
+ protected:
+  XacroRobots() { std::ofstream(file_) << kXacroBox; }
+  [[nodiscard]] QLineEdit* field(const char* name) const {
+    return window().findChild<QLineEdit*>(QLatin1String(name));
+  }
+  [[nodiscard]] const geometric::RobotDescription& description() const {
+    return robot().model->description();
+  }
+
+  FakeXacro program_;
+  ScratchFolder folder_;
+  std::filesystem::path file_ = folder_.path() / "box.xacro";
+};
+
+TEST_F(XacroRobots, AreOpenedWithTheArgumentsThatTheDialogAsksFor) {
+  window().workbench().open(file_);
+  ASSERT_TRUE(wait_until([&] { return field("xacro_size") != nullptr; }));
+  EXPECT_EQ(robot().name, "arm") << "the scene stays until the dialog is answered";
+  EXPECT_EQ(field("xacro_prefix")->text(), "left_");
+  EXPECT_EQ(field("xacro_size")->text(), "0.1");
+  keep_picture("xacro_arguments");
+  field("xacro_prefix")->setText(QStringLiteral("right_"));
+  click("xacro_open");
+  ASSERT_TRUE(opens_alone("right_box"));
+  EXPECT_EQ(description().xacro_arguments, (geometric::XacroArguments{{"prefix", "right_"}}));
+  const std::filesystem::path saved = folder_.path() / "saved.yaml";
+  window().document().save(saved, {});
+  EXPECT_EQ(geometric::read_scene(saved).robots.front().model->name(), "right_box");
+}
+
+TEST_F(XacroRobots, AreNotOpenedIfTheDialogIsCancelled) {
+  window().workbench().open(file_);
+  ASSERT_TRUE(wait_until([&] { return window().findChild<gui::XacroDialog*>() != nullptr; }));
+  window().findChild<gui::XacroDialog*>()->reject();
+  EXPECT_TRUE(wait_until([&] { return window().findChild<gui::XacroDialog*>() == nullptr; }));
+  EXPECT_EQ(robot().name, "arm");
+}
+
+TEST_F(XacroRobots, AreAddedWithArguments) {
+  part<QAction>("robot").trigger();
+  dialog().choose_file(file_);
+  ASSERT_TRUE(wait_until([&] { return field("xacro_size") != nullptr; }));
+  field("xacro_size")->setText(QStringLiteral("0.3"));
+  click("xacro_open");
+  ASSERT_TRUE(wait_until([&] { return part<QPushButton>("add_robot_now").isEnabled(); }));
+  choose("add_robot_on", part<QComboBox>("add_robot_on").itemText(0));
+  click("add_robot_now");
+  settle();
+  ASSERT_EQ(scene().robots.size(), 2U);
+  EXPECT_EQ(scene().robots[1].model->description().xacro_arguments.at("size"), "0.3");
 }
 
 }  // namespace

@@ -89,8 +89,9 @@ struct Recording {
 ///   - MATLAB files (version 5 and 7.3) with "angles" (degrees) or "glove" (counts) of 18 or 22
 ///     columns in the order of a CyberGlove's records, as Ninapro's;
 ///   - a variable of a file with several, behind a `#`: arrays of NumPy and HDF5, episodes of
-///     LeRobot data sets and other tables in Parquet, topics of ROS 2 bags in SQLite or MCAP (see
+///     LeRobot data sets and other tables in Parquet, topics of bags of ROS 1 and 2 (see
 ///     recording_contents());
+///   - postures of MANO in arrays, JSON or tables (see mano_landmarks());
 ///   - any table of numbers, text or MATLAB, by a YAML map of its columns, which names it:
 ///
 ///         table: postures.csv        # from this file's folder; lines end in CR, LF or both

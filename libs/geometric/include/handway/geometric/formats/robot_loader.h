@@ -31,8 +31,9 @@ HANDWAY_GEOMETRIC_EXPORT void register_robot_reader(RobotReader reader);
 /// collision, adjacent links and links that overlap (sample_overlapping_links()) are allowed to
 /// touch. A missing group "arm" or "hand" is taken from propose_groups(). The description has a
 /// warning about both for robots without an SRDF.
-/// @throws InputError if the file can't be read or has no valid robot.
+/// @param arguments of a xacro file. Those of $HANDWAY_XACRO come first.
+/// @throws InputError if the file can't be read, has no valid robot or does not take the arguments.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const RobotModel> load_robot(
-    const std::filesystem::path& file);
+    const std::filesystem::path& file, const XacroArguments& arguments = {});
 
 }  // namespace handway::geometric

@@ -11,10 +11,14 @@ namespace handway::geometric {
 /// The folder of a ROS package, as `package://NAME/…` means it: a folder NAME that contains
 /// `folder`, or beside one of its parents; else one in, or that itself is one of, the folders of
 /// $HANDWAY_PACKAGE_PATH and $ROS_PACKAGE_PATH, or with packages of $AMENT_PREFIX_PATH; else one
-/// near `folder` whose name differs in case.
+/// near `folder` whose name differs in case, or whose manifest has the name.
 /// @param folder absolute, of the file that names the package.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<std::filesystem::path> find_package(
     const std::string& name, const std::filesystem::path& folder);
+
+/// Returns the name in the manifest of a package (`package.xml`); empty if the folder has none.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string package_name_of(
+    const std::filesystem::path& folder);
 
 /// Adds a folder in which packages and missing files are searched, like $HANDWAY_PACKAGE_PATH, for
 /// as long as the program runs. From any thread.

@@ -142,10 +142,14 @@ struct JointCoupling {
   bool of_scene = false;                              ///< From a scene, not from the robot's files.
 };
 
+/// Values of arguments of a xacro file, by the arguments' names.
+using XacroArguments = std::map<std::string, std::string>;
+
 /// Contents of a robot file before they are checked: the input of RobotModel.
 struct RobotDescription {
   std::string name;
-  std::filesystem::path file;  ///< For messages; may be empty.
+  std::filesystem::path file;      ///< For messages; may be empty.
+  XacroArguments xacro_arguments;  ///< Arguments that the file was expanded with, if it is xacro.
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<JointGroup> groups;
