@@ -106,8 +106,15 @@ std::string frame_json(const GloveFrame& frame, int sensors) {
       values[name] = frame.angles->at(static_cast<std::size_t>(sensor));
     }
   }
-  return nlohmann::ordered_json{{"time", frame.time}, {frame.angles ? "angles" : "counts", values}}
-      .dump();
+  nlohmann::ordered_json object{{"time", frame.time},
+                                {frame.angles ? "angles" : "counts", values}};
+  if (frame.X_SH) {
+    const Eigen::Vector3d p = frame.X_SH->translation();
+    const Eigen::Quaterniond q(frame.X_SH->linear());
+    object["wrist"] = {{"position", {p.x(), p.y(), p.z()}},
+                       {"quaternion", {q.x(), q.y(), q.z(), q.w()}}};
+  }
+  return object.dump();
 }
 
 std::string statistics_json(const StreamStatistics& s) {
@@ -127,7 +134,8 @@ void add_glove_device_options(CLI::App& command, GloveDeviceOptions& options) {
   command
       .add_option("--device", options.device,
                   "Serial port (/dev/ttyUSB0) or HOST:PORT of a CyberGlove; udp://PORT to receive "
-                  "hand landmarks, landmarks://HOST:PORT to fetch them")
+                  "hands of a headset, a camera, Rokoko Studio or Manus Core, landmarks://HOST:PORT "
+                  "to fetch them, pipe://PATH or - (standard input) to read them from a pipe")
       ->required();
   command.add_option("--rate", options.rate_hz, "Frames per second to request")
       ->check(CLI::Range(0.5, 480.0))
@@ -139,7 +147,8 @@ void add_glove_device_options(CLI::App& command, GloveDeviceOptions& options) {
                    "Request every frame instead of letting the glove stream");
   command
       .add_option("--hand", options.hand,
-                  "With landmarks: left or right hand (default: the first that is detected)")
+                  "With hands of other programs: left or right hand (default: the first that is "
+                   "detected)")
       ->check(CLI::IsMember({"left", "right"}));
 }
 

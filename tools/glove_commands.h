@@ -23,7 +23,8 @@ namespace handway::tools {
 /// Time and counts of one frame, separated by blanks.
 [[nodiscard]] std::string frame_line(const device::GloveFrame& frame, int sensors);
 
-/// {"time": …, "counts": {"ThumbRotate": …, …}} on one line.
+/// {"time": …, "counts": {"ThumbRotate": …, …}} on one line; with "wrist", a position (m) and a
+/// quaternion (x y z w), of sources that have its pose.
 [[nodiscard]] std::string frame_json(const device::GloveFrame& frame, int sensors);
 
 /// {"statistics": {…}} on one line.

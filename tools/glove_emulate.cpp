@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -79,12 +80,26 @@ device::HandSignal hand_of(const EmulateOptions& options) {
   return recorded_hand(to_angles(device::read_recording(options.from), calibration));
 }
 
-int emulate_landmarks(const EmulateOptions& options) {
+/// Formats of hands by the names of their protocols.
+const std::map<std::string, device::HandWire>& hand_wires() {
+  static const std::map<std::string, device::HandWire> kWires{
+      {"landmarks", device::HandWire::kLandmarks},
+      {"openxr", device::HandWire::kOpenXr},
+      {"rokoko", device::HandWire::kRokoko},
+      {"rokoko-lz4", device::HandWire::kRokokoLz4},
+      {"manus", device::HandWire::kManus}};
+  return kWires;
+}
+
+int emulate_hand_sender(const EmulateOptions& options, device::HandWire wire) {
   device::DeviceEmulatorSettings settings = emulator_settings(options.faults, options.seed);
   ServeOptions serve = options.serve;
   if (!options.receiver.empty()) {
     settings.udp_receiver = options.receiver;
     serve.scheme = "udp://";
+  } else if (serve.tcp_port && wire == device::HandWire::kRokokoLz4) {
+    throw geometric::InputError({"--tcp", "", "a protocol of datagrams", "--to HOST:PORT",
+                                 "Rokoko Studio sends frames of LZ4 by UDP only."});
   } else if (serve.tcp_port) {
     serve.scheme = "landmarks://";
   } else {
@@ -93,6 +108,7 @@ int emulate_landmarks(const EmulateOptions& options) {
          "Write, for example, --to 5006, or --tcp 5006 to serve them on a port."});
   }
   device::LandmarkUnitSettings unit;
+  unit.wire = wire;
   unit.rate = options.rate_hz.value_or(unit.rate);
   unit.left = options.left;
   unit.noise = options.noise_mm * geometric::kMillimetre;
@@ -101,8 +117,8 @@ int emulate_landmarks(const EmulateOptions& options) {
 }
 
 int emulate_glove(const EmulateOptions& options) {
-  if (options.protocol == "landmarks") {
-    return emulate_landmarks(options);
+  if (const auto wire = hand_wires().find(options.protocol); wire != hand_wires().end()) {
+    return emulate_hand_sender(options, wire->second);
   }
   device::DeviceEmulatorSettings settings = emulator_settings(options.faults, options.seed);
   if (options.protocol == "cyberglove3" && options.receiver.empty()) {
@@ -124,14 +140,17 @@ int emulate_glove(const EmulateOptions& options) {
 void add_signal_options(CLI::App& command, EmulateOptions& options) {
   command
       .add_option("--protocol", options.protocol,
-                  "cyberglove (I and II), cyberglove3 (native stream of a CyberGlove III), or "
-                  "landmarks (21 points of a hand as JSON lines)")
-      ->check(CLI::IsMember({"cyberglove", "cyberglove3", "landmarks"}))
+                  "cyberglove (I and II), cyberglove3 (native stream of a CyberGlove III), "
+                  "landmarks (21 points of a hand as JSON lines), openxr (26 joints as JSON "
+                  "lines), rokoko, rokoko-lz4 (frames of Rokoko Studio, plain or compressed), or "
+                  "manus (ergonomics of Manus Core as JSON lines)")
+      ->check(CLI::IsMember({"cyberglove", "cyberglove3", "landmarks", "openxr", "rokoko",
+                             "rokoko-lz4", "manus"}))
       ->capture_default_str();
   command.add_option(
       "--to", options.receiver,
-      "HOST:PORT, or PORT of this computer: for landmarks the destination of UDP datagrams, "
-      "otherwise the address to connect to, as a CyberGlove III does over WiFi");
+      "HOST:PORT, or PORT of this computer: for landmarks, openxr, rokoko and manus the destination "
+      "of UDP datagrams, otherwise the address to connect to, as a CyberGlove III does over WiFi");
   command.add_option("--sensors", options.sensors, "Number of sensors, 18 or 22")
       ->check(CLI::IsMember({18, 22}))
       ->capture_default_str();
@@ -139,7 +158,8 @@ void add_signal_options(CLI::App& command, EmulateOptions& options) {
   command
       .add_option(
           "--rate", options.rate_hz,
-          "Frames per second, until the host sets another rate (default: 100; 30 for landmarks)")
+          "Frames per second, until the host sets another rate (default: 100; 30 for senders "
+          "of hands)")
       ->check(CLI::Range(0.5, 480.0));
   command.add_option("--seed", options.seed, "Seed of the hand's motion and of all faults")
       ->check(not_negative())
@@ -171,7 +191,7 @@ void add_fault_options(CLI::App& command, EmulateOptions& options) {
 void add_glove_emulate(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<EmulateOptions>();
   CLI::App* command = glove.add_subcommand("emulate",
-                                           "Emulate a CyberGlove, or a source of hand landmarks; "
+                                           "Emulate a CyberGlove, or a program that sends a hand; "
                                            "the first line of output is its address");
   add_serve_options(*command, options->serve);
   add_signal_options(*command, *options);

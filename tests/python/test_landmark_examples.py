@@ -32,7 +32,7 @@ def receiver():
 
 
 def line_of(listener):
-    return json.loads(listener.recv(4096))
+    return json.loads(listener.recv(65536))
 
 
 class FakeLandmarker:
@@ -111,6 +111,25 @@ class LandmarkExamples(unittest.TestCase):
         self.assertEqual((line["hand"], len(line["landmarks"])), ("left", 21))
         joints[10].location_flags = 0
         self.assertEqual(example.landmarks(joints), [])
+
+    def test_openxr_sends_all_joints_with_the_wrist(self):
+        example = run("hand_from_openxr", {}, [])
+        turned = types.SimpleNamespace(x=0.0, y=0.6, z=0.0, w=0.8)
+        locations = [
+            types.SimpleNamespace(
+                pose=types.SimpleNamespace(position=point(i, 0.0, 0.0), orientation=turned),
+                location_flags=15,
+            )
+            for i in range(26)
+        ]
+        with receiver() as listener:
+            example.send(example.joints(locations), True, "left", listener.getsockname())
+            line = line_of(listener)
+        self.assertEqual((line["hand"], line["isActive"], len(line["joints"])), ("left", True, 26))
+        self.assertEqual(
+            line["joints"][1],
+            {"position": [1, 0.0, 0.0], "orientation": [0.0, 0.6, 0.0, 0.8], "flags": 15},
+        )
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 #include "background_process.h"
 #include "command_line.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/human_hand.h"
+#include "handway/device/glove/landmark_line.h"
 #include "handway/device/glove/recording.h"
 #include "handway_test/free_port.h"
 
@@ -106,6 +108,39 @@ TEST(GloveRecord, RecordsHandLandmarksThatAreSentByUdp) {
   EXPECT_EQ(recording.values.rows(), 100);
   EXPECT_EQ(recording.values.cols(), 19);
   EXPECT_EQ(line.run("pca r.csv").exit_code, 0);
+}
+
+TEST(GloveLive, ShowsTheHandsOfOtherPrograms) {
+  for (const char* protocol : {"openxr", "rokoko", "rokoko-lz4", "manus"}) {
+    const std::string port = free_udp_port();
+    BackgroundProcess emulator(
+        {"glove", "emulate", "--protocol", protocol, "--to", port.c_str(), "--rate", "200"});
+    const std::string address = emulator.read_line();
+    const CommandLine line;
+    const Outcome json = line.run("glove live --device " + address + " --frames 2 --json");
+    ASSERT_EQ(json.exit_code, 0) << json.err;
+    const auto frame = nlohmann::json::parse(lines_of(json.out).front());
+    EXPECT_EQ(frame.at("angles").size(), 19U) << protocol;
+    EXPECT_EQ(frame.contains("wrist"), std::string(protocol) != "manus");
+  }
+}
+
+TEST(GloveLive, ReadsHandsFromAPipeUntilItEnds) {
+  const CommandLine line;
+  device::GloveAngles angles;
+  angles.angles.fill(0.1);
+  std::string text;
+  for (int row = 0; row < 3; ++row) {
+    text += device::write_landmark_line({0.03 * row, false, device::hand_landmarks(angles)}) + "\n";
+  }
+  line.write("hand.jsonl", text);
+  const Outcome live = line.run("glove live --device - < hand.jsonl");
+  EXPECT_EQ(live.exit_code, 0) << live.err;
+  EXPECT_EQ(lines_of(live.out).size(), 3U);
+  line.write("empty.jsonl", "");
+  const Outcome empty = line.run("glove live --device - < empty.jsonl");
+  EXPECT_EQ(empty.exit_code, 3);
+  EXPECT_THAT(empty.err, HasSubstr("the end of the input"));
 }
 
 TEST(GloveEmulate, AsksWhereToSendLandmarks) {

@@ -32,8 +32,8 @@ DeviceField::DeviceField(QWidget* parent) : QComboBox(parent) {
   lineEdit()->setPlaceholderText(tr("/dev/ttyUSB0 or host:port"));
   setToolTip(
       tr("A serial port, a network address such as 192.168.0.7:5000, listen://49500 for a "
-         "CyberGlove III on WiFi, the built-in emulator, a recording to replay, or hand landmarks "
-         "that a camera or headset sends: udp://5006"));
+         "CyberGlove III on WiFi, the built-in emulator, a recording to replay, or the hand that a "
+         "camera, a headset, Rokoko Studio or Manus Core sends: udp://5006"));
   connect(this, qOverload<int>(&QComboBox::activated), this, &DeviceField::choose);
   connect(lineEdit(), &QLineEdit::returnPressed, this, &DeviceField::requested);
   refresh();
@@ -64,6 +64,11 @@ void DeviceField::refresh() {
   addItem(tr("Replay a recording…"), QLatin1String(kChooseRecording));
   setItemData(count() - 1,
               tr("Plays a file in a loop, like a connected glove. ") + recording_kinds(),
+              Qt::ToolTipRole);
+  addItem(tr("Hand sent by UDP: port 5006"), QStringLiteral("udp://5006"));
+  setItemData(count() - 1,
+              tr("Landmarks of a camera, joints of OpenXR, frames of Rokoko Studio (JSON v3 or v4), "
+                 "or ergonomics of Manus Core. The format is recognised."),
               Qt::ToolTipRole);
   const QList<GlovePort> ports = find_glove_ports();
   if (!ports.isEmpty()) {

@@ -292,6 +292,10 @@ QWidget* WristPage::build_device() {
   protocol_->addItem(tr("Polhemus Fastrak"), QStringLiteral("fastrak"));
   protocol_->addItem(tr("Polhemus Liberty"), QStringLiteral("liberty"));
   protocol_->addItem(tr("Datagrams (UDP)"), QStringLiteral("udp"));
+  protocol_->setItemData(
+      protocol_->count() - 1,
+      tr("Poses that a program sends, or the wrists of hands of OpenXR and Rokoko Studio"),
+      Qt::ToolTipRole);
   const auto show_address = [this] {
     const QString protocol = protocol_->currentData().toString();
     address_->setVisible(protocol != QLatin1String("emulator"));

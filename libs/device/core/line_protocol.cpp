@@ -10,7 +10,6 @@
 namespace handway::device {
 namespace {
 
-constexpr std::size_t kLongestLine = 4096;
 constexpr std::size_t kLongestQuote = 160;
 
 bool is_printable(char c) { return c >= ' ' && c <= '~'; }
@@ -52,8 +51,8 @@ void LineBuffer::add(std::span<const std::uint8_t> bytes) {
 
 std::optional<std::string> LineBuffer::next() {
   const std::size_t end = text_.find('\n', begin_);
-  if (std::min(end, text_.size()) - begin_ > kLongestLine) {
-    throw LineProtocolError(fmt::format("a line of more than {} characters", kLongestLine));
+  if (std::min(end, text_.size()) - begin_ > longest_) {
+    throw LineProtocolError(fmt::format("a line of more than {} characters", longest_));
   }
   if (end == std::string::npos) {
     return std::nullopt;

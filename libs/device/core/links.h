@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/core/byte_link.h"
+#include "handway/device/core/device_error.h"
 
 #include <array>
 #include <chrono>
@@ -31,6 +32,21 @@ namespace handway::device {
 /// @throws DeviceError if the port is taken, or none connects within a minute.
 [[nodiscard]] std::unique_ptr<ByteLink> accept_tcp_link(const std::string& name, std::uint16_t port,
                                                         const std::stop_token& stop);
+
+/// Thrown when a pipe's writer has ended.
+class EndOfInput : public DeviceError {
+ public:
+  using DeviceError::DeviceError;
+};
+
+/// Opens a named pipe for reading. It does not end when its writer does: another may follow.
+/// @param name as the user wrote it. @throws DeviceError if there is no such pipe.
+[[nodiscard]] std::unique_ptr<ByteLink> open_pipe_link(const std::string& name,
+                                                       const std::string& path);
+
+/// Opens the standard input for reading; read() throws EndOfInput at its end.
+/// @throws DeviceError if it is closed.
+[[nodiscard]] std::unique_ptr<ByteLink> open_standard_input(const std::string& name);
 
 /// Limit of the bytes that one turn of a device's loop reads from one connection: a device that
 /// sends without pause must not delay a stop or the other devices.

@@ -1,10 +1,10 @@
 #include "handway/device/emulators/landmark_unit.h"
 
 #include "core/random_moves.h"
+#include "emulators/hand_wires.h"
 #include "glove/recording_player.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/human_hand.h"
-#include "handway/device/glove/landmark_line.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/pose.h"
 
@@ -57,8 +57,8 @@ class LandmarkUnit final : public DeviceUnit {
     next_ = std::max(next_, now - kLandmarkBacklog);
     std::vector<Bytes> lines;
     for (; next_ <= now; next_ += 1.0 / settings_.rate) {
-      const std::string line = write_landmark_line(seen_at(next_)) + '\n';
-      lines.emplace_back(line.begin(), line.end());
+      const std::string message = encoded_hand(settings_.wire, seen_at(next_));
+      lines.emplace_back(message.begin(), message.end());
     }
     return lines;
   }
@@ -67,12 +67,13 @@ class LandmarkUnit final : public DeviceUnit {
   void set_plugged(bool plugged) override { plugged_ = plugged; }
 
  private:
-  LandmarkLine seen_at(double time) {
-    LandmarkLine line{time, settings_.left != settings_.wrong_label, {}};
+  EmulatedHand seen_at(double time) {
+    EmulatedHand hand{time, settings_.left != settings_.wrong_label, {}, {}};
     const GloveAngles angles = signal_(time);
     if (!plugged_) {
-      return line;
+      return hand;
     }
+    hand.angles = angles.angles;
     HandLandmarks landmarks = hand_landmarks(angles);
     if (settings_.left) {
       landmarks.row(2) *= -1.0;
@@ -81,8 +82,8 @@ class LandmarkUnit final : public DeviceUnit {
     for (double& coordinate : landmarks.reshaped()) {
       coordinate += settings_.noise > 0.0 ? settings_.noise * random_.normal() : 0.0;
     }
-    line.landmarks = landmarks;
-    return line;
+    hand.landmarks = landmarks;
+    return hand;
   }
 
   LandmarkUnitSettings settings_;

@@ -3,21 +3,21 @@
 #include "core/links.h"
 #include "core/ports.h"
 #include "glove/finger_bending.h"
+#include "glove/hand_json.h"
 #include "glove/recording_player.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/core/line_protocol.h"
 #include "handway/device/core/watchdog.h"
 #include "handway/device/glove/glove_calibration.h"
-#include "handway/device/glove/landmark_line.h"
+#include "handway/device/glove/hand_message.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <array>
 #include <deque>
-#include <limits>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -29,10 +29,17 @@ using std::chrono::milliseconds;
 
 constexpr std::string_view kUdp = "udp://";
 constexpr std::string_view kTcp = "landmarks://";
+constexpr std::string_view kPipe = "pipe://";
+constexpr std::string_view kStandardInput = "-";
 constexpr milliseconds kLineSlice{20};
-constexpr std::size_t kLongestDatagram = 4096;
+constexpr std::size_t kLongestDatagram = 65507;  // of UDP
+constexpr const char* kExpectedMessages = "messages of a hand";
 // Step back by which the sender's clock must have been reset, not datagrams overtaken, s.
 constexpr double kClockSetBack = 1.0;
+
+bool is_pipe(const std::string& address) {
+  return address.starts_with(kPipe) || address == kStandardInput;
+}
 
 TcpAddress parse_landmark_address(const std::string& address) {
   if (address.starts_with(kUdp)) {
@@ -40,15 +47,19 @@ TcpAddress parse_landmark_address(const std::string& address) {
   }
   if (!address.starts_with(kTcp)) {
     throw geometric::InputError(
-        {address, "", "no address of landmarks", "udp://PORT or landmarks://HOST:PORT", ""});
+        {address, "", "no address of landmarks", "udp://PORT, landmarks://HOST:PORT, pipe://PATH or -", ""});
   }
   return std::get<TcpAddress>(parse_device_address("tcp://" + address.substr(kTcp.size())));
+}
+
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 }  // namespace
 
 bool is_landmark_address(const std::string& address) {
-  return address.starts_with(kUdp) || address.starts_with(kTcp);
+  return address.starts_with(kUdp) || address.starts_with(kTcp) || is_pipe(address);
 }
 
 /// Detects the side of the hand from the bending of its fingers, whatever the sender calls it: for
@@ -83,12 +94,15 @@ class SeenSide {
 struct LandmarkGlove::Session {
   std::optional<UdpReceiver> receiver;  ///< Receiver of UDP; TCP uses the link.
   std::unique_ptr<ByteLink> link;
-  LineBuffer lines;
+  LineBuffer lines{kLongestHandMessage};
+  std::vector<std::uint8_t> datagram = std::vector<std::uint8_t>(kLongestDatagram + 1);
   GloveCalibration typical = typical_calibration();
   std::deque<GloveFrame> frames;  ///< Arrived and not yet taken.
   Watchdog watchdog;
   Clock::duration silence{};
   bool heard = false;    ///< A good line has arrived.
+  bool ended = false;    ///< The input has ended.
+  HandWire wire = HandWire::kLandmarks;  ///< Format of the last good line.
   bool no_hand = false;  ///< The last line had no hand.
   SeenSide side;
   std::optional<double> sent;  ///< The sender's time of the last frame.
@@ -97,7 +111,9 @@ struct LandmarkGlove::Session {
 
 LandmarkGlove::LandmarkGlove(std::string address, const LandmarkGloveSettings& settings)
     : address_(std::move(address)), settings_(settings) {
-  static_cast<void>(parse_landmark_address(address_));  // refuses wrong ones
+  if (!is_pipe(address_)) {
+    static_cast<void>(parse_landmark_address(address_));  // refuses wrong ones
+  }
 }
 
 LandmarkGlove::~LandmarkGlove() { disconnect(); }
@@ -111,36 +127,40 @@ void LandmarkGlove::take_lines(milliseconds timeout) {
         take_line(*line, Clock::now());
       }
     } catch (const LineProtocolError& error) {
-      throw DeviceError({address_, "", error.what(), "JSON lines of 21 landmarks",
-                         "Look whether the sender ends its lines, and sends landmarks."});
+      throw DeviceError({address_, "", error.what(), kExpectedMessages,
+                         "Look whether the sender ends its lines, and sends a hand."});
     }
   };
   if (session.link) {
-    static_cast<void>(read_turn(*session.link, timeout, add));
+    try {
+      static_cast<void>(read_turn(*session.link, timeout, add));
+    } catch (const EndOfInput&) {
+      if (!session.heard) {
+        throw;
+      }
+      session.ended = true;
+    }
   } else {
-    std::array<std::uint8_t, kLongestDatagram + 1> bytes{};
-    const auto length =
-        session.receiver->receive(std::span(bytes).first(kLongestDatagram), timeout);
-    if (length && *length < bytes.size()) {
-      bytes.at(*length) = '\n';
-      add(std::span(bytes).first(*length + 1));
+    const std::span<std::uint8_t> bytes(session.datagram);
+    const auto length = session.receiver->receive(bytes.first(kLongestDatagram), timeout);
+    if (length && is_lz4_frame(text_of(bytes.first(*length)))) {
+      take_line(text_of(bytes.first(*length)), Clock::now());
     } else if (length) {
-      ++faults_.resynchronisations;
-      faults_.dropped_bytes += *length;
-      session.problem = fmt::format("a datagram of {} bytes", *length);
+      bytes[*length] = '\n';
+      add(bytes.first(*length + 1));
     }
   }
   session.silence = session.watchdog.listened(Clock::now());
 }
 
-void LandmarkGlove::take_line(const std::string& line, Clock::time_point arrival) {
+void LandmarkGlove::take_line(std::string_view line, Clock::time_point arrival) {
   Session& session = *session_;
   if (line.empty()) {
     return;
   }
-  LandmarkLine hand;
+  HandMessage message;
   try {
-    hand = read_landmark_line(line);
+    message = read_hand_message(line);
   } catch (const LineProtocolError& error) {
     ++faults_.resynchronisations;
     faults_.dropped_bytes += line.size();
@@ -149,14 +169,21 @@ void LandmarkGlove::take_line(const std::string& line, Clock::time_point arrival
   }
   session.watchdog.heard(arrival);
   session.heard = true;
-  session.no_hand = !hand.landmarks;
-  if (!hand.landmarks) {
-    return;
+  session.wire = message.wire;
+  for (const HandObservation& hand : message.hands) {
+    const bool may_be_followed = !settings_.left || *settings_.left == hand.left;
+    if (hand.is_seen() && may_be_followed) {
+      settings_.left = hand.left;
+      session.no_hand = false;
+      take_hand(hand, arrival);
+    } else if (!hand.is_seen() && (may_be_followed || message.hands.size() == 1)) {
+      session.no_hand = true;
+    }
   }
-  settings_.left = settings_.left.value_or(hand.left);
-  if (hand.left != *settings_.left) {
-    return;
-  }
+}
+
+void LandmarkGlove::take_hand(const HandObservation& hand, Clock::time_point arrival) {
+  Session& session = *session_;
   if (hand.time && session.sent) {
     const double late = *session.sent - *hand.time;
     if (late > 0.0 && late < kClockSetBack) {
@@ -165,14 +192,22 @@ void LandmarkGlove::take_line(const std::string& line, Clock::time_point arrival
     }
   }
   session.sent = hand.time;
-  const bool left = session.side.is_left(*hand.landmarks, hand.left);
-  const GloveAngles angles = glove_angles(in_palm_frame(*hand.landmarks, left));
+  GloveAngles angles;
+  if (hand.landmarks) {
+    const bool left = session.side.is_left(*hand.landmarks, hand.left);
+    angles = glove_angles(in_palm_frame(*hand.landmarks, left));
+  } else {
+    angles.angles = *hand.angles;
+  }
   GloveFrame frame = to_counts(angles, session.typical);
   for (std::uint16_t& count : frame.counts) {
     count = count == 0 ? to_count(kMidScale) : count;
   }
   frame.angles = angles.angles;
-  frame.bones = bones_of(*hand.landmarks);
+  if (hand.landmarks) {
+    frame.bones = bones_of(*hand.landmarks);
+  }
+  frame.X_SH = hand.X_SH;
   frame.time = since_begin(arrival);
   session.frames.push_back(frame);
 }
@@ -184,17 +219,21 @@ void LandmarkGlove::check_sender() const {
     throw DeviceError(
         {address_, "",
          fmt::format("no hand landmarks for {} ms{}", settings_.timeout.count(), last),
-         "JSON lines of 21 landmarks",
+         kExpectedMessages,
          "Look whether the sender runs, and sends to this computer and port."});
   }
 }
 
 GloveInfo LandmarkGlove::do_connect(const std::stop_token& stop) {
   session_.reset();  // its port is needed
-  const TcpAddress address = parse_landmark_address(address_);
   session_ = std::make_unique<Session>();
   try {
-    if (address_.starts_with(kUdp)) {
+    if (address_ == kStandardInput) {
+      session_->link = open_standard_input(address_);
+    } else if (is_pipe(address_)) {
+      session_->link = open_pipe_link(address_, address_.substr(kPipe.size()));
+    } else if (const TcpAddress address = parse_landmark_address(address_);
+               address_.starts_with(kUdp)) {
       session_->receiver.emplace(address_, address);
     } else {
       session_->link = open_tcp_link(address_, address, stop);
@@ -210,7 +249,7 @@ GloveInfo LandmarkGlove::do_connect(const std::stop_token& stop) {
   }
   GloveInfo info;
   info.device = address_;
-  info.model = "hand landmarks";
+  info.model = name_of(session_->wire);
   info.right_hand = !settings_.left.value_or(false);
   info.angle_sensors = landmark_sensors();
   return info;
@@ -221,6 +260,9 @@ GloveReading LandmarkGlove::do_next(milliseconds timeout, const std::stop_token&
   const auto end = Clock::now() + timeout;
   while (session.frames.empty() && !stop.stop_requested()) {
     const auto left = std::chrono::ceil<milliseconds>(end - Clock::now());
+    if (session.ended) {
+      return {SampleEvent::kEnd, {}};
+    }
     take_lines(std::clamp(left, milliseconds(0), kLineSlice));
     check_sender();
     if (session.frames.empty() && Clock::now() >= end) {

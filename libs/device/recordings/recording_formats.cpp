@@ -26,6 +26,7 @@ const std::vector<const RecordingFormat*>& recording_formats() {
       &hdf5_format(),
       &ros1_bag_format(),
       &ros_bag_format(),
+      &hand_message_format(),
       &landmark_document_format(),
       &landmark_line_format(),
       &handway_recording_format(),

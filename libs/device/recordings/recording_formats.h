@@ -26,6 +26,8 @@ namespace handway::device {
 [[nodiscard]] const RecordingFormat& ros1_bag_format();
 /// Bags of ROS 2 in SQLite or MCAP.
 [[nodiscard]] const RecordingFormat& ros_bag_format();
+/// Lines of messages of OpenXR, Rokoko Studio and Manus Core.
+[[nodiscard]] const RecordingFormat& hand_message_format();
 /// Any JSON that contains arrays of 21 points.
 [[nodiscard]] const RecordingFormat& landmark_document_format();
 /// Lines of JSON with the landmarks of a hand.

@@ -2,15 +2,18 @@
 
 #include "core/ports.h"
 #include "handway/device/core/device_error.h"
+#include "handway/device/core/line_protocol.h"
+#include "handway/device/glove/hand_message.h"
 #include "polhemus_items.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <map>
+#include <string_view>
+#include <vector>
 
 namespace handway::device {
 namespace {
@@ -104,13 +107,55 @@ using std::chrono::milliseconds;
 constexpr milliseconds kDatagramWait{20};
 // Step back by which the sender's clock must have been reset, not datagrams overtaken, s.
 constexpr double kRestart = 1.0;
+constexpr std::size_t kLongestDatagramOfHands = 65507;  // of UDP
+
+/// A sample with its sender's time, if it has one.
+struct SentSample {
+  TrackerSample sample;
+  bool has_time = true;
+};
+
+std::string_view trimmed_end(std::string_view text) {
+  while (text.ends_with('\n') || text.ends_with('\r')) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+/// Poses of the wrists of a message of hands: of the right one as sensor 0, of the left one as 1.
+/// @throws LineProtocolError for another message, or if no hand has a pose.
+std::vector<SentSample> read_wrists(std::span<const std::uint8_t> datagram) {
+  const std::string_view text(reinterpret_cast<const char*>(datagram.data()), datagram.size());
+  const HandMessage message = read_hand_message(trimmed_end(text));
+  std::vector<SentSample> samples;
+  for (const HandObservation& hand : message.hands) {
+    if (hand.is_seen() && !hand.X_SH) {
+      throw LineProtocolError(name_of(message.wire) + " without the pose of the wrist");
+    }
+    if (hand.X_SH) {
+      samples.push_back({{hand.time.value_or(0.0), hand.left ? 1 : 0, *hand.X_SH, {}},
+                         hand.time.has_value()});
+    }
+  }
+  return samples;
+}
+
+/// The samples of a datagram. @throws LineProtocolError if it is neither a pose nor of hands.
+std::vector<SentSample> read_tracker_datagram(std::span<const std::uint8_t> datagram) {
+  if (const auto pose = read_pose_datagram(datagram)) {
+    return {{*pose}};
+  }
+  return read_wrists(datagram);
+}
 
 }  // namespace
 
 struct UdpTracker::Session {
   UdpReceiver receiver;
-  std::deque<TrackerSample> samples;  ///< Arrived and not yet taken.
-  std::map<int, double> sent;         ///< Sender's time of each sensor's last sample.
+  std::vector<std::uint8_t> datagram = std::vector<std::uint8_t>(kLongestDatagramOfHands);
+  std::string problem = {};                ///< Problem of the last bad datagram.
+  std::deque<TrackerSample> samples = {};  ///< Arrived and not yet taken.
+  std::map<int, double> sent = {};  ///< Sender's time of each sensor's last sample.
   Clock::time_point last_sign = Clock::now();
 };
 
@@ -122,43 +167,52 @@ UdpTracker::UdpTracker(std::string address, const UdpTrackerSettings& settings)
 UdpTracker::~UdpTracker() { disconnect(); }
 
 void UdpTracker::take_datagram(milliseconds timeout) {
-  std::array<std::uint8_t, kLongestPoseDatagram> bytes{};
+  const std::span<std::uint8_t> bytes(session_->datagram);
   const auto length = session_->receiver.receive(bytes, timeout);
   if (!length) {
     return;
   }
   const auto arrival = Clock::now();
-  auto sample =
-      *length <= bytes.size() ? read_pose_datagram(std::span(bytes).first(*length)) : std::nullopt;
-  if (!sample) {
+  try {
+    for (const SentSample& sent : read_tracker_datagram(bytes.first(*length))) {
+      take_sample(sent.sample, sent.has_time, arrival);
+    }
+    session_->last_sign = arrival;
+  } catch (const LineProtocolError& error) {
     ++faults_.resynchronisations;
     faults_.dropped_bytes += *length;
-    return;
+    session_->problem = error.what();
   }
-  session_->last_sign = arrival;
-  const auto [last, first] = session_->sent.try_emplace(sample->sensor, sample->time);
-  const double late = last->second - sample->time;
-  if (!first && late > 0.0 && late < kRestart) {
-    ++faults_.doubtful;
-    return;
+}
+
+void UdpTracker::take_sample(TrackerSample sample, bool has_time, Clock::time_point arrival) {
+  if (has_time) {
+    const auto [last, first] = session_->sent.try_emplace(sample.sensor, sample.time);
+    const double late = last->second - sample.time;
+    if (!first && late > 0.0 && late < kRestart) {
+      ++faults_.doubtful;
+      return;
+    }
+    last->second = sample.time;
   }
-  last->second = sample->time;
-  sample->time = since_begin(arrival);
-  session_->samples.push_back(*sample);
+  sample.time = since_begin(arrival);
+  session_->samples.push_back(sample);
 }
 
 TrackerInfo UdpTracker::do_connect(const std::stop_token& stop) {
   session_.reset();  // Its port is needed.
   session_ = std::make_unique<Session>(
-      Session{UdpReceiver(address_, parse_udp_address(address_)), {}, {}});
+      Session{UdpReceiver(address_, parse_udp_address(address_))});
   const auto end = Clock::now() + settings_.timeout;
   while (session_->samples.empty() && Clock::now() < end && !stop.stop_requested()) {
     take_datagram(kDatagramWait);
   }
   if (session_->samples.empty()) {
+    const std::string last =
+        session_->problem.empty() ? "" : " (the last datagram: " + session_->problem + ")";
     session_.reset();
     throw DeviceError({address_, "",
-                       "no pose for " + std::to_string(settings_.timeout.count()) + " ms",
+                       "no pose for " + std::to_string(settings_.timeout.count()) + " ms" + last,
                        "datagrams with poses",
                        "Look whether the sender runs, and sends to this computer and port."});
   }

@@ -1,4 +1,5 @@
 /// Landmarks as scripts with hand trackers write them: each says the angles that it was made from.
+#include "handway/device/emulators/landmark_unit.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording.h"
 #include "handway_test/input_errors.h"
@@ -102,6 +103,45 @@ class LandmarkDump : public testing::Test {
 
   test::ScratchFolder folder_;
 };
+
+/// Messages of an emulated sender as lines of a file, one for each frame.
+std::string lines_of_sender(HandWire wire, bool left) {
+  LandmarkUnitSettings unit;
+  unit.wire = wire;
+  unit.left = left;
+  unit.rate = 10.0;
+  const auto sender = make_landmark_unit(
+      unit, [](double time) { return angles_of(static_cast<int>(std::lround(10.0 * time))); });
+  std::string text;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    for (const auto& line : sender->advance(*sender->next_due())) {
+      text.append(line.begin(), line.end());
+    }
+  }
+  return text;
+}
+
+TEST_F(LandmarkDump, ReadsLinesOfOpenXrRokokoAndManus) {
+  for (const HandWire wire : {HandWire::kOpenXr, HandWire::kRokoko, HandWire::kManus}) {
+    for (const bool left : {false, true}) {
+      const Recording recording = read("hand.jsonl", lines_of_sender(wire, left));
+      expect_angles(recording, name_of(wire).c_str());
+      EXPECT_NEAR(recording.times[kFrames - 1], 0.1 * (kFrames - 1), 1e-9);
+      EXPECT_EQ(recording.bones.has_value(), wire != HandWire::kManus);
+      EXPECT_TRUE(recording.warnings.empty()) << recording.warnings.front();
+    }
+  }
+}
+
+TEST_F(LandmarkDump, NeedsTheTimeOfAMessage) {
+  std::string text = lines_of_sender(HandWire::kManus, false);
+  const std::size_t time = text.find("\"time\":0.0,");
+  ASSERT_NE(time, std::string::npos);
+  text.erase(time, std::string("\"time\":0.0,").size());
+  const std::string refusal =
+      test::refusal_of([&] { static_cast<void>(read("hand.jsonl", text)); });
+  EXPECT_THAT(refusal, AllOf(HasSubstr("hand.jsonl:1"), HasSubstr("no key \"time\"")));
+}
 
 TEST_F(LandmarkDump, ReadsColumnsByTheirNames) {
   for (const auto& [pattern, base] :

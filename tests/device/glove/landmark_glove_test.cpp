@@ -6,13 +6,17 @@
 #include "handway/device/glove/human_hand.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway_test/free_port.h"
+#include "handway_test/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <string>
+#include <thread>
 
 namespace handway::device {
 namespace {
@@ -85,6 +89,68 @@ TEST(LandmarkGlove, MeasuresTheHandThatIsSentByUdpOrFetchedByTcp) {
   LandmarkGlove fetched("landmarks://" + server.address());
   fetched.connect();
   expect_still_hand(fetched);
+}
+
+// Frames of Rokoko Studio have bones of both hands, and are longer than a line of most protocols.
+TEST(LandmarkGlove, MeasuresTheHandOfEveryKindOfMessage) {
+  for (const HandWire wire :
+       {HandWire::kOpenXr, HandWire::kRokoko, HandWire::kRokokoLz4, HandWire::kManus}) {
+    const std::string port = test::free_udp_port();
+    LandmarkUnitSettings unit;
+    unit.wire = wire;
+    unit.rate = 200.0;
+    unit.left = true;
+    const DeviceEmulator sender(to_udp(port), make_landmark_unit(unit, still_hand()));
+    LandmarkGlove glove("udp://" + port);
+    const GloveInfo info = glove.connect();
+    EXPECT_EQ(info.model, name_of(wire));
+    EXPECT_FALSE(info.right_hand);
+    expect_still_hand(glove);
+    const GloveFrame frame = frame_of(glove);
+    EXPECT_EQ(frame.X_SH.has_value(), wire != HandWire::kManus);
+    EXPECT_EQ(frame.bones.has_value(), wire != HandWire::kManus);
+    EXPECT_EQ(glove.faults().resynchronisations, 0U);
+  }
+}
+
+/// Writes the next three messages of a sender as lines into a file.
+void write_lines(DeviceUnit& sender, const std::string& path) {
+  std::ofstream file(path);
+  for (int k = 0; k < 3; ++k) {
+    for (const auto& line : sender.advance(*sender.next_due())) {
+      file << std::string(line.begin(), line.end());
+    }
+  }
+}
+
+TEST(LandmarkGlove, ReadsANamedPipeFromOneWriterAfterAnother) {
+  const test::ScratchFolder scratch;
+  const std::string path = (scratch.path() / "hand").string();
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  LandmarkGlove glove("pipe://" + path);
+  std::jthread writer([&path] {
+    LandmarkUnitSettings unit;
+    unit.wire = HandWire::kOpenXr;
+    const auto sender = make_landmark_unit(unit, still_hand());
+    write_lines(*sender, path);
+    write_lines(*sender, path);
+  });
+  EXPECT_EQ(glove.connect().model, "OpenXR hand joints");
+  for (int k = 0; k < 6; ++k) {
+    expect_still_hand(glove);
+  }
+}
+
+TEST(LandmarkGlove, RefusesAPipeThatIsNone) {
+  const test::ScratchFolder scratch;
+  for (const auto& path : {scratch.path(), scratch.path() / "missing"}) {
+    try {
+      LandmarkGlove("pipe://" + path.string()).connect();
+      ADD_FAILURE() << "no pipe was opened";
+    } catch (const DeviceError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("expected a named pipe"));
+    }
+  }
 }
 
 TEST(LandmarkGlove, MirrorsALeftHand) {

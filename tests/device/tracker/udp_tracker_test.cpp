@@ -2,6 +2,7 @@
 
 #include "handway/device/core/device_error.h"
 #include "handway/device/emulators/device_emulator.h"
+#include "handway/device/emulators/landmark_unit.h"
 #include "handway/device/emulators/tracker_signals.h"
 #include "handway/device/emulators/tracker_units.h"
 #include "handway_test/free_port.h"
@@ -108,6 +109,51 @@ TEST(UdpTracker, ReadsTheSensorsOfASender) {
   }
   EXPECT_GT(seen[0], 15);
   EXPECT_GT(seen[1], 15);
+}
+
+std::unique_ptr<DeviceEmulator> send_hand_to(const std::string& port, HandWire wire, bool left) {
+  DeviceEmulatorSettings line;
+  line.udp_receiver = port;
+  LandmarkUnitSettings unit;
+  unit.wire = wire;
+  unit.rate = 100.0;
+  unit.left = left;
+  return std::make_unique<DeviceEmulator>(
+      line, make_landmark_unit(unit, [](double time) {
+        GloveAngles angles{time, {}};
+        angles.angles.fill(0.1);
+        return angles;
+      }));
+}
+
+TEST(UdpTracker, ReadsTheWristsOfHands) {
+  for (const HandWire wire : {HandWire::kOpenXr, HandWire::kRokoko, HandWire::kRokokoLz4}) {
+    for (const bool left : {false, true}) {
+      const std::string port = free_udp_port();
+      const auto sender = send_hand_to(port, wire, left);
+      UdpTracker tracker(port);
+      tracker.connect();
+      for (int k = 0; k < 5; ++k) {
+        const TrackerReading reading = tracker.next(milliseconds(1000));
+        ASSERT_EQ(reading.event, SampleEvent::kSample) << name_of(wire);
+        EXPECT_EQ(reading.sample.sensor, left ? 1 : 0);
+        EXPECT_NEAR(reading.sample.X_ST.translation().z(), 0.5, 1e-6) << "before the camera";
+      }
+      EXPECT_EQ(tracker.faults().resynchronisations, 0U);
+    }
+  }
+}
+
+TEST(UdpTracker, TellsThatTheHandsHaveNoPose) {
+  const std::string port = free_udp_port();
+  const auto sender = send_hand_to(port, HandWire::kManus, false);
+  UdpTracker tracker(port, {milliseconds(200)});
+  try {
+    tracker.connect();
+    FAIL() << "ergonomics were taken for poses";
+  } catch (const DeviceError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("Manus ergonomics without the pose of the wrist"));
+  }
 }
 
 TEST(UdpTracker, CountsDamagedDatagramsAndNoticesThatTheSenderIsGone) {

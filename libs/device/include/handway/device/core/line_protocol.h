@@ -34,11 +34,18 @@ class LineProtocolError : public std::runtime_error {
 /// stores at most one line's beginning.
 class HANDWAY_DEVICE_EXPORT LineBuffer {
  public:
+  /// Longest line of most protocols, bytes.
+  static constexpr std::size_t kLongestLine = 4096;
+
+  explicit LineBuffer(std::size_t longest = kLongestLine) : longest_(longest) {}
+
   void add(std::span<const std::uint8_t> bytes);
-  /// The next complete line without its end. @throws LineProtocolError above 4096 bytes.
+  /// The next complete line without its end. @throws LineProtocolError if it is longer
+  /// than allowed.
   [[nodiscard]] std::optional<std::string> next();
 
  private:
+  std::size_t longest_;
   std::string text_;
   std::size_t begin_ = 0;  ///< Start of the bytes not returned by next() yet.
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/export.h"
+#include "handway/geometric/math/pose.h"
 
 #include <array>
 #include <cstdint>
@@ -35,6 +36,9 @@ struct GloveFrame {
   std::optional<std::array<double, kGloveSensors>> angles = std::nullopt;
   /// Bones, from a source that measures them.
   std::optional<HandBones> bones = std::nullopt;
+  /// Pose of the wrist in the frame of the source, m, from a source that measures it. The axes are
+  /// those of the source.
+  std::optional<geometric::Pose> X_SH = std::nullopt;
 };
 
 /// The angles of one frame after calibration.

@@ -36,7 +36,9 @@ struct UdpTrackerSettings {
   std::chrono::milliseconds timeout{1000};
 };
 
-/// Poses received as UDP datagrams: see read_pose_datagram(). Samples are stamped when they arrive.
+/// Poses received as UDP datagrams: see read_pose_datagram(). Messages of hands with the pose of
+/// the wrist (see hand_message.h) are poses, too: of the right hand as sensor 0, of the left hand as
+/// sensor 1. Samples are stamped when they arrive.
 /// A datagram that is older than one of the same sensor before (by its own time, by less than a
 /// second; by more, its sender has restarted) is dropped.
 class HANDWAY_DEVICE_EXPORT UdpTracker final : public Tracker {
@@ -56,6 +58,7 @@ class HANDWAY_DEVICE_EXPORT UdpTracker final : public Tracker {
   [[nodiscard]] ReceptionFaults do_faults() const override { return faults_; }
 
   void take_datagram(std::chrono::milliseconds timeout);
+  void take_sample(TrackerSample sample, bool has_time, Clock::time_point arrival);
 
   std::string address_;
   UdpTrackerSettings settings_;
