@@ -119,9 +119,8 @@ std::string name_of_case(const testing::TestParamInfo<HandWire>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(HandMessage, EveryWire,
-                         testing::Values(HandWire::kLandmarks, HandWire::kOpenXr,
-                                         HandWire::kRokoko, HandWire::kRokokoLz4,
-                                         HandWire::kManus),
+                         testing::Values(HandWire::kLandmarks, HandWire::kOpenXr, HandWire::kRokoko,
+                                         HandWire::kRokokoLz4, HandWire::kManus),
                          name_of_case);
 
 // -Z points to the fingers, +Y out of the back of the hand, as OpenXR defines it.
@@ -136,8 +135,8 @@ TEST(HandMessage, HasTheWristOfOpenXrAndRokokoInARightHandedFrame) {
           (points.col(base_landmark(Finger::kMiddle)) - points.col(kWristLandmark)).normalized();
       EXPECT_TRUE((-hand.X_SH->linear().col(2)).isApprox(along, 1e-6)) << name_of(wire);
       EXPECT_NEAR(hand.X_SH->linear().determinant(), 1.0, 1e-9);
-      const Eigen::Vector3d to_little = points.col(base_landmark(Finger::kLittle)) -
-                                        points.col(base_landmark(Finger::kIndex));
+      const Eigen::Vector3d to_little =
+          points.col(base_landmark(Finger::kLittle)) - points.col(base_landmark(Finger::kIndex));
       EXPECT_EQ(hand.X_SH->linear().col(0).dot(to_little) > 0.0, !left)
           << "x points to the right of a hand whose palm is down";
     }
@@ -249,8 +248,8 @@ TEST(HandMessage, ReadsErgonomicsOfManusInEverySpelling) {
   }
   object["ergonomics"]["Unknown"] = "ignored";
   const Json of_rosbridge{{"op", "publish"}, {"topic", "/manus_glove_0"}, {"msg", list}};
-  for (const std::string& text : {object.dump(), of_rosbridge.dump(),
-                                  fmt::format("{}", fmt::join(numbers, ", "))}) {
+  for (const std::string& text :
+       {object.dump(), of_rosbridge.dump(), fmt::format("{}", fmt::join(numbers, ", "))}) {
     const HandMessage message = read_hand_message(text);
     EXPECT_EQ(message.wire, HandWire::kManus);
     const HandObservation hand = hand_of(message, false);

@@ -118,12 +118,11 @@ std::unique_ptr<DeviceEmulator> send_hand_to(const std::string& port, HandWire w
   unit.wire = wire;
   unit.rate = 100.0;
   unit.left = left;
-  return std::make_unique<DeviceEmulator>(
-      line, make_landmark_unit(unit, [](double time) {
-        GloveAngles angles{time, {}};
-        angles.angles.fill(0.1);
-        return angles;
-      }));
+  return std::make_unique<DeviceEmulator>(line, make_landmark_unit(unit, [](double time) {
+                                            GloveAngles angles{time, {}};
+                                            angles.angles.fill(0.1);
+                                            return angles;
+                                          }));
 }
 
 TEST(UdpTracker, ReadsTheWristsOfHands) {
