@@ -168,8 +168,7 @@ std::optional<int> CheaperPathSearch::grow(int tree, int from, const Point& targ
           ? objective_.point_of_joints(begin.joints + share * (target.joints - begin.joints))
           : target;
   const double cost =
-      nodes[static_cast<std::size_t>(from)].cost +
-      cost_.of(tree == 0 ? objective_.measure(begin, end) : objective_.measure(end, begin));
+      nodes[static_cast<std::size_t>(from)].cost + cost_.of(objective_.measure(begin, end));
   if (cost + least(end, target) + beyond >= bound_ || context_.validator().collision(end.q) ||
       !passable(begin, end)) {
     return std::nullopt;
