@@ -35,22 +35,29 @@ std::optional<YamlElement> only_one(const YamlElement& goal, const char* key) {
   return items.empty() ? std::nullopt : std::optional(items.front());
 }
 
-std::string moved_link(const YamlElement& constraint, const RobotModel& model) {
+// The frame that a constraint names: that of a link, of an object that a link holds, or of a
+// subframe of one.
+HeldFrame constrained_frame(const YamlElement& constraint, const RobotModel& model,
+                            const HeldFrames& held) {
   const YamlElement element = constraint.need("link_name");
-  std::string name = element.text();
-  const std::optional<int> link = model.find_link(name);
+  const std::string name = element.text();
+  const auto object = held.find(name);
+  HeldFrame frame =
+      object == held.end() || model.find_link(name) ? HeldFrame{name} : object->second;
+  const std::optional<int> link = model.find_link(frame.link);
   if (!link) {
     std::vector<std::string> links;
     std::ranges::transform(model.description().links, std::back_inserter(links),
                            &geometric::Link::name);
-    element.refuse(fmt::format("the link \"{}\"", name), "a link of the robot",
+    element.refuse(fmt::format("the link \"{}\"", name),
+                   "a link of the robot, or an object that it holds",
                    geometric::advise_name(name, links));
   }
   if (chain_variables(model, *link).empty()) {
-    element.refuse(fmt::format("the link \"{}\", which no joint of the group moves", name),
+    element.refuse(fmt::format("the link \"{}\", which no joint of the group moves", frame.link),
                    "a link that moves");
   }
-  return name;
+  return frame;
 }
 
 // Half sides of the largest box along the region's axes that is inside.
@@ -145,7 +152,7 @@ std::vector<PoseGoal> with_positions(const YamlElement& constraint, const Frames
     }
     goal.position_tolerance = tolerance_of(constraint.need("constraint_region"), shape,
                                            goal.X_WG.linear().transpose() * X_WQ.linear());
-    goal.X_LT.translation() = target_point(constraint);
+    goal.X_LT.translation() = base.X_LT * target_point(constraint);
     goals.push_back(std::move(goal));
   }
   return goals;
@@ -243,34 +250,40 @@ bool has_pose(const YamlElement& goal) {
 }
 
 std::vector<PoseGoal> read_pose_goals(const YamlElement& goal, const RobotModel& model,
-                                      const Frames& frames) {
+                                      const Frames& frames, const HeldFrames& held) {
   const std::optional<YamlElement> position = only_one(goal, "position_constraints");
   const std::optional<YamlElement> orientation = only_one(goal, "orientation_constraints");
   PoseGoal pose;
   pose.position_tolerance.setConstant(kAnywhere);
   pose.rotation_tolerance.setConstant(std::numbers::pi);
   if (orientation) {
-    pose.link = moved_link(*orientation, model);
+    const HeldFrame frame = constrained_frame(*orientation, model, held);
+    pose.link = frame.link;
+    pose.X_LT = frame.X_LF;
     pose.X_WG.linear() = rotation_of(*orientation, frames);
     pose.rotation_tolerance = rotation_tolerance(*orientation);
   }
   if (!position) {
     return {pose};
   }
-  const std::string link = moved_link(*position, model);
-  if (orientation && link != pose.link) {
+  const HeldFrame frame = constrained_frame(*position, model, held);
+  const std::string name = position->need("link_name").text();
+  if (orientation && name != orientation->need("link_name").text()) {
     position->need("link_name")
-        .refuse(fmt::format("the link \"{}\"", link),
-                fmt::format("\"{}\", as of the orientation constraint", pose.link),
+        .refuse(fmt::format("the link \"{}\"", name),
+                fmt::format("\"{}\", as of the orientation constraint",
+                            orientation->need("link_name").text()),
                 "A goal is one pose of one link");
   }
-  pose.link = link;
+  pose.link = frame.link;
+  pose.X_LT = frame.X_LF;
   return with_positions(*position, frames, pose, orientation.has_value());
 }
 
 std::vector<geometric::PathConstraint> read_path_constraints(const YamlElement& path,
                                                              const RobotModel& model,
-                                                             const Frames& frames) {
+                                                             const Frames& frames,
+                                                             const HeldFrames& held) {
   path.refuse_slips({"name", "joint_constraints", "position_constraints", "orientation_constraints",
                      "visibility_constraints"});
   for (const char* key : {"joint_constraints", "visibility_constraints"}) {
@@ -290,14 +303,18 @@ std::vector<geometric::PathConstraint> read_path_constraints(const YamlElement& 
   };
   for (const YamlElement& constraint : path.items_of("orientation_constraints")) {
     need_fixed_frame(constraint, model);
-    const std::string link = moved_link(constraint, model);
-    for (const geometric::OrientationConstraint& one : orientations_of(constraint, frames)) {
-      add(link, "orientation", one);
+    const HeldFrame frame = constrained_frame(constraint, model, held);
+    for (geometric::OrientationConstraint one : orientations_of(constraint, frames)) {
+      one.axis = frame.X_LF.linear() * one.axis;
+      add(frame.link, "orientation", one);
     }
   }
   for (const YamlElement& constraint : path.items_of("position_constraints")) {
     need_fixed_frame(constraint, model);
-    add(moved_link(constraint, model), "position", position_of(constraint, frames));
+    const HeldFrame frame = constrained_frame(constraint, model, held);
+    geometric::PositionConstraint one = position_of(constraint, frames);
+    one.point = frame.X_LF * one.point;
+    add(frame.link, "position", one);
   }
   return all;
 }

@@ -188,8 +188,9 @@ class ProblemReader {
     }
     read_paddings(top_, *scene_);
     const Frames all_frames = import_moveit::frames_of(world);
-    add_pose_goals(all_frames);
-    add_path_constraints(all_frames);
+    const HeldFrames held = held_frames_of(world);
+    add_pose_goals(all_frames, held);
+    add_path_constraints(all_frames, held);
     note_unknown_joints();
     std::ranges::move(remarks_.warnings(), std::back_inserter(scene_->warnings));
     return {scene_, nullptr};
@@ -309,11 +310,11 @@ class ProblemReader {
     }
   }
 
-  void add_pose_goals(const Frames& frames) {
+  void add_pose_goals(const Frames& frames, const HeldFrames& held) {
     for (const YamlElement& goal : goals_) {
       if (has_pose(goal)) {
         const std::vector<geometric::PoseGoal> poses =
-            read_pose_goals(goal, *scene_->robots.front().model, frames);
+            read_pose_goals(goal, *scene_->robots.front().model, frames, held);
         scene_->goal_poses.insert(scene_->goal_poses.end(), poses.begin(), poses.end());
       }
     }
@@ -410,10 +411,11 @@ class ProblemReader {
     }
   }
 
-  void add_path_constraints(const Frames& frames) {
+  void add_path_constraints(const Frames& frames, const HeldFrames& held) {
     const auto path = request_ ? request_->find("path_constraints") : std::nullopt;
     if (path && path->is_map()) {
-      scene_->constraints = read_path_constraints(*path, *scene_->robots.front().model, frames);
+      scene_->constraints =
+          read_path_constraints(*path, *scene_->robots.front().model, frames, held);
     }
   }
 

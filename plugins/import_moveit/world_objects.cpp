@@ -158,26 +158,38 @@ PlacedShape half_space(const YamlElement& plane, const Pose& X_WF, const Reach& 
   return {geometric::Box{Eigen::Vector3d::Constant(side)}, X_FB};
 }
 
-std::vector<PlacedShape> shapes_of(const YamlElement& object, const Pose& X_WO, World& world) {
-  std::vector<PlacedShape> shapes;
-  read_shapes(object, "primitives", "primitive_poses", read_primitive, shapes);
+std::vector<ObjectShape> shapes_of(const YamlElement& object, World& world) {
+  std::vector<PlacedShape> solids;
+  read_shapes(object, "primitives", "primitive_poses", read_primitive, solids);
   read_shapes(
       object, "meshes", "mesh_poses",
       [&](const YamlElement& mesh) {
         return read_mesh_shape(mesh, world.folder, world.scene.warnings);
       },
-      shapes);
+      solids);
   std::vector<std::pair<YamlElement, Pose>> planes;
   read_shapes(
       object, "planes", "plane_poses", [](const YamlElement& plane) { return plane; }, planes);
-  for (const auto& [plane, X_OP] : planes) {
-    auto [shape, X_PB] = half_space(plane, X_WO * X_OP, world.reach);
-    shapes.emplace_back(std::move(shape), X_OP * X_PB);
+  std::vector<ObjectShape> shapes;
+  for (auto& [shape, X_OS] : solids) {
+    shapes.push_back({std::move(shape), X_OS});
+  }
+  for (const auto& [plane, X_OS] : planes) {
+    shapes.push_back({geometric::Box{}, X_OS, plane});
   }
   if (shapes.empty()) {
     object.refuse("no primitives, meshes or planes", "at least one of them");
   }
   return shapes;
+}
+
+// What the scene has for a shape of an object. @param X_WO of the object.
+PlacedShape placed(const ObjectShape& one, const Pose& X_WO, const Reach& reach) {
+  if (!one.plane) {
+    return {one.shape, one.X_OS};
+  }
+  auto [shape, X_SB] = half_space(*one.plane, X_WO * one.X_OS, reach);
+  return {std::move(shape), one.X_OS * X_SB};
 }
 
 std::string unique_name(const geometric::Scene& scene, const std::string& wanted) {
@@ -315,13 +327,15 @@ void add_object(const YamlElement& object, const Pose& X_PF, const Pose& X_WP,
                 const std::optional<geometric::Attachment>& attachment, World& world) {
   const Pose X_PO = pose_of(object, X_PF);
   const std::string id = object.need("id").text();
-  WorldObject& whole = world.objects.try_emplace(id, WorldObject{X_PO, {}}).first->second;
+  WorldObject& whole = world.objects.try_emplace(id, WorldObject{X_PO}).first->second;
   read_subframes(object, whole);
-  for (auto& [shape, X_OS] : shapes_of(object, X_WP * X_PO, world)) {
+  for (ObjectShape& one : shapes_of(object, world)) {
+    one.X_OS = whole.X_PO.inverse() * X_PO * one.X_OS;
+    auto [shape, X_OB] = placed(one, X_WP * whole.X_PO, world.reach);
     const std::string name = unique_name(world.scene, id);
     world.names[id].push_back(name);
-    whole.X_OS.push_back(whole.X_PO.inverse() * X_PO * X_OS);
-    world.scene.objects.push_back({name, std::move(shape), X_PO * X_OS, kColor, attachment});
+    world.scene.objects.push_back({name, std::move(shape), whole.X_PO * X_OB, kColor, attachment});
+    whole.shapes.push_back(std::move(one));
   }
 }
 
@@ -336,23 +350,30 @@ std::vector<Pose> shape_poses(const YamlElement& object) {
   return poses;
 }
 
-// Moves an object to the message's pose, with its shapes unchanged or at the message's poses.
-void move_object(const YamlElement& object, const Pose& X_PF, World& world) {
+// Moves an object of the world to the message's pose, with its shapes unchanged or at the message's
+// poses. MoveIt moves no attached objects either.
+void move_object(const YamlElement& object, const Pose& X_WF, World& world) {
   const std::string id = object.need("id").text();
-  const auto whole = world.objects.find(id);
-  if (whole == world.objects.end()) {
-    world.scene.warnings.push_back(
-        fmt::format("{}: there is no object \"{}\" to move", object.where(), id));
+  const auto found = world.objects.find(id);
+  if (found == world.objects.end() || is_attached(id, world)) {
+    world.scene.warnings.push_back(fmt::format(
+        "{}: {}", object.where(),
+        found == world.objects.end()
+            ? fmt::format("there is no object \"{}\" to move", id)
+            : fmt::format("object \"{}\" is attached, and stays where its link holds it", id)));
     return;
   }
-  whole->second.X_PO = pose_of(object, X_PF);
-  if (const std::vector<Pose> poses = shape_poses(object);
-      poses.size() == whole->second.X_OS.size()) {
-    whole->second.X_OS = poses;
-  }
-  std::size_t shape = 0;
-  for (const std::string& name : world.names[id]) {
-    object_called(name, world).X_PO = whole->second.X_PO * whole->second.X_OS[shape++];
+  WorldObject& whole = found->second;
+  whole.X_PO = pose_of(object, X_WF);
+  const std::vector<Pose> poses = shape_poses(object);
+  const bool moves_shapes = poses.size() == whole.shapes.size();
+  for (std::size_t i = 0; i < whole.shapes.size(); ++i) {
+    ObjectShape& one = whole.shapes[i];
+    one.X_OS = moves_shapes ? poses[i] : one.X_OS;
+    auto [shape, X_OB] = placed(one, whole.X_PO, world.reach);
+    geometric::SceneObject& part = object_called(world.names[id][i], world);
+    part.shape = std::move(shape);
+    part.X_PO = whole.X_PO * X_OB;
   }
 }
 
@@ -570,7 +591,8 @@ void add_attached(const YamlElement& attached, World& world) {
   const std::string id = object.need("id").text();
   const bool is_known = world.objects.contains(id);
   if (operation == Operation::kMove) {
-    move_object(object, X_LF, world);
+    world.scene.warnings.push_back(
+        fmt::format("{}: attached objects can't be moved; \"{}\" stays", object.where(), id));
     return;
   }
   if (is_known && !has_shapes(object) && !is_attached(id, world)) {
@@ -594,6 +616,21 @@ Frames frames_of(const World& world) {
     frames.emplace(id, whole.X_PO);
     for (const auto& [name, X_OF] : whole.subframes) {
       frames.emplace(fmt::format("{}/{}", id, name), whole.X_PO * X_OF);
+    }
+  }
+  return frames;
+}
+
+HeldFrames held_frames_of(const World& world) {
+  HeldFrames frames;
+  for (const auto& [id, whole] : world.objects) {
+    const std::optional<std::string> carrier = carrier_of(id, world);
+    if (!carrier) {
+      continue;
+    }
+    frames.emplace(id, HeldFrame{*carrier, whole.X_PO});
+    for (const auto& [name, X_OF] : whole.subframes) {
+      frames.emplace(fmt::format("{}/{}", id, name), HeldFrame{*carrier, whole.X_PO * X_OF});
     }
   }
   return frames;

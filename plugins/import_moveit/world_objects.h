@@ -38,12 +38,27 @@ struct Reach {
 [[nodiscard]] std::vector<std::pair<geometric::Shape, geometric::Pose>> read_primitives(
     const geometric::YamlElement& message);
 
+/// A shape of a collision object, which a message may move in the object.
+struct ObjectShape {
+  geometric::Shape shape;  ///< Of a plane: none yet, see `plane`.
+  geometric::Pose X_OS = geometric::Pose::Identity();
+  /// The plane's numbers: its half space depends on where the plane is.
+  std::optional<geometric::YamlElement> plane = {};
+};
+
 /// A collision object by its id, which later messages may move, extend or remove.
 struct WorldObject {
   geometric::Pose X_PO = geometric::Pose::Identity();  ///< In the world, or in the link.
-  std::vector<geometric::Pose> X_OS;                   ///< Poses of its shapes, see World::names.
+  std::vector<ObjectShape> shapes = {};                ///< In the order of World::names.
   Frames subframes = {};                               ///< Poses of its subframes in it.
 };
+
+/// Frames that move with links: of attached objects and their subframes, by their names.
+struct HeldFrame {
+  std::string link;
+  geometric::Pose X_LF = geometric::Pose::Identity();
+};
+using HeldFrames = std::map<std::string, HeldFrame>;
 
 /// World into which objects are read.
 struct World {
@@ -57,11 +72,11 @@ struct World {
 
 /// Adds the collision objects of `message` (moveit_msgs/PlanningSceneWorld): an object of the scene
 /// for each primitive, mesh and plane. Each message is applied by its `operation`, in their order:
-/// ADD replaces an object of the same id, APPEND gives it more shapes, MOVE moves it, and REMOVE
-/// removes it, or all without an id. Headers may name objects that are there already, and their
-/// subframes, as "OBJECT/SUBFRAME". A plane is the half space opposite to the robot's base, up to
-/// the ends of the reach; if the base is on it, the one below. An octomap is one mesh
-/// (octomap_mesh()), "<octomap>" for the collision matrix.
+/// ADD replaces an object of the same id, APPEND gives it more shapes, MOVE moves it unless it is
+/// attached, and REMOVE removes it, or all without an id. Headers may name objects that are there
+/// already, and their subframes, as "OBJECT/SUBFRAME". A plane is the half space opposite to the
+/// robot's base, up to the ends of the reach; if the base is on it, the one below. An octomap is
+/// one mesh (octomap_mesh()), "<octomap>" for the collision matrix.
 /// @throws InputError for anything that can't be read.
 void add_world(const geometric::YamlElement& message, World& world);
 
@@ -72,6 +87,9 @@ void add_attached(const geometric::YamlElement& attached, World& world);
 
 /// Returns all frames of a world: also its objects that no link carries, and their subframes.
 [[nodiscard]] Frames frames_of(const World& world);
+
+/// Returns the frames of a world's attached objects and of their subframes.
+[[nodiscard]] HeldFrames held_frames_of(const World& world);
 
 /// Removes all attached objects. @returns whether there were any.
 bool remove_attached(World& world);

@@ -508,6 +508,21 @@ TEST(MoveitProblem, HasPlanesAsHalfSpaces) {
   EXPECT_NEAR(wall->X_PO.translation().x() - 0.5 * side, 6.0, 1e-9) << "behind, seen from the base";
 }
 
+TEST(MoveitProblem, MovesPlanesWithTheirHalfSpaces) {
+  const auto top_of_hall = [](const std::string& move) {
+    const auto scene = after_message("    - {id: hall, planes: [[0, 0, 1, 0.2]]}\n" + move);
+    const auto* hall = geometric::find_object(*scene, "hall");
+    EXPECT_TRUE(hall);
+    return hall->X_PO.translation().z() + 0.5 * std::get<geometric::Box>(hall->shape).size.z();
+  };
+  EXPECT_NEAR(top_of_hall(""), -0.2, 1e-9);
+  EXPECT_NEAR(top_of_hall("    - {id: hall, operation: 3, pose: {position: [3, 0, -1]}}\n"), -1.2,
+              1e-9);
+  EXPECT_NEAR(
+      top_of_hall("    - {id: hall, operation: 3, plane_poses: [{position: [0, 0, -0.5]}]}\n"),
+      -0.7, 1e-9);
+}
+
 std::string message_of(const octomap::OcTree& tree, bool binary) {
   std::stringstream bytes;
   if (binary) {
@@ -672,6 +687,45 @@ TEST(MoveitProblem, HasGoalsInTheFramesOfObjects) {
   ASSERT_EQ(scene->goal_poses.size(), 2U);
   EXPECT_TRUE(
       scene->goal_poses[0].X_WG.translation().isApprox(Eigen::Vector3d(0.8, 0.4, 0.6), 1e-9));
+}
+
+TEST(MoveitProblem, HasGoalsAndConstraintsOfWhatIsCarried) {
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "        id: parcel\n",
+                  "        id: parcel\n        pose: {position: [0.05, 0, 0], orientation: "
+                  "[0, 0, 0.70710678, 0.70710678]}\n");
+  std::string goal = kPoseGoal;
+  for (std::size_t at = goal.find("slide"); at != std::string::npos; at = goal.find("slide")) {
+    goal.replace(at, 5, "parcel");
+  }
+  problem.replace(problem.request(), kJointGoal,
+                  goal +
+                      "path_constraints:\n  orientation_constraints:\n    - {link_name: parcel, "
+                      "orientation: {w: 1}, absolute_x_axis_tolerance: 3.14, "
+                      "absolute_y_axis_tolerance: 0.3, absolute_z_axis_tolerance: 0.3}\n");
+  const auto scene = problem.read().scene;
+  ASSERT_EQ(scene->goal_poses.size(), 2U);
+  EXPECT_EQ(scene->goal_poses[0].link, "slide");
+  EXPECT_TRUE(scene->goal_poses[0].X_LT.isApprox(
+      geometric::pose_from_rpy({0.05, 0.2, 0}, 0, 0, 0.5 * std::numbers::pi), 1e-6));
+  ASSERT_EQ(scene->constraints.size(), 1U);
+  EXPECT_EQ(scene->constraints[0].body, "slide");
+  EXPECT_TRUE(std::get<geometric::OrientationConstraint>(scene->constraints[0].what)
+                  .axis.isApprox(Eigen::Vector3d::UnitY(), 1e-6))
+      << "the parcel's x axis";
+}
+
+TEST(MoveitProblem, LeavesWhatIsCarriedWhereItsLinkHoldsIt) {
+  const SmallProblem problem;
+  problem.replace(
+      problem.request(), "start_state:\n",
+      "start_state:\n  is_diff: true\n  attached_collision_objects: [{link_name: slide, "
+      "object: {id: parcel, operation: 3, pose: {position: [1, 0, 0]}}}]\n");
+  const auto scene = problem.read().scene;
+  EXPECT_TRUE(geometric::find_object(*scene, "parcel")
+                  ->X_PO.translation()
+                  .isApprox(Eigen::Vector3d(0.24, 0, 0)));
+  EXPECT_THAT(scene->warnings, testing::Contains(HasSubstr("attached objects can't be moved")));
 }
 
 TEST(MoveitProblem, KeepsTheAxesOfABoxWithoutAnOrientation) {
