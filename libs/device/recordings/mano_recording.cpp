@@ -22,16 +22,16 @@ namespace {
 
 using geometric::InputError;
 
-constexpr double kRateOfCameras = 30.0;  // Hz
-constexpr Eigen::Index kAngles = 3 * kManoJoints;
-constexpr Eigen::Index kWithWrist = kAngles + 3;
-constexpr const char* kMean = "hands_mean";
-constexpr const char* kComponents = "hands_components";
+constexpr double kRateOfManoFrames = 30.0;  // Hz
+constexpr Eigen::Index kManoAngles = 3 * kManoJoints;
+constexpr Eigen::Index kManoWithWrist = kManoAngles + 3;
+constexpr const char* kManoMean = "hands_mean";
+constexpr const char* kManoComponents = "hands_components";
 
 /// Form of the rotations in a variable.
 enum class ManoForm { kNone, kRotationVectors, kMatrices, kCoefficients };
 
-std::string leaf_of(std::string_view name) {
+std::string lower_leaf(std::string_view name) {
   const std::string lower = geometric::lower_case(std::string(name));
   return lower.substr(lower.find_last_of("/.") + 1);
 }
@@ -45,18 +45,18 @@ bool contains_any(std::string_view text, std::initializer_list<std::string_view>
 bool is_unnamed(std::string_view name) { return name == "array"; }
 
 bool is_called_coefficients(const std::string& leaf) {
-  return contains_any(leaf, {"pca", "coef", "comps"}) && leaf != kComponents;
+  return contains_any(leaf, {"pca", "coef", "comps"}) && leaf != kManoComponents;
 }
 
 const RecordingVariable* find_leaf(const ArrayFile& arrays, std::string_view leaf) {
   const auto found = std::ranges::find_if(arrays.variables(), [&](const auto& variable) {
-    return variable.problem.empty() && leaf_of(variable.name) == leaf;
+    return variable.problem.empty() && lower_leaf(variable.name) == leaf;
   });
   return found == arrays.variables().end() ? nullptr : &*found;
 }
 
 ManoForm form_of(const ArrayFile& arrays, const RecordingVariable& variable) {
-  const std::string leaf = leaf_of(variable.name);
+  const std::string leaf = lower_leaf(variable.name);
   if (variable.type == kText || variable.shape.size() < 2 ||
       !(is_unnamed(leaf) || is_mano_name(leaf) || is_called_coefficients(leaf))) {
     return ManoForm::kNone;
@@ -70,7 +70,7 @@ ManoForm form_of(const ArrayFile& arrays, const RecordingVariable& variable) {
   constexpr std::size_t kJoints = kManoJoints;
   const bool is_vectors =
       (sides.size() == 1 && is_mano_count(sides[0])) || is({kJoints, 3}) || is({kJoints + 1, 3});
-  const bool has_components = find_leaf(arrays, kComponents) != nullptr;
+  const bool has_components = find_leaf(arrays, kManoComponents) != nullptr;
   const bool is_short = sides.size() == 1 && sides[0] <= 3 * kJoints;
   if (is_short && !is_unnamed(leaf) &&
       (is_called_coefficients(leaf) || (has_components && !is_vectors))) {
@@ -111,12 +111,12 @@ Eigen::MatrixXd numbers_of(const ArrayFile& arrays, const RecordingVariable& var
 
 // The model's mean posture, shape [45]; nothing if the file does not have it.
 std::optional<Eigen::RowVectorXd> mean_in(const ArrayFile& arrays) {
-  const RecordingVariable* found = find_leaf(arrays, kMean);
+  const RecordingVariable* found = find_leaf(arrays, kManoMean);
   if (found == nullptr) {
     return std::nullopt;
   }
   const Eigen::MatrixXd read = numbers_of(arrays, *found);
-  if (read.size() != kAngles) {
+  if (read.size() != kManoAngles) {
     throw InputError({arrays.path().string(), "variable " + found->name,
                       geometric::plural(read.size(), "number"), "the 45 angles of the mean posture",
                       ""});
@@ -125,18 +125,18 @@ std::optional<Eigen::RowVectorXd> mean_in(const ArrayFile& arrays) {
 }
 
 Eigen::MatrixXd angles_of_coefficients(const ArrayFile& arrays, const Series& series) {
-  const RecordingVariable* components = find_leaf(arrays, kComponents);
+  const RecordingVariable* components = find_leaf(arrays, kManoComponents);
   const std::optional<Eigen::RowVectorXd> mean = mean_in(arrays);
   const std::string element = "variable " + series.variable.name;
   if (components == nullptr || !mean) {
     throw InputError(
         {arrays.path().string(), element, "coefficients of principal components of MANO",
-         fmt::format("the arrays {} and {} of the model beside them", kComponents, kMean),
+         fmt::format("the arrays {} and {} of the model beside them", kManoComponents, kManoMean),
          "The model's own file (MANO_RIGHT.pkl) is a pickle, which may run any program and is not "
          "read. Save its two arrays with yours by numpy.savez()."});
   }
   const Eigen::MatrixXd directions = numbers_of(arrays, *components);
-  if (directions.cols() != kAngles || directions.rows() < series.values.cols()) {
+  if (directions.cols() != kManoAngles || directions.rows() < series.values.cols()) {
     throw InputError({arrays.path().string(), "variable " + components->name,
                       to_string(*components),
                       fmt::format("a row of 45 angles for each of the {}",
@@ -157,11 +157,11 @@ Eigen::MatrixXd angles_of(const ArrayFile& arrays, const Series& series,
     return vectors_of_matrices(series.values);
   }
   Eigen::MatrixXd angles = series.values;
-  const bool is_whole = contains_any(leaf_of(series.variable.name), {"full"});
+  const bool is_whole = contains_any(lower_leaf(series.variable.name), {"full"});
   if (const std::optional<Eigen::RowVectorXd> mean = is_whole ? std::nullopt : mean_in(arrays)) {
-    angles.rightCols<kAngles>().rowwise() += *mean;
-    warnings.push_back(
-        fmt::format("{}: {} is added to {}", arrays.path().string(), kMean, series.variable.name));
+    angles.rightCols<kManoAngles>().rowwise() += *mean;
+    warnings.push_back(fmt::format("{}: {} is added to {}", arrays.path().string(), kManoMean,
+                                   series.variable.name));
   }
   return angles;
 }
@@ -220,11 +220,11 @@ std::vector<double> times_of(const std::filesystem::path& file,
   std::vector<double> times;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     times.push_back(timed ? *frames[i].time - *frames[0].time
-                          : static_cast<double>(i) / kRateOfCameras);
+                          : static_cast<double>(i) / kRateOfManoFrames);
   }
   if (!timed) {
     recording.warnings.push_back(fmt::format("{}: no times: {:g} frames a second are assumed",
-                                             file.string(), kRateOfCameras));
+                                             file.string(), kRateOfManoFrames));
     return times;
   }
   for (const std::string& warning : geometric::settle_times(times, time_unit)) {
@@ -263,16 +263,16 @@ ManoSide side_in_name(std::string_view name) {
 }
 
 bool is_mano_name(std::string_view name) {
-  return contains_any(leaf_of(name), {"pose", "mano", "theta"});
+  return contains_any(lower_leaf(name), {"pose", "mano", "theta"});
 }
 
 bool is_mano_count(std::size_t count) {
-  return count == static_cast<std::size_t>(kAngles) ||
-         count == static_cast<std::size_t>(kWithWrist);
+  return count == static_cast<std::size_t>(kManoAngles) ||
+         count == static_cast<std::size_t>(kManoWithWrist);
 }
 
 ManoPose mano_pose(std::span<const double> numbers) {
-  return Eigen::Map<const ManoPose>(numbers.last(static_cast<std::size_t>(kAngles)).data());
+  return Eigen::Map<const ManoPose>(numbers.last(static_cast<std::size_t>(kManoAngles)).data());
 }
 
 Recording recording_of_mano(const std::filesystem::path& file, const std::vector<ManoFrame>& all,

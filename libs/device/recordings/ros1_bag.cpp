@@ -26,10 +26,10 @@ namespace fs = std::filesystem;
 using geometric::InputError;
 
 constexpr const char* kWhatBag = "a bag of ROS 1 (format 2.0)";
-constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
-constexpr std::uint64_t kLargestHeader = std::uint64_t{1} << 20;       // bytes
+constexpr std::string_view kRos1BagMagic = "#ROSBAG V2.0\n";
+constexpr std::uint64_t kLargestBagHeader = std::uint64_t{1} << 20;    // bytes
 constexpr std::uint64_t kLargestConnection = std::uint64_t{16} << 20;  // bytes
-constexpr std::uint64_t kLargestChunk = std::uint64_t{256} << 20;      // bytes, in memory
+constexpr std::uint64_t kLargestBagChunk = std::uint64_t{256} << 20;   // bytes, in memory
 
 /// Kinds of records.
 enum class BagOpcode : std::uint8_t {
@@ -42,10 +42,10 @@ enum class BagOpcode : std::uint8_t {
 };
 
 /// The header of a record: named fields, "NAME=VALUE".
-class RecordHeader {
+class BagRecordHeader {
  public:
   /// @param bytes outlive the header. @throws RecordError if they are damaged.
-  explicit RecordHeader(std::string_view bytes) {
+  explicit BagRecordHeader(std::string_view bytes) {
     FieldReader fields(bytes);
     while (!fields.rest().empty()) {
       const std::string_view field = fields.text();
@@ -79,7 +79,7 @@ class RecordHeader {
 };
 
 /// A record in the file, with the place of its data.
-struct RecordPlace {
+struct BagRecordPlace {
   std::string header;
   std::uint64_t offset = 0;
   std::uint64_t size = 0;  ///< Bytes.
@@ -87,20 +87,20 @@ struct RecordPlace {
 
 /// Records of messages: a chunk, or a single message outside of chunks, as in a bag that was not
 /// closed.
-struct MessagePart {
-  RecordPlace place;
+struct BagPart {
+  BagRecordPlace place;
   bool is_chunk = false;
   std::map<std::uint32_t, std::uint64_t> counts;  ///< Messages by connection.
   bool is_indexed = false;                        ///< The counts are known.
 };
 
 /// A message in a part.
-struct TimedMessage {
+struct BagMessage {
   double received = 0.0;  ///< s since 1970
   std::string_view data;
 };
 
-double time_in(const RecordHeader& header) {
+double time_in(const BagRecordHeader& header) {
   const auto time = header.number<std::uint64_t>("time");  // seconds, then nanoseconds
   return static_cast<double>(time & 0xFFFFFFFFU) + 1e-9 * static_cast<double>(time >> 32U);
 }
@@ -108,12 +108,12 @@ double time_in(const RecordHeader& header) {
 class Ros1Bag final : public BagStorage {
  public:
   explicit Ros1Bag(const fs::path& file) : bytes_(file, kWhatBag) {
-    if (bytes_.read(0, kMagic.size()) != kMagic) {
+    if (bytes_.read(0, kRos1BagMagic.size()) != kRos1BagMagic) {
       throw InputError({file.string(), "", "a bag of another version, or a damaged beginning",
                         kWhatBag, "Convert an old bag by rosbag fix."});
     }
     find_records();
-    for (MessagePart& part : parts_) {
+    for (BagPart& part : parts_) {
       if (!is_known(part)) {
         look_into(part);
       }
@@ -136,7 +136,7 @@ class Ros1Bag final : public BagStorage {
   [[nodiscard]] std::size_t message_count(const std::string& topic) const override {
     const std::set<std::uint32_t> connections = connections_of(topic);
     std::uint64_t count = 0;
-    for (const MessagePart& part : parts_) {
+    for (const BagPart& part : parts_) {
       for (const auto& [connection, messages] : part.counts) {
         count += connections.contains(connection) ? messages : 0;
       }
@@ -146,14 +146,14 @@ class Ros1Bag final : public BagStorage {
 
   void for_messages(const std::string& topic, std::size_t most, const Take& take) const override {
     const std::set<std::uint32_t> connections = connections_of(topic);
-    for (const MessagePart& part : parts_) {
+    for (const BagPart& part : parts_) {
       const bool has_messages = std::ranges::any_of(
           part.counts, [&](const auto& count) { return connections.contains(count.first); });
       if (most == 0 || !has_messages) {
         continue;
       }
       const std::string records = records_of(part);
-      for (const TimedMessage& message : messages_in(part, records, connections)) {
+      for (const BagMessage& message : messages_in(part, records, connections)) {
         if (most > 0) {
           --most;
           take(message.data, message.received);
@@ -177,7 +177,7 @@ class Ros1Bag final : public BagStorage {
   }
 
   /// The record at that place; nothing if the file ends before. @throws RecordError
-  [[nodiscard]] std::optional<RecordPlace> record_at(std::uint64_t offset) const {
+  [[nodiscard]] std::optional<BagRecordPlace> record_at(std::uint64_t offset) const {
     constexpr std::uint64_t kBeginning = 256;  // bytes, which most headers don't exceed
     constexpr std::uint64_t kSize = sizeof(std::uint32_t);
     if (!bytes_.has(offset, kSize)) {
@@ -188,23 +188,24 @@ class Ros1Bag final : public BagStorage {
     if (!bytes_.has(offset, kSize + header_size + kSize)) {
       return std::nullopt;
     }
-    if (header_size > kLargestHeader) {
+    if (header_size > kLargestBagHeader) {
       throw RecordError(fmt::format("a header of {} bytes, more than can be read", header_size));
     }
     if (head.size() < kSize + header_size + kSize) {
       head = bytes_.read(offset, kSize + header_size + kSize);
     }
     FieldReader fields(head);
-    RecordPlace place{std::string(fields.text()), 0, fields.number<std::uint32_t>()};
+    BagRecordPlace place{std::string(fields.text()), 0, fields.number<std::uint32_t>()};
     place.offset = offset + kSize + header_size + kSize;
     return bytes_.has(place.offset, place.size) ? std::optional(std::move(place)) : std::nullopt;
   }
 
   /// Finds all records in the file without reading messages.
   void find_records() {
-    std::uint64_t offset = kMagic.size();
+    std::uint64_t offset = kRos1BagMagic.size();
     while (offset < bytes_.size()) {
-      const std::optional<RecordPlace> place = at_record(offset, [&] { return record_at(offset); });
+      const std::optional<BagRecordPlace> place =
+          at_record(offset, [&] { return record_at(offset); });
       if (!place) {
         break;
       }
@@ -218,8 +219,8 @@ class Ros1Bag final : public BagStorage {
     }
   }
 
-  void note_record(const RecordPlace& place) {
-    const RecordHeader header(place.header);
+  void note_record(const BagRecordPlace& place) {
+    const BagRecordHeader header(place.header);
     switch (header.opcode()) {
       case BagOpcode::kBagHeader:
         if (!header.text("encryptor").empty()) {
@@ -247,15 +248,15 @@ class Ros1Bag final : public BagStorage {
   }
 
   /// @param data the fields of the connection: type, definition, …
-  void note_connection(const RecordHeader& header, std::string_view data) {
-    const RecordHeader fields(data);
+  void note_connection(const BagRecordHeader& header, std::string_view data) {
+    const BagRecordHeader fields(data);
     connections_.emplace(header.number<std::uint32_t>("conn"),
                          BagTopic{geometric::printable(header.text("topic")),
                                   geometric::printable(fields.text("type")), "ros1"});
   }
 
   /// Notes the messages of a connection in the chunk before.
-  void note_index(const RecordHeader& header) {
+  void note_index(const BagRecordHeader& header) {
     if (parts_.empty() || !parts_.back().is_chunk) {
       return;
     }
@@ -266,20 +267,20 @@ class Ros1Bag final : public BagStorage {
   }
 
   /// Returns whether the contents of a part are known without decompressing it.
-  [[nodiscard]] bool is_known(const MessagePart& part) const {
+  [[nodiscard]] bool is_known(const BagPart& part) const {
     return part.is_indexed && std::ranges::all_of(part.counts, [this](const auto& count) {
              return connections_.contains(count.first);
            });
   }
 
   /// Finds connections and messages in a chunk.
-  void look_into(MessagePart& part) {
+  void look_into(BagPart& part) {
     if (!part.is_chunk) {
       return;
     }
     part.counts.clear();
     const std::string records = records_of(part);
-    for_records(part, records, [&](const RecordHeader& header, std::string_view data) {
+    for_records(part, records, [&](const BagRecordHeader& header, std::string_view data) {
       if (header.opcode() == BagOpcode::kConnection) {
         note_connection(header, data);
       } else if (header.opcode() == BagOpcode::kMessage) {
@@ -299,25 +300,25 @@ class Ros1Bag final : public BagStorage {
   }
 
   /// The records in a part, decompressed; of a message its data alone.
-  [[nodiscard]] std::string records_of(const MessagePart& part) const {
+  [[nodiscard]] std::string records_of(const BagPart& part) const {
     return at_record(part.place.offset, [&] {
-      if (part.place.size > kLargestChunk) {
+      if (part.place.size > kLargestBagChunk) {
         throw RecordError(
             fmt::format("a record of {} bytes, which are more than can be read", part.place.size));
       }
       std::string data = bytes_.read(part.place.offset, part.place.size);
-      return part.is_chunk ? decompressed(RecordHeader(part.place.header), std::move(data))
+      return part.is_chunk ? decompressed(BagRecordHeader(part.place.header), std::move(data))
                            : std::move(data);
     });
   }
 
   /// The records in a chunk. @throws RecordError if they are damaged.
-  static std::string decompressed(const RecordHeader& header, std::string stored) {
+  static std::string decompressed(const BagRecordHeader& header, std::string stored) {
     const std::size_t size = header.number<std::uint32_t>("size");
     const std::string_view method = header.text("compression");
-    if (size > kLargestChunk) {
+    if (size > kLargestBagChunk) {
       throw RecordError(fmt::format("a chunk of {} bytes, more than the {} that can be read", size,
-                                    kLargestChunk));
+                                    kLargestBagChunk));
     }
     std::optional<std::string> records;
     if (method == "none") {
@@ -338,22 +339,22 @@ class Ros1Bag final : public BagStorage {
 
   /// Passes the records in a chunk. @throws InputError if they are damaged.
   template <typename Pass>
-  void for_records(const MessagePart& part, std::string_view records, const Pass& pass) const {
+  void for_records(const BagPart& part, std::string_view records, const Pass& pass) const {
     at_record(part.place.offset, [&] {
       FieldReader all(records);
       while (!all.rest().empty()) {
-        const RecordHeader header(all.text());
+        const BagRecordHeader header(all.text());
         pass(header, all.text());
       }
     });
   }
 
   /// Messages of some connections in the order of their times.
-  [[nodiscard]] std::vector<TimedMessage> messages_in(
-      const MessagePart& part, std::string_view records,
+  [[nodiscard]] std::vector<BagMessage> messages_in(
+      const BagPart& part, std::string_view records,
       const std::set<std::uint32_t>& connections) const {
-    std::vector<TimedMessage> messages;
-    const auto add = [&](const RecordHeader& header, std::string_view data) {
+    std::vector<BagMessage> messages;
+    const auto add = [&](const BagRecordHeader& header, std::string_view data) {
       if (header.opcode() == BagOpcode::kMessage &&
           connections.contains(header.number<std::uint32_t>("conn"))) {
         messages.push_back({time_in(header), data});
@@ -362,15 +363,15 @@ class Ros1Bag final : public BagStorage {
     if (part.is_chunk) {
       for_records(part, records, add);
     } else {
-      at_record(part.place.offset, [&] { add(RecordHeader(part.place.header), records); });
+      at_record(part.place.offset, [&] { add(BagRecordHeader(part.place.header), records); });
     }
-    std::ranges::stable_sort(messages, {}, &TimedMessage::received);
+    std::ranges::stable_sort(messages, {}, &BagMessage::received);
     return messages;
   }
 
   FileBytes bytes_;
   std::map<std::uint32_t, BagTopic> connections_;
-  std::vector<MessagePart> parts_;  ///< In the order of the file.
+  std::vector<BagPart> parts_;  ///< In the order of the file.
   std::vector<std::string> warnings_;
 };
 

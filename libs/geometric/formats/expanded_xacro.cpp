@@ -120,7 +120,7 @@ std::vector<std::string> environment_with(const fs::path& prefix) {
   }
   for (const auto& [start, folder] : paths) {
     const char* known = std::getenv(start.substr(0, start.size() - 1).c_str());
-    std::string value = start + folder.string();
+    std::string value = fmt::format("{}{}", start, folder.string());
     if (known != nullptr && *known != '\0') {
       value.append(":").append(known);
     }

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace handway::device {
+namespace handway::device::ros1 {  // tests of other bags have functions of the same names
 namespace {
 
 namespace fs = std::filesystem;
@@ -389,4 +389,4 @@ TEST_F(Ros1Bag, OfTheCorpusIsRead) {
 }
 
 }  // namespace
-}  // namespace handway::device
+}  // namespace handway::device::ros1
