@@ -37,7 +37,8 @@ class HANDWAY_DEVICE_EXPORT LineBuffer {
   /// Longest line of most protocols, bytes.
   static constexpr std::size_t kLongestLine = 4096;
 
-  explicit LineBuffer(std::size_t longest = kLongestLine) : longest_(longest) {}
+  LineBuffer() = default;
+  explicit LineBuffer(std::size_t longest) : longest_(longest) {}
 
   void add(std::span<const std::uint8_t> bytes);
   /// The next complete line without its end. @throws LineProtocolError if it is longer
@@ -45,7 +46,7 @@ class HANDWAY_DEVICE_EXPORT LineBuffer {
   [[nodiscard]] std::optional<std::string> next();
 
  private:
-  std::size_t longest_;
+  std::size_t longest_ = kLongestLine;
   std::string text_;
   std::size_t begin_ = 0;  ///< Start of the bytes not returned by next() yet.
 };
