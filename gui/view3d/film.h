@@ -17,13 +17,14 @@ namespace handway::gui {
 /// A moment of a film: a posture of the first robot, and objects elsewhere than in the scene.
 struct FilmMoment {
   geometric::Configuration q;
-  std::vector<std::pair<SceneItem, geometric::Pose>> X_WO = {};  ///< Of objects that have moved.
+  std::vector<std::pair<SceneItem, geometric::Pose>> X_WO =
+      {};                                           ///< Poses of objects that have moved.
   std::vector<planning::ContactForce> forces = {};  ///< The hand's forces, in a simulation.
 };
 
 /// A scene over time, of which pictures are taken.
 struct Film {
-  QString title;  ///< Of the dialog that asks for the pictures.
+  QString title;  ///< Title of the dialog for the pictures.
   QString name;   ///< Proposed for files.
   std::shared_ptr<const geometric::Scene> scene;
   double seconds = 0.0;

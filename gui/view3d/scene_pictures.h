@@ -50,7 +50,7 @@ class ScenePictures {
   [[nodiscard]] QImage take();
 
  private:
-  /// How far the begun picture is drawn.
+  /// Progress of the begun picture.
   enum class Stage { kBodies, kShaded, kResolved };
 
   void make_buffers(const QSize& pixels);

@@ -183,7 +183,7 @@ std::vector<ObjectShape> shapes_of(const YamlElement& object, World& world) {
   return shapes;
 }
 
-// What the scene has for a shape of an object. @param X_WO of the object.
+// Returns a shape of an object as the scene has it. @param X_WO of the object.
 PlacedShape placed(const ObjectShape& one, const Pose& X_WO, const Reach& reach) {
   if (!one.plane) {
     return {one.shape, one.X_OS};

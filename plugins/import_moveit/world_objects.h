@@ -40,7 +40,7 @@ struct Reach {
 
 /// A shape of a collision object, which a message may move in the object.
 struct ObjectShape {
-  geometric::Shape shape;  ///< Of a plane: none yet, see `plane`.
+  geometric::Shape shape;  ///< Unused for a plane, see `plane`.
   geometric::Pose X_OS = geometric::Pose::Identity();
   /// The plane's numbers: its half space depends on where the plane is.
   std::optional<geometric::YamlElement> plane = {};

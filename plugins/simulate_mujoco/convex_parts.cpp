@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 using geometric::TriangleMesh;
 using Triangle = std::array<Vector3d, 3>;
 
-// Of the space between the triangles and the origin.
+// Returns the volume of the space between the triangles and the origin.
 double signed_volume(const std::vector<Triangle>& triangles) {
   double six_volumes = 0.0;
   for (const Triangle& t : triangles) {

@@ -72,7 +72,7 @@ QColor state_color(State state, bool held) {
   }
 }
 
-// What the user confirms before a motion. Each timing of the path takes it back.
+// The user confirms these before a motion. Each timing of the path takes it back.
 QString arming_text(bool is_tight) {
   return is_tight ? QObject::tr("Move despite low clearance") : QObject::tr("Let the robot move");
 }

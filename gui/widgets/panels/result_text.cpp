@@ -38,7 +38,7 @@ QString row(const QString& name, const QString& value) {
       .arg(html(colors_of(current_theme()).muted), name, value);
 }
 
-// What is said of a result, as plain text.
+// Returns the words for a result, as plain text.
 struct ResultWords {
   QString headline;
   QStringList paragraphs;

@@ -316,7 +316,7 @@ class McapWriter {
 
   std::string definitions_;
   std::string bytes_;
-  std::string records_;  ///< Of the chunk that is written.
+  std::string records_;  ///< Records of the chunk that is written.
   std::string chunk_indexes_;
   /// Time and place of the chunk's messages, by channel.
   std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> places_;

@@ -92,7 +92,7 @@ class CheaperPathSearch {
   sampling::RandomStream random_;
   geometric::JointIndices planned_;  ///< PlanningProblem::planned_joints().
   std::vector<Point> guide_;
-  std::array<Tree, 2> trees_;  ///< Of the start and of the goal; their roots are the nodes 0.
+  std::array<Tree, 2> trees_;  ///< Trees of start and goal; their roots are the nodes 0.
   int samples_ = 0;
 };
 

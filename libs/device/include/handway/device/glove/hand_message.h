@@ -55,8 +55,9 @@ struct HandMessage {
   std::vector<HandObservation> hands;  ///< The right one first; hands that are not seen, too.
 };
 
-/// Longest message, and longest JSON in a frame of LZ4, bytes.
+/// Longest message, bytes.
 inline constexpr std::size_t kLongestHandMessage = std::size_t{64} * 1024;
+/// Longest JSON in a frame of LZ4, bytes.
 inline constexpr std::size_t kLongestHandJson = std::size_t{1024} * 1024;
 
 /// @param message without its end of line.

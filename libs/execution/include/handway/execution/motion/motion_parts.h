@@ -22,7 +22,7 @@ struct MotionPart {
   /// Distance by which an object in the hand may keep each variable from its target, rad or m,
   /// [variable_count]; of size 0: none.
   geometric::Configuration give = {};
-  bool rests = false;  ///< Nothing moves: the devices get no motion, and time passes.
+  bool rests = false;  ///< The robot rests: the devices get no motion, and time passes.
 };
 
 /// Returns the parts of a task's motion, in their order. While the hand carries an object, the

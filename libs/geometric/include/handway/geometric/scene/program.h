@@ -66,8 +66,8 @@ struct WaitStep {
 
 /// A step that sets an output of the robot's controller. Nothing moves.
 struct OutputStep {
-  std::string name;                         ///< Of the output, as the controller has it: "do3".
-  std::variant<bool, double> value = true;  ///< Of a digital or of another output.
+  std::string name;                         ///< Name that the controller has for it: "do3".
+  std::variant<bool, double> value = true;  ///< Value of a digital or of another output.
 };
 
 struct Program;

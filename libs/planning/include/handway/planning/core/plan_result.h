@@ -152,7 +152,7 @@ struct PlanResult {
   /// Checks allowed for optimising, in whole rounds; as the parameter of this name they give the
   /// same path again.
   std::uint64_t optimize_checks = 0;
-  std::optional<PathCost> cost;  ///< Of an optimised path.
+  std::optional<PathCost> cost;  ///< Cost of an optimised path.
 
   [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
 };

@@ -16,7 +16,7 @@
 
 namespace handway::planning {
 
-/// Which grasps of an object are listed.
+/// Selects the grasps of an object that are listed.
 struct GraspRequest {
   PregraspOptions search = {};
   /// File of grasps to list, all of them, instead of a search; empty: grasps are searched for.
@@ -32,9 +32,9 @@ struct GraspRequest {
 /// Grasps of an object in the order in which to try them.
 struct GraspList {
   std::vector<TestedGrasp> grasps = {};       ///< The best first, see rank_by_tests().
-  std::string why_none = {};                  ///< As Pregrasps::why_none.
-  std::vector<std::string> left_out = {};     ///< As MeasuredGrasps::left_out.
-  int palm = -1;                              ///< As Pregrasps::palm.
+  std::string why_none = {};                  ///< See Pregrasps::why_none.
+  std::vector<std::string> left_out = {};     ///< See MeasuredGrasps::left_out.
+  int palm = -1;                              ///< See Pregrasps::palm.
   double search_time = 0.0;                   ///< s by the clock, without the simulation.
   std::shared_ptr<const HoldTest> test = {};  ///< The simulation; null if nothing is simulated.
 };

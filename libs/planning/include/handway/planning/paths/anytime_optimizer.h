@@ -77,7 +77,7 @@ class HANDWAY_PLANNING_EXPORT AnytimeOptimizer {
   ObjectiveWeights weights_;
   std::uint64_t seed_;
   double least_cost_;
-  std::unique_ptr<PathOptimizer> local_;  ///< Of the cheapest path.
+  std::unique_ptr<PathOptimizer> local_;  ///< Optimises the cheapest path.
   std::unique_ptr<CheaperPathSearch> search_;
   std::uint64_t searches_ = 0;     ///< Begun so far, and …
   std::uint64_t cheapest_at_ = 0;  ///< … when the path became the cheapest.

@@ -90,8 +90,8 @@ enum class StageKind {
   kOpen,      ///< Until the fingers have left the object.
   kRetreat,   ///< Straight away from the object.
   kLine,      ///< Straight, as a LineStep says.
-  kWait,      ///< Nothing moves, for the time of a WaitStep.
-  kOutput,    ///< Nothing moves, and no time passes: an output is set.
+  kWait,      ///< The robot rests, for the time of a WaitStep.
+  kOutput,    ///< An output is set; nothing moves, and no time passes.
 };
 
 /// Word for display: "approach", ….

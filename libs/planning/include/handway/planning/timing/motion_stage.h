@@ -27,7 +27,7 @@ struct MotionStage {
   /// Joint targets with which the hand holds the object after this stage; shape [variable_count],
   /// or of size 0.
   geometric::Configuration squeezed = {};
-  /// Nothing moves during this stage, which takes time: the trajectory has its ends alone.
+  /// The robot rests during this stage: the trajectory has its ends alone.
   bool waits = false;
   /// Output that is set in this stage, which has no length.
   std::optional<geometric::OutputStep> output = {};
