@@ -113,7 +113,7 @@ std::vector<RecordingVariable> recordable_variables(const ArrayFile& arrays) {
   std::ranges::copy_if(
       arrays.variables(), std::back_inserter(fitting),
       [&](const RecordingVariable& variable) { return is_recordable(arrays, variable); });
-  return fitting;
+  return without_raw(fitting);
 }
 
 Recording read_array_recording(const ArrayFile& arrays, const std::string& variable) {
@@ -123,9 +123,15 @@ Recording read_array_recording(const ArrayFile& arrays, const std::string& varia
     throw InputError(
         {file.string(), "variable " + series.variable.name, "no rows", "at least one", ""});
   }
-  return has_landmarks(series.variable)
-             ? recording_of_landmarks(file, series)
-             : recording_by_numbers(file, table_of(series), layout_of_series(file, series));
+  if (has_landmarks(series.variable)) {
+    return recording_of_landmarks(file, series);
+  }
+  NumberTable table = table_of(series);
+  table.raw = arrays.raw_columns(series.variable);
+  if (table.raw && table.raw->values.rows() != table.values.rows()) {
+    table.raw.reset();
+  }
+  return recording_by_numbers(file, table, layout_of_series(file, series));
 }
 
 }  // namespace handway::device

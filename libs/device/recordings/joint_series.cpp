@@ -126,7 +126,7 @@ std::vector<RecordingVariable> joint_variables(const ArrayFile& arrays,
       counted.push_back(variable);
     }
   }
-  return positions_first(named.empty() ? counted : named);
+  return positions_first(without_raw(named.empty() ? counted : named));
 }
 
 JointTable read_joint_series(const ArrayFile& arrays, const std::string& variable,
@@ -178,7 +178,7 @@ std::string only_table(const ArrayFile& arrays) {
                        [](const RecordingVariable& variable) {
                          return is_table(variable) && columns_of(variable) > 1;
                        });
-  return only_of(arrays, positions_first(tables), "one table of numbers", 7);
+  return only_of(arrays, positions_first(without_raw(tables)), "one table of numbers", 7);
 }
 
 }  // namespace handway::device
