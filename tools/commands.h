@@ -22,6 +22,9 @@ void add_arm_command(CLI::App& app, int& exit_code);
 /// `handway bench [SCENE…]`: times of collision checks and plans.
 void add_bench_command(CLI::App& app, int& exit_code);
 
+/// Adds `handway calibrate` and its command `camera`.
+void add_calibrate_command(CLI::App& app, int& exit_code);
+
 /// `handway check SCENE PATH.csv`: re-checks a path on the exact meshes.
 void add_check_command(CLI::App& app, int& exit_code);
 

@@ -52,7 +52,7 @@ class Recorder {
   void connected(const GloveInfo& info) {
     attempt([&] {
       if (!writer_) {
-        writer_.emplace(options_.out, header_of(info, options_.origin));
+        writer_.emplace(options_.out, header_of(info, options_.origin), info.raw);
       }
     });
   }

@@ -109,6 +109,7 @@ int run(int argc, char** argv) {
   add_pca_command(app, exit_code);
   add_time_command(app, exit_code);
   add_edit_command(app, exit_code);
+  add_calibrate_command(app, exit_code);
   add_cloud_command(app, exit_code);
   add_export_command(app, exit_code);
   add_send_command(app, exit_code);

@@ -63,10 +63,18 @@ std::string unit_of(const RecordedTable& table) {
   return table.glove ? device::to_string(table.glove->kind) + " of a glove" : "values of joints";
 }
 
+std::vector<std::string> raw_labels(const RecordedTable& table) {
+  return table.raw ? device::labels_of(*table.raw) : std::vector<std::string>{};
+}
+
 Json table_json(const RecordedTable& table) {
-  return {{"rows", table.times.size()}, {"duration_s", duration_of(table)},
-          {"rate_hz", rate_of(table)},  {"values", unit_of(table)},
-          {"columns", table.names},     {"warnings", geometric::merged_alike(table.warnings)}};
+  return {{"rows", table.times.size()},
+          {"duration_s", duration_of(table)},
+          {"rate_hz", rate_of(table)},
+          {"values", unit_of(table)},
+          {"columns", table.names},
+          {"raw_columns", raw_labels(table)},
+          {"warnings", geometric::merged_alike(table.warnings)}};
 }
 
 Json info_json(const FileInfo& info) {
@@ -96,6 +104,9 @@ void print_info(const FileInfo& info) {
               geometric::plural(table.times.size(), "row"), unit_of(table), duration_of(table),
               rate_of(table), geometric::plural(table.names.size(), "column"),
               fmt::join(table.names, ", "));
+    if (const std::vector<std::string> raw = raw_labels(table); !raw.empty()) {
+      print_out("  {}: {}\n", geometric::plural(raw.size(), "raw column"), fmt::join(raw, ", "));
+    }
     for (const std::string& warning : geometric::merged_alike(table.warnings)) {
       print_out("  warning: {}\n", warning);
     }

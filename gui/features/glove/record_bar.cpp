@@ -94,7 +94,7 @@ void RecordBar::begin() {
   try {
     std::filesystem::create_directories(unnamed_folder());
     file_ = new_recording_file(unnamed_folder());
-    session_.link().tap().begin(file_, std::move(header));
+    session_.link().tap().begin(file_, std::move(header), info.raw);
   } catch (const std::exception& error) {
     progress_->setText(QString::fromUtf8(error.what()).toHtmlEscaped());
     return;

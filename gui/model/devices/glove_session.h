@@ -68,8 +68,10 @@ class RetargetingTap {
 class RecordingTap {
  public:
   /// Starts a new file.
+  /// @param raw names and units of the source's columns.
   /// @throws geometric::InputError if it can't be written.
-  void begin(const std::filesystem::path& file, device::RecordingHeader header);
+  void begin(const std::filesystem::path& file, device::RecordingHeader header,
+             device::RawColumns raw = {});
   /// Closes the file.
   void end();
 

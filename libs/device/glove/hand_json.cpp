@@ -71,9 +71,12 @@ Eigen::Vector3d point_of_json(const HandJson& point, const std::string& name) {
   return coordinates<3>(point, name, "point of x, y and z");
 }
 
-Eigen::Quaterniond rotation_of_json(const HandJson& rotation, const std::string& name) {
+Eigen::Vector4d quaternion_of_json(const HandJson& rotation, const std::string& name) {
+  return coordinates<4>(rotation, name, "quaternion of x, y, z and w");
+}
+
+Eigen::Quaterniond rotation_of(const Eigen::Vector4d& xyzw, const std::string& name) {
   constexpr double kTolerance = 0.01;
-  const Eigen::Vector4d xyzw = coordinates<4>(rotation, name, "quaternion of x, y, z and w");
   if (!(std::abs(xyzw.norm() - 1.0) <= kTolerance)) {
     throw LineProtocolError(
         fmt::format("{} has a quaternion of length {:.3g}, expected 1", name, xyzw.norm()));

@@ -29,9 +29,10 @@ using HandJson = nlohmann::ordered_json;
 [[nodiscard]] double finite_number(const HandJson& value, const std::string& name);
 /// Reads [x, y, z] or {"x": …, "y": …, "z": …}. @param name for messages: "landmark 3".
 [[nodiscard]] Eigen::Vector3d point_of_json(const HandJson& point, const std::string& name);
-/// Reads [x, y, z, w] or {"x": …, "y": …, "z": …, "w": …}, of unit length within 1 %.
-[[nodiscard]] Eigen::Quaterniond rotation_of_json(const HandJson& rotation,
-                                                  const std::string& name);
+/// Reads [x, y, z, w] or {"x": …, "y": …, "z": …, "w": …}, of any length.
+[[nodiscard]] Eigen::Vector4d quaternion_of_json(const HandJson& rotation, const std::string& name);
+/// Returns the rotation of a quaternion x, y, z, w, which has to be of unit length within 1 %.
+[[nodiscard]] Eigen::Quaterniond rotation_of(const Eigen::Vector4d& xyzw, const std::string& name);
 /// Returns whether a value names the left hand; "right", "Right", "left" and "Left" are known.
 [[nodiscard]] bool is_left_hand(const HandJson& hand);
 

@@ -1,6 +1,11 @@
 #include "handway/device/glove/hand_message.h"
 
 #include "glove/hand_json.h"
+#include "glove/manus_ergonomics.h"
+#include "glove/openxr_joints.h"
+#include "glove/rokoko_frame.h"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <cstddef>
@@ -32,6 +37,50 @@ const std::string& name_of(HandWire wire) {
                                                  "Rokoko Studio", "Rokoko Studio, LZ4",
                                                  "Manus ergonomics"};
   return kNames.at(static_cast<std::size_t>(wire));
+}
+
+namespace {
+
+/// Adds a pose's position (m) and quaternion.
+void add_pose(const std::string& name, RawColumns& columns) {
+  for (const char* part : {".x", ".y", ".z"}) {
+    columns.add(name + part, "m");
+  }
+  for (const char* part : {".qx", ".qy", ".qz", ".qw"}) {
+    columns.add(name + part, "");
+  }
+}
+
+}  // namespace
+
+RawColumns raw_columns_of(HandWire wire, bool left) {
+  RawColumns columns;
+  switch (wire) {
+    case HandWire::kLandmarks:
+      for (Eigen::Index i = 0; i < HandLandmarks::ColsAtCompileTime; ++i) {
+        for (const char* part : {".x", ".y", ".z"}) {
+          columns.add(fmt::format("landmark_{}{}", i, part), "m");
+        }
+      }
+      break;
+    case HandWire::kOpenXr:
+      for (const std::string& joint : openxr_names()) {
+        add_pose(joint, columns);
+      }
+      break;
+    case HandWire::kRokoko:
+    case HandWire::kRokokoLz4:
+      for (const std::string& bone : rokoko_bones()) {
+        add_pose((left ? "left" : "right") + bone, columns);
+      }
+      break;
+    case HandWire::kManus:
+      for (const std::string& angle : manus_names()) {
+        columns.add(angle, "deg");
+      }
+      break;
+  }
+  return columns;
 }
 
 HandMessage read_hand_message(std::string_view message) {

@@ -208,6 +208,7 @@ void LandmarkGlove::take_hand(const HandObservation& hand, Clock::time_point arr
     frame.bones = bones_of(*hand.landmarks);
   }
   frame.X_SH = hand.X_SH;
+  frame.raw = hand.raw;
   frame.time = since_begin(arrival);
   session.frames.push_back(frame);
 }
@@ -251,6 +252,7 @@ GloveInfo LandmarkGlove::do_connect(const std::stop_token& stop) {
   info.model = name_of(session_->wire);
   info.right_hand = !settings_.left.value_or(false);
   info.angle_sensors = landmark_sensors();
+  info.raw = raw_columns_of(session_->wire, settings_.left.value_or(false));
   return info;
 }
 

@@ -35,6 +35,7 @@ HandObservation read_landmark_hand(const HandJson& object) {
   const HandJson& points = member_of(object, "landmarks");
   if (!points.empty()) {  // null is empty
     hand.landmarks = read_landmarks(points);
+    hand.raw.assign(hand.landmarks->data(), hand.landmarks->data() + hand.landmarks->size());
   }
   return hand;
 }

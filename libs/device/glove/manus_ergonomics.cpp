@@ -108,6 +108,7 @@ HandObservation hand_of_degrees(const ManusAngles& degrees, bool left) {
   hand.left = left;
   if (std::ranges::any_of(degrees, [](double angle) { return angle != 0.0; })) {
     hand.angles = glove_angles_of_manus(degrees);
+    hand.raw.assign(degrees.begin(), degrees.end());
   }
   return hand;
 }

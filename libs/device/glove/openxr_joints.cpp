@@ -7,8 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
-#include <utility>
+#include <vector>
 
 namespace handway::device {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::size_t kPoseNumbers = 7;
 /// A joint; parts that are not valid are missing.
 struct OpenXrJoint {
   std::optional<Eigen::Vector3d> position;
-  std::optional<Eigen::Quaterniond> orientation;
+  std::optional<Eigen::Vector4d> orientation;  ///< x, y, z, w
 };
 
 std::uint64_t flags_of(const HandJson& joint, const std::string& name) {
@@ -42,7 +43,7 @@ OpenXrJoint joint_of_object(const HandJson& object, const std::string& name) {
     joint.position = point_of_json(member_of(object, "position"), name);
   }
   if ((flags & kOrientationValid) != 0 && object.contains("orientation")) {
-    joint.orientation = rotation_of_json(object.at("orientation"), name);
+    joint.orientation = quaternion_of_json(object.at("orientation"), name);
   }
   return joint;
 }
@@ -68,7 +69,7 @@ OpenXrJoint joint_of_json(const HandJson& value, int index) {
   };
   joint.position = point_of_json(from(0, kPositionNumbers), name);
   if (value.size() == kPoseNumbers) {
-    joint.orientation = rotation_of_json(from(kPositionNumbers, kPoseNumbers), name);
+    joint.orientation = quaternion_of_json(from(kPositionNumbers, kPoseNumbers), name);
   }
   return joint;
 }
@@ -78,9 +79,18 @@ std::optional<geometric::Pose> pose_of(const OpenXrJoint& joint) {
     return std::nullopt;
   }
   geometric::Pose X = geometric::Pose::Identity();
-  X.linear() = joint.orientation->toRotationMatrix();
+  X.linear() = rotation_of(*joint.orientation, "the wrist").toRotationMatrix();
   X.translation() = *joint.position;
   return X;
+}
+
+/// Appends position and quaternion (x, y, z, w).
+void append_raw(const OpenXrJoint& joint, std::vector<double>& raw) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d p = joint.position.value_or(Eigen::Vector3d::Constant(kNone));
+  const Eigen::Vector4d q = joint.orientation.value_or(Eigen::Vector4d::Constant(kNone));
+  raw.insert(raw.end(), p.begin(), p.end());
+  raw.insert(raw.end(), q.begin(), q.end());
 }
 
 bool is_active(const HandJson& object) {
@@ -92,6 +102,21 @@ bool is_active(const HandJson& object) {
 }
 
 }  // namespace
+
+const std::array<std::string, kOpenXrJoints>& openxr_names() {
+  static const std::array<std::string, kOpenXrJoints> kNames = [] {
+    std::array<std::string, kOpenXrJoints> names{
+        "palm", "wrist", "thumb_metacarpal", "thumb_proximal", "thumb_distal", "thumb_tip"};
+    std::size_t i = 6;
+    for (const char* finger : {"index", "middle", "ring", "little"}) {
+      for (const char* joint : {"metacarpal", "proximal", "intermediate", "distal", "tip"}) {
+        names.at(i++) = fmt::format("{}_{}", finger, joint);
+      }
+    }
+    return names;
+  }();
+  return kNames;
+}
 
 HandObservation read_openxr_hand(const HandJson& object) {
   HandObservation hand;
@@ -107,20 +132,25 @@ HandObservation read_openxr_hand(const HandJson& object) {
     throw LineProtocolError(
         fmt::format("{} joints of a hand, expected {}", joints.size(), kOpenXrJoints));
   }
+  std::array<OpenXrJoint, kOpenXrJoints> read;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    read.at(i) = joint_of_json(joints.at(i), static_cast<int>(i));
+  }
   HandLandmarks landmarks;
   Eigen::Index landmark = 0;
   for (const int index : openxr_joints_of_landmarks()) {
-    const OpenXrJoint joint = joint_of_json(joints.at(static_cast<std::size_t>(index)), index);
+    const OpenXrJoint& joint = read.at(static_cast<std::size_t>(index));
     if (!joint.position) {
       return hand;
-    }
-    if (index == kOpenXrWrist) {
-      hand.X_SH = pose_of(joint);
     }
     landmarks.col(landmark++) = *joint.position;
   }
   check_hand(landmarks);
   hand.landmarks = landmarks;
+  hand.X_SH = pose_of(read.at(kOpenXrWrist));
+  for (const OpenXrJoint& joint : read) {
+    append_raw(joint, hand.raw);
+  }
   return hand;
 }
 

@@ -3,6 +3,7 @@
 #include "handway/device/glove/human_hand.h"
 
 #include <array>
+#include <string>
 
 /// The joints of OpenXR's extension XR_EXT_hand_tracking, in the order of XrHandJointEXT: palm,
 /// wrist, four of the thumb (metacarpal, proximal, distal, tip) and five of each finger
@@ -25,6 +26,9 @@ inline constexpr int kOpenXrWrist = 1;
   }
   return joints;
 }
+
+/// Names of the joints: "palm", "wrist", "thumb_metacarpal", ….
+[[nodiscard]] const std::array<std::string, kOpenXrJoints>& openxr_names();
 
 /// Joint at the base of a finger's metacarpal bone. @param finger not the thumb.
 [[nodiscard]] constexpr int openxr_metacarpal(Finger finger) {

@@ -50,9 +50,17 @@ void add_field(std::string& text, const char* key, const std::string& value) {
   }
 }
 
+// A label without separators and quotes.
+std::string one_cell(std::string label) {
+  std::ranges::replace_if(
+      label,
+      [](char c) { return std::string_view(",;\t\n\r\"").find(c) != std::string_view::npos; }, ' ');
+  return label;
+}
+
 // The lines before the first row. @throws std::invalid_argument for an unknown sensor, one twice,
 // or none.
-std::string header_text(const RecordingHeader& header) {
+std::string header_text(const RecordingHeader& header, const RawColumns& raw) {
   check_sensors(header);
   std::string text = fmt::format("{}\n", kRecordingMark);
   add_field(text, "kind", to_string(header.kind));
@@ -63,12 +71,16 @@ std::string header_text(const RecordingHeader& header) {
   for (const int sensor : header.sensors) {
     text += fmt::format(",{}", cyberglove_sensors()[static_cast<std::size_t>(sensor)].name);
   }
+  for (const std::string& label : labels_of(raw)) {
+    text += fmt::format(",{}{}", kRawMark, one_cell(label));
+  }
   return text + '\n';
 }
 
 // One row with its end of line. @throws std::invalid_argument if a value isn't finite or
-// their number is not that of the sensors.
-std::string row_text(const RecordingHeader& header, double time, std::span<const double> values) {
+// their number is not that of the sensors. Raw values may be missing.
+std::string row_text(const RecordingHeader& header, double time, std::span<const double> values,
+                     std::span<const double> raw) {
   if (values.size() != header.sensors.size()) {
     throw std::invalid_argument("a row of a recording needs a value for every sensor");
   }
@@ -80,6 +92,13 @@ std::string row_text(const RecordingHeader& header, double time, std::span<const
   fmt::format_to(std::back_inserter(text), "{}", time);
   for (const double value : values) {
     fmt::format_to(std::back_inserter(text), ",{}", value);
+  }
+  for (const double value : raw) {
+    if (std::isfinite(value)) {
+      fmt::format_to(std::back_inserter(text), ",{}", value);
+    } else {
+      text += ',';
+    }
   }
   return text + '\n';
 }
@@ -131,11 +150,18 @@ void write_recording(const Recording& recording, const std::filesystem::path& fi
   if (recording.values.rows() != rows) {
     throw std::invalid_argument("a recording needs a time for every row");
   }
-  std::string text = header_text(recording.header);
+  const RawColumns raw = recording.raw.value_or(RawColumns{});
+  if (recording.raw && (raw.values.rows() != rows || raw.values.cols() != std::ssize(raw.names))) {
+    throw std::invalid_argument("a recording needs raw values for every row and column");
+  }
+  std::string text = header_text(recording.header, raw);
   for (Eigen::Index row = 0; row < rows; ++row) {
     const Eigen::VectorXd values = recording.values.row(row);
+    const Eigen::VectorXd sent =
+        recording.raw ? Eigen::VectorXd(raw.values.row(row)) : Eigen::VectorXd();
     text += row_text(recording.header, recording.times[row],
-                     {values.data(), static_cast<std::size_t>(values.size())});
+                     {values.data(), static_cast<std::size_t>(values.size())},
+                     {sent.data(), static_cast<std::size_t>(sent.size())});
   }
   geometric::replace_file(file, text);
 }
@@ -179,25 +205,28 @@ RecordingWriter::Descriptor::~Descriptor() {
 RecordingWriter::Descriptor::Descriptor(Descriptor&& other) noexcept
     : number_(std::exchange(other.number_, -1)) {}
 
-RecordingWriter::RecordingWriter(const std::filesystem::path& file, RecordingHeader header)
-    : file_(file), header_(std::move(header)), descriptor_(open_anew(file)) {
-  write(header_text(header_));
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, RecordingHeader header,
+                                 RawColumns raw)
+    : file_(file), header_(std::move(header)), raw_(std::move(raw)), descriptor_(open_anew(file)) {
+  write(header_text(header_, raw_));
 }
 
-void RecordingWriter::append(double time, std::span<const double> values) {
+void RecordingWriter::append(double time, std::span<const double> values,
+                             std::span<const double> raw) {
   if (rows_ > 0 && time < last_time_) {
     throw std::invalid_argument("time runs backwards in a recording");
   }
-  write(row_text(header_, time, values));
+  const std::vector<double> missing(raw_.names.size(), std::numeric_limits<double>::quiet_NaN());
+  write(row_text(header_, time, values, raw.size() == missing.size() ? raw : missing));
   last_time_ = time;
   ++rows_;
 }
 
 void RecordingWriter::append(const GloveFrame& frame) {
   if (header_.kind == RecordingKind::kCounts) {
-    append(frame.time, selected(frame.counts, header_.sensors));
+    append(frame.time, selected(frame.counts, header_.sensors), frame.raw);
   } else if (frame.angles) {
-    append(frame.time, selected(*frame.angles, header_.sensors));
+    append(frame.time, selected(*frame.angles, header_.sensors), frame.raw);
   } else {
     throw std::invalid_argument("a frame of counts has no angles to record");
   }

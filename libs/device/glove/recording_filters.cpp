@@ -89,6 +89,9 @@ Recording with_rows(const Recording& recording, const std::vector<Eigen::Index>&
   result.warnings = recording.warnings;
   result.times = recording.times(rows);
   result.values = recording.values(rows, Eigen::all);
+  if (recording.raw) {
+    result.raw = rows_of(*recording.raw, rows);
+  }
   return result;
 }
 

@@ -67,6 +67,7 @@ bool has_glove(const HandJson& actor, bool left) {
 
 void read_bones(const HandJson& body, HandObservation& hand) {
   HandLandmarks landmarks;
+  geometric::Pose wrist = geometric::Pose::Identity();
   Eigen::Index landmark = 0;
   for (const std::string& bone : rokoko_bones()) {
     const std::string name = (hand.left ? "left" : "right") + bone;
@@ -74,18 +75,19 @@ void read_bones(const HandJson& body, HandObservation& hand) {
     if (!joint.is_object()) {
       throw LineProtocolError(name + " is no bone with position and rotation");
     }
-    landmarks.col(landmark++) = mirrored_point(point_of_json(member_of(joint, "position"), name));
+    const Eigen::Vector3d p = point_of_json(member_of(joint, "position"), name);
+    const Eigen::Vector4d q = quaternion_of_json(member_of(joint, "rotation"), name);
+    if (bone == rokoko_bones().front()) {
+      wrist.linear() = mirrored_rotation(rotation_of(q, name)).toRotationMatrix();
+    }
+    landmarks.col(landmark++) = mirrored_point(p);
+    hand.raw.insert(hand.raw.end(), p.begin(), p.end());
+    hand.raw.insert(hand.raw.end(), q.begin(), q.end());
   }
   check_hand(landmarks);
   hand.landmarks = landmarks;
-  const HandJson& wrist = body.at(hand.left ? "leftHand" : "rightHand");
-  if (wrist.contains("rotation")) {
-    geometric::Pose X = geometric::Pose::Identity();
-    X.linear() =
-        mirrored_rotation(rotation_of_json(wrist.at("rotation"), "the hand")).toRotationMatrix();
-    X.translation() = landmarks.col(kWristLandmark);
-    hand.X_SH = X;
-  }
+  wrist.translation() = landmarks.col(kWristLandmark);
+  hand.X_SH = wrist;
 }
 
 }  // namespace

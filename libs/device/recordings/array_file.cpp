@@ -43,6 +43,8 @@ bool is_flat(const RecordingVariable& variable) {
   return std::ranges::count_if(variable.shape, [](std::size_t side) { return side > 1; }) <= 1;
 }
 
+bool is_raw(const RecordingVariable& variable) { return leaf_of(variable.name) == "raw"; }
+
 /// Finds the nearest variable that fits: in a variable's own group, or in one around it.
 const RecordingVariable* nearest(const std::vector<RecordingVariable>& all,
                                  const RecordingVariable& around,
@@ -171,6 +173,31 @@ Series ArrayFile::series(std::string_view name) const {
   return series;
 }
 
+std::optional<RawColumns> ArrayFile::raw_columns(const RecordingVariable& variable) const {
+  const auto raw = std::ranges::find_if(variables_, [&](const RecordingVariable& other) {
+    return is_raw(other) && other.name != variable.name && other.problem.empty() &&
+           group_of(other.name) == group_of(variable.name) && !other.shape.empty() &&
+           !variable.shape.empty() && other.shape.front() == variable.shape.front();
+  });
+  if (raw == variables_.end()) {
+    return std::nullopt;
+  }
+  const Series read = series(raw->name);
+  if (read.names.empty() || read.values.rows() == 0) {
+    return std::nullopt;
+  }
+  RawColumns columns = raw_columns_of_labels(read.names);
+  columns.values = read.values;
+  return columns;
+}
+
+std::vector<RecordingVariable> without_raw(std::vector<RecordingVariable> variables) {
+  if (!std::ranges::all_of(variables, is_raw)) {
+    std::erase_if(variables, is_raw);
+  }
+  return variables;
+}
+
 const RecordingVariable* NamedArrays::times_of(const RecordingVariable& variable) const {
   const std::size_t rows = variable.shape.empty() ? 0 : variable.shape.front();
   return nearest(variables_, variable, [rows](const RecordingVariable& other) {
@@ -181,6 +208,11 @@ const RecordingVariable* NamedArrays::times_of(const RecordingVariable& variable
 }
 
 std::vector<std::string> NamedArrays::column_names(const RecordingVariable& variable) const {
+  const auto own = std::ranges::find(variables_, fmt::format("{}_names", variable.name),
+                                     &RecordingVariable::name);
+  if (own != variables_.end() && own->type == kText && size_of(*own) == columns_of(variable)) {
+    return words(*own);
+  }
   const RecordingVariable* names =
       nearest(variables_, variable, [&variable](const RecordingVariable& other) {
         constexpr std::array kNames{"names", "joint_names", "columns", "joints", "name", "labels"};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/glove/raw_columns.h"
 #include "handway/device/recordings/recording_contents.h"
 #include "handway/geometric/io/table_times.h"
 
@@ -55,6 +56,9 @@ class ArrayFile {
   /// @throws InputError if they are damaged.
   [[nodiscard]] virtual std::vector<std::string> column_names(
       const RecordingVariable& variable) const = 0;
+  /// Returns the numbers from which a variable was derived: an array "raw" beside it, of as many
+  /// rows, whose columns have names.
+  [[nodiscard]] std::optional<RawColumns> raw_columns(const RecordingVariable& variable) const;
   /// Names and sizes of all variables, for messages.
   [[nodiscard]] std::string listed() const;
 
@@ -95,6 +99,9 @@ class NamedArrays : public ArrayFile {
 [[nodiscard]] std::string only_variable(
     const ArrayFile& arrays, const std::vector<RecordingVariable>& fitting,
     const std::string& expected, const std::function<std::string(const std::string&)>& advice);
+
+/// Leaves out arrays "raw", from which others were derived, if there are others.
+[[nodiscard]] std::vector<RecordingVariable> without_raw(std::vector<RecordingVariable> variables);
 
 /// The type of variables that contain text.
 inline constexpr const char* kText = "text";

@@ -121,7 +121,7 @@ std::vector<RecordingVariable> recordable_variables(const ArrayFile& arrays) {
                                   variable.shape.front() > 1 && has_mano_poses(arrays, variable);
                          });
   }
-  return fitting;
+  return without_raw(fitting);
 }
 
 Recording read_array_recording(const ArrayFile& arrays, const std::string& variable) {
@@ -131,10 +131,18 @@ Recording read_array_recording(const ArrayFile& arrays, const std::string& varia
     throw InputError(
         {file.string(), "variable " + series.variable.name, "no rows", "at least one", ""});
   }
-  return has_landmarks(series.variable) ? recording_of_landmarks(file, series)
-         : has_mano_poses(arrays, series.variable)
-             ? recording_of_mano(arrays, series)
-             : recording_by_numbers(file, table_of(series), layout_of_series(file, series));
+  if (has_landmarks(series.variable)) {
+    return recording_of_landmarks(file, series);
+  }
+  if (has_mano_poses(arrays, series.variable)) {
+    return recording_of_mano(arrays, series);
+  }
+  NumberTable table = table_of(series);
+  table.raw = arrays.raw_columns(series.variable);
+  if (table.raw && table.raw->values.rows() != table.values.rows()) {
+    table.raw.reset();
+  }
+  return recording_by_numbers(file, table, layout_of_series(file, series));
 }
 
 }  // namespace handway::device

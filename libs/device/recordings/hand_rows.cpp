@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,6 +57,9 @@ class FollowedHand {
         continue;
       }
       left_ = left_.value_or(hand.left);
+      if (rows_.empty()) {
+        raw_ = raw_columns_of(message.wire, hand.left);
+      }
       if (hand.left == *left_) {
         rows_.push_back({line, hand});
         is_there = true;
@@ -69,9 +73,17 @@ class FollowedHand {
   [[nodiscard]] bool left() const { return left_.value_or(false); }
   [[nodiscard]] int others() const { return others_; }
   [[nodiscard]] const std::vector<HandRow>& rows() const { return rows_; }
+  [[nodiscard]] const RawColumns& raw_columns() const { return raw_; }
+  /// The numbers of a hand as they were sent; NaN in messages of another format than the first.
+  [[nodiscard]] std::vector<double> raw_of(const HandObservation& hand) const {
+    return hand.raw.size() == raw_.names.size()
+               ? hand.raw
+               : std::vector<double>(raw_.names.size(), std::numeric_limits<double>::quiet_NaN());
+  }
 
  private:
   std::vector<HandRow> rows_;
+  RawColumns raw_;
   std::optional<bool> left_;
   int others_ = 0;  ///< Rows of the other hand alone.
 };
@@ -124,13 +136,14 @@ Recording recording_of_hand_lines(const std::filesystem::path& file,
         "{}: labelled as a {} hand, but taken for a {} one: its fingers would bend backwards",
         file.string(), side_name(!left), side_name(left)));
   }
-  RecordedRows rows(file, recording.header.sensors.size());
+  RecordedRows rows(file, recording.header.sensors.size(), followed.raw_columns());
   std::vector<HandBones> bones;
   for (const HandRow& row : followed.rows()) {
     if (row.hand.landmarks) {
       bones.push_back(bones_of(*row.hand.landmarks));
     }
-    rows.add(row.line, *row.hand.time, row_of(recording.header, row.hand, left));
+    rows.add(row.line, *row.hand.time, row_of(recording.header, row.hand, left),
+             followed.raw_of(row.hand));
   }
   rows.move_to(recording);
   if (!bones.empty()) {

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -32,7 +34,7 @@ class CsvReader {
       throw InputError({file_.string(), "", "no header", "time and names of sensors", ""});
     }
     read_columns(lines_[next]);
-    RecordedRows rows(file_, recording_.header.sensors.size());
+    RecordedRows rows(file_, recording_.header.sensors.size(), raw_columns_of_labels(raw_labels_));
     for (++next; next < lines_.size(); ++next) {
       read_row(lines_[next], rows);
     }
@@ -81,6 +83,12 @@ class CsvReader {
     for (std::size_t c = 0; c < names.size(); ++c) {
       if (names[c] == "time") {
         time_column_ = c;
+      } else if (names[c].starts_with(kRawMark)) {
+        raw_labels_.emplace_back(names[c].substr(kRawMark.size()));
+        raw_columns_.push_back(c);
+      } else if (!raw_columns_.empty()) {
+        throw InputError({at_line(file_, line), fmt::format("column \"{}\"", names[c]),
+                          "a sensor behind raw columns", "raw columns last", ""});
       } else {
         recording_.header.sensors.push_back(sensor(line, names[c]));
       }
@@ -111,7 +119,7 @@ class CsvReader {
     }
     // A number that is cut off may look complete: only the end of the line tells.
     const std::vector<std::string_view> parts = cells(line.text, separator_);
-    const std::size_t columns = recording_.header.sensors.size() + 1;
+    const std::size_t columns = recording_.header.sensors.size() + raw_columns_.size() + 1;
     if (!line.ended) {
       recording_.warnings.push_back(at_line(file_, line) + ": left out, the row is cut off");
       return;
@@ -122,7 +130,13 @@ class CsvReader {
     }
     double time = 0.0;
     std::vector<double> values;
+    std::vector<double> raw;
     for (std::size_t c = 0; c < columns; ++c) {
+      const bool is_raw = !raw_columns_.empty() && c >= raw_columns_.front() && c != time_column_;
+      if (is_raw && trimmed(parts[c]).empty()) {
+        raw.push_back(std::numeric_limits<double>::quiet_NaN());
+        continue;
+      }
       const std::optional<double> value = parse_number(parts[c]);
       if (!value) {
         throw InputError({at_line(file_, line), column_name(c), fmt::format("\"{:.40}\"", parts[c]),
@@ -132,10 +146,14 @@ class CsvReader {
         time = *value;
         continue;
       }
+      if (is_raw) {
+        raw.push_back(*value);
+        continue;
+      }
       check_value(line, c, *value);
       values.push_back(*value);
     }
-    rows.add(line, time, values);
+    rows.add(line, time, values, raw);
   }
 
   void check_value(const TextLine& line, std::size_t column, double value) const {
@@ -150,6 +168,10 @@ class CsvReader {
     if (column == time_column_) {
       return "column time";
     }
+    if (const auto raw = std::ranges::find(raw_columns_, column); raw != raw_columns_.end()) {
+      return fmt::format("column {}{}", kRawMark,
+                         raw_labels_[static_cast<std::size_t>(raw - raw_columns_.begin())]);
+    }
     const std::size_t i = column < time_column_ ? column : column - 1;
     const auto sensor = static_cast<std::size_t>(recording_.header.sensors[i]);
     return fmt::format("column {}", cyberglove_sensors()[sensor].name);
@@ -160,6 +182,8 @@ class CsvReader {
   Recording recording_;
   char separator_ = ',';
   std::size_t time_column_ = 0;
+  std::vector<std::string> raw_labels_;
+  std::vector<std::size_t> raw_columns_;
 };
 
 class HandwayRecordings final : public RecordingFormat {

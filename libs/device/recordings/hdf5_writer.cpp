@@ -46,7 +46,15 @@ void write_data(const Hdf5Handle& file, const char* name, hid_t type,
   }
 }
 
-void write_names(const Hdf5Handle& file, const std::vector<std::string>& names) {
+void write_matrix(const Hdf5Handle& file, const char* name, const Eigen::MatrixXd& matrix) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const RowMajor values = matrix;
+  write_data(file, name, H5T_NATIVE_DOUBLE,
+             {static_cast<hsize_t>(values.rows()), static_cast<hsize_t>(values.cols())},
+             values.data());
+}
+
+void write_names(const Hdf5Handle& file, const char* set, const std::vector<std::string>& names) {
   std::size_t longest = 1;
   for (const std::string& name : names) {
     longest = std::max(longest, name.size());
@@ -59,7 +67,7 @@ void write_names(const Hdf5Handle& file, const std::vector<std::string>& names) 
   H5Tset_size(type.get(), longest);
   H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
   H5Tset_cset(type.get(), H5T_CSET_UTF8);
-  write_data(file, "names", type.get(), {names.size()}, bytes.data());
+  write_data(file, set, type.get(), {names.size()}, bytes.data());
 }
 
 }  // namespace
@@ -72,14 +80,14 @@ std::string hdf5_bytes(const RecordedTable& table) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access.get(), kGrowth, false);  // in memory
   const Hdf5Handle file(H5Fcreate("recording", H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const RowMajor values = table.values;
   write_data(file, "time", H5T_NATIVE_DOUBLE, {static_cast<hsize_t>(table.times.size())},
              table.times.data());
-  write_data(file, "values", H5T_NATIVE_DOUBLE,
-             {static_cast<hsize_t>(values.rows()), static_cast<hsize_t>(values.cols())},
-             values.data());
-  write_names(file, table.names);
+  write_matrix(file, "values", table.values);
+  write_names(file, "names", table.names);
+  if (table.raw) {
+    write_matrix(file, "raw", table.raw->values);
+    write_names(file, "raw_names", labels_of(*table.raw));
+  }
   H5Fflush(file.get(), H5F_SCOPE_GLOBAL);
   const ssize_t size = H5Fget_file_image(file.get(), nullptr, 0);
   std::string bytes(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');

@@ -128,7 +128,7 @@ std::vector<RecordingVariable> joint_variables(const ArrayFile& arrays,
       counted.push_back(variable);
     }
   }
-  return positions_first(named.empty() ? counted : named);
+  return positions_first(without_raw(named.empty() ? counted : named));
 }
 
 JointTable read_joint_series(const ArrayFile& arrays, const std::string& variable,
@@ -182,7 +182,7 @@ std::string only_table(const ArrayFile& arrays) {
                        });
   tables = preferred(
       tables, [](const RecordingVariable& variable) { return !is_pose_type(variable.type); });
-  return only_of(arrays, positions_first(tables), "one table of numbers", 7);
+  return only_of(arrays, positions_first(without_raw(tables)), "one table of numbers", 7);
 }
 
 }  // namespace handway::device

@@ -1,6 +1,7 @@
 #include "recordings/landmark_recording.h"
 
 #include "glove/finger_bending.h"
+#include "handway/device/glove/hand_message.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/table_times.h"
 #include "handway/geometric/math/units.h"
@@ -99,6 +100,23 @@ std::string settle_units(std::vector<SeenHand>& hands) {
                                                                : "coordinates that are no metres");
 }
 
+RawColumns rows_of_hands(const RawColumns& source, const std::vector<SeenHand>& hands) {
+  std::vector<Eigen::Index> rows;
+  std::ranges::transform(hands, std::back_inserter(rows), &SeenHand::row);
+  return rows_of(source, rows);
+}
+
+/// The coordinates of hands in the unit of the file.
+RawColumns coordinates_of(const std::vector<SeenHand>& hands) {
+  RawColumns columns = raw_columns_of(HandWire::kLandmarks, false);
+  std::ranges::fill(columns.units, "");  // not known
+  columns.values.resize(std::ssize(hands), std::ssize(columns.names));
+  for (Eigen::Index row = 0; row < columns.values.rows(); ++row) {
+    columns.values.row(row) = hands[static_cast<std::size_t>(row)].points.reshaped().transpose();
+  }
+  return columns;
+}
+
 // Fingers bend towards the palm: for the wrong hand they would bend backwards.
 bool is_left(const std::vector<SeenHand>& hands) {
   double as_right = 0.0;
@@ -132,7 +150,8 @@ std::vector<double> landmark_row(const RecordingHeader& header, const HandLandma
 }
 
 Recording recording_of_hands(const std::filesystem::path& file, const std::vector<SeenHand>& all,
-                             const geometric::TimeUnit& time_unit) {
+                             const geometric::TimeUnit& time_unit,
+                             const std::optional<RawColumns>& source) {
   std::vector<SeenHand> hands;
   std::ranges::copy_if(all, std::back_inserter(hands), is_hand, &SeenHand::points);
   if (hands.empty()) {
@@ -143,6 +162,7 @@ Recording recording_of_hands(const std::filesystem::path& file, const std::vecto
     recording.warnings.push_back(fmt::format("{}: {} of {} frames left out, they have no hand",
                                              file.string(), all.size() - hands.size(), all.size()));
   }
+  recording.raw = source ? rows_of_hands(*source, hands) : coordinates_of(hands);
   const std::string unit = settle_units(hands);
   const bool left = is_left(hands);
   const bool timed = std::ranges::all_of(hands, [](const SeenHand& hand) { return !!hand.time; });

@@ -16,6 +16,7 @@ namespace handway::device {
 struct SeenHand {
   std::optional<double> time;  ///< Time in the file's unit.
   HandLandmarks points;
+  Eigen::Index row = -1;  ///< Row of the source's columns, if there are some.
 };
 
 /// Header for the angles between landmarks of a hand in a file.
@@ -30,9 +31,12 @@ struct SeenHand {
 /// left hand is recognized by the direction in which its fingers bend. Frames without a hand are
 /// left out, and those without times 1/30 s apart. Warnings report all that.
 /// @param time_unit of the times, for settle_times().
+/// @param source columns of the file, a row for each SeenHand::row; nothing: the recording keeps
+/// the coordinates.
 /// @throws InputError if no frame has a hand.
 [[nodiscard]] Recording recording_of_hands(const std::filesystem::path& file,
                                            const std::vector<SeenHand>& hands,
-                                           const geometric::TimeUnit& time_unit = {});
+                                           const geometric::TimeUnit& time_unit = {},
+                                           const std::optional<RawColumns>& source = {});
 
 }  // namespace handway::device

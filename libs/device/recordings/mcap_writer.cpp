@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -99,6 +100,7 @@ struct BagTopicColumns {
   std::string name;
   bool is_pose = false;
   std::vector<Eigen::Index> columns;
+  bool is_raw = false;  ///< The columns are those of the source.
 };
 
 // Returns the name of a pose whose seven columns begin at `first`: "palm" for "palm.x", "palm.y",
@@ -127,12 +129,12 @@ std::string topic_name(const std::string& name) {
 
 // Returns the topics of a table: first the columns that are no poses, as joints.
 std::vector<BagTopicColumns> topics_of(const std::vector<std::string>& names) {
-  std::vector<BagTopicColumns> topics{{"/joint_states", false, {}}};
+  std::vector<BagTopicColumns> topics{{"/joint_states", false, {}, false}};
   for (std::size_t i = 0; i < names.size();) {
     const std::optional<std::string> pose = pose_at(names, i);
     const std::size_t end = i + (pose ? 7 : 1);
     if (pose) {
-      topics.push_back({topic_name(*pose), true, {}});
+      topics.push_back({topic_name(*pose), true, {}, false});
     }
     BagTopicColumns& topic = pose ? topics.back() : topics.front();
     for (; i < end; ++i) {
@@ -145,20 +147,21 @@ std::vector<BagTopicColumns> topics_of(const std::vector<std::string>& names) {
   return topics;
 }
 
-std::string message_of(const RecordedTable& table, const BagTopicColumns& topic, Eigen::Index row,
-                       std::uint64_t time) {
+/// @param labels names of the columns. @param values those of a row.
+std::string message_of(const std::vector<std::string>& labels, const Eigen::RowVectorXd& values,
+                       const BagTopicColumns& topic, std::uint64_t time) {
   CdrWriter message;
   message.header(time);
   if (!topic.is_pose) {
     const auto count = static_cast<std::uint32_t>(topic.columns.size());
     message.number(count);
     for (const Eigen::Index column : topic.columns) {
-      message.text(table.names[static_cast<std::size_t>(column)]);
+      message.text(labels[static_cast<std::size_t>(column)]);
     }
     message.number(count);
   }
   for (const Eigen::Index column : topic.columns) {
-    message.number(table.values(row, column));
+    message.number(values[column]);
   }
   if (!topic.is_pose) {
     message.number(std::uint32_t{0});  // no velocities
@@ -332,7 +335,16 @@ class McapWriter {
 
 std::string mcap_bytes(const RecordedTable& table) {
   constexpr double kLastSecond = 2147483647.0;  // of a stamp
-  const std::vector<BagTopicColumns> topics = topics_of(table.names);
+  std::vector<BagTopicColumns> topics = topics_of(table.names);
+  const std::vector<std::string> raw_labels =
+      table.raw ? labels_of(*table.raw) : std::vector<std::string>{};
+  if (table.raw) {
+    BagTopicColumns& raw = topics.emplace_back();
+    raw.name = "/raw";
+    raw.is_raw = true;
+    raw.columns.resize(raw_labels.size());
+    std::iota(raw.columns.begin(), raw.columns.end(), Eigen::Index{0});
+  }
   McapWriter bag(topics);
   const Eigen::Index rows = table.values.rows();
   const bool fits = rows == 0 || (table.times[0] >= 0.0 && table.times[rows - 1] < kLastSecond);
@@ -341,7 +353,9 @@ std::string mcap_bytes(const RecordedTable& table) {
     const auto time = static_cast<std::uint64_t>(std::llround(1e9 * (table.times[row] - origin)));
     std::uint16_t channel = 0;
     for (const BagTopicColumns& topic : topics) {
-      bag.add(++channel, time, message_of(table, topic, row, time));
+      bag.add(++channel, time,
+              topic.is_raw ? message_of(raw_labels, table.raw->values.row(row), topic, time)
+                           : message_of(table.names, table.values.row(row), topic, time));
     }
   }
   return bag.finish();

@@ -142,10 +142,21 @@ std::string npz_bytes(const RecordedTable& table) {
   const std::string values =
       number_array(table.values, fmt::format("({}, {})", table.values.rows(), table.values.cols()));
   const std::string names = text_array(table.names);
+  std::string raw;
+  std::string raw_names;
+  if (table.raw) {
+    raw = number_array(table.raw->values,
+                       fmt::format("({}, {})", table.raw->values.rows(), table.raw->values.cols()));
+    raw_names = text_array(labels_of(*table.raw));
+  }
   ZipWriter archive;
   archive.add("time.npy", time);
   archive.add("values.npy", values);
   archive.add("names.npy", names);
+  if (table.raw) {
+    archive.add("raw.npy", raw);
+    archive.add("raw_names.npy", raw_names);
+  }
   return archive.finish();
 }
 

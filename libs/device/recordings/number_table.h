@@ -1,6 +1,7 @@
 #pragma once
 
 #include "glove/text_files.h"
+#include "handway/device/glove/raw_columns.h"
 #include "handway/geometric/io/table_times.h"
 
 #include <Eigen/Core>
@@ -27,6 +28,9 @@ struct NumberTable {
   std::vector<std::size_t> lines;  ///< Line of each row in the file; empty: the row's own number.
   std::vector<std::string> warnings;
   std::vector<geometric::CellContent> contents = {};  ///< Kinds of columns; empty: all numbers.
+  /// Columns from which those of the table were derived, a row for each; nothing: the table is the
+  /// source itself.
+  std::optional<RawColumns> raw = {};
 
   [[nodiscard]] bool is_spelled(Eigen::Index column) const;
 };

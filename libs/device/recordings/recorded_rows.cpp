@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <string>
+#include <utility>
 
 namespace handway::device {
 
@@ -25,13 +27,15 @@ void take_rows(const std::filesystem::path& file, const std::vector<TextLine>& l
   }
 }
 
-RecordedRows::RecordedRows(const std::filesystem::path& file, std::size_t columns)
-    : file_(file), columns_(columns) {}
+RecordedRows::RecordedRows(const std::filesystem::path& file, std::size_t columns, RawColumns raw)
+    : file_(file), columns_(columns), raw_(std::move(raw)) {}
 
-void RecordedRows::add(const TextLine& line, double time, const std::vector<double>& values) {
+void RecordedRows::add(const TextLine& line, double time, const std::vector<double>& values,
+                       const std::vector<double>& raw) {
   times_.push_back(time);
   lines_.push_back(line.number);
   values_.insert(values_.end(), values.begin(), values.end());
+  raw_values_.insert(raw_values_.end(), raw.begin(), raw.end());
 }
 
 void RecordedRows::move_to(Recording& recording) {
@@ -46,6 +50,10 @@ void RecordedRows::move_to(Recording& recording) {
   recording.times = Eigen::Map<const Eigen::VectorXd>(times_.data(), rows);
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   recording.values = Eigen::Map<const RowMajor>(values_.data(), rows, columns);
+  if (!raw_.names.empty()) {
+    raw_.values = Eigen::Map<const RowMajor>(raw_values_.data(), rows, std::ssize(raw_.names));
+    recording.raw = std::move(raw_);
+  }
 }
 
 }  // namespace handway::device

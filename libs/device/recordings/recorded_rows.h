@@ -29,10 +29,13 @@ void take_rows(const std::filesystem::path& file, const std::vector<TextLine>& l
 /// Rows collected while reading, with the common checks of all formats.
 class RecordedRows {
  public:
-  RecordedRows(const std::filesystem::path& file, std::size_t columns);
+  /// @param raw names and units of the source's columns; none: the recording keeps none.
+  RecordedRows(const std::filesystem::path& file, std::size_t columns, RawColumns raw = {});
 
   /// @param time s, in the order of the file.
-  void add(const TextLine& line, double time, const std::vector<double>& values);
+  /// @param raw values of the source's columns, NaN: missing.
+  void add(const TextLine& line, double time, const std::vector<double>& values,
+           const std::vector<double>& raw = {});
   /// Moves the rows into a recording. Times that run back are corrected with a warning: see
   /// geometric::settle_times(). @throws InputError if it has no rows.
   void move_to(Recording& recording);
@@ -43,6 +46,8 @@ class RecordedRows {
   std::vector<double> times_;
   std::vector<std::size_t> lines_;  ///< Line of each row in the file.
   std::vector<double> values_;      ///< Row by row.
+  RawColumns raw_;
+  std::vector<double> raw_values_;  ///< Row by row.
 };
 
 }  // namespace handway::device

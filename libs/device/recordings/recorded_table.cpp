@@ -1,5 +1,6 @@
 #include "handway/device/recordings/recorded_table.h"
 
+#include "glove/recording_mark.h"
 #include "glove/text_files.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/formats/joint_table.h"
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <exception>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -46,6 +48,7 @@ RecordedTable table_of_recording(Recording recording) {
   table.values = std::move(recording.values);
   table.warnings = std::move(recording.warnings);
   table.glove = std::move(recording.header);
+  table.raw = std::move(recording.raw);
   return table;
 }
 
@@ -204,16 +207,33 @@ RecordedTable read_other_recording(const RecordingFile& file, const std::excepti
   std::rethrow_exception(reason);
 }
 
+/// Appends cells, empty ones for missing values.
+void append_cells(std::string& text, const Eigen::RowVectorXd& values) {
+  for (const double value : values) {
+    if (std::isfinite(value)) {
+      fmt::format_to(std::back_inserter(text), ",{}", value);
+    } else {
+      text += ',';
+    }
+  }
+}
+
 std::string csv_text(const RecordedTable& table) {
   std::string text = "time";
   for (const std::string& name : table.names) {
     text += ',' + geometric::csv_cell(name);
+  }
+  for (const std::string& label : table.raw ? labels_of(*table.raw) : std::vector<std::string>{}) {
+    text += ',' + geometric::csv_cell(fmt::format("{}{}", kRawMark, label));
   }
   text += '\n';
   for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
     fmt::format_to(std::back_inserter(text), "{}", table.times[row]);
     for (const double value : table.values.row(row)) {
       fmt::format_to(std::back_inserter(text), ",{}", value);
+    }
+    if (table.raw) {
+      append_cells(text, table.raw->values.row(row));
     }
     text += '\n';
   }
@@ -222,10 +242,41 @@ std::string csv_text(const RecordedTable& table) {
 
 void write_csv(const RecordedTable& table, const fs::path& file) {
   if (table.glove) {
-    write_recording({*table.glove, table.times, table.values, {}}, file);
+    write_recording({*table.glove, table.times, table.values, {}, {}, table.raw}, file);
   } else {
     geometric::replace_file(file, csv_text(table));
   }
+}
+
+/// Joins raw columns by their labels. @param rows, next_rows of the tables that they belong to.
+std::optional<RawColumns> joined_raw(const std::optional<RawColumns>& raw, Eigen::Index rows,
+                                     const std::optional<RawColumns>& next,
+                                     Eigen::Index next_rows) {
+  if (!raw && !next) {
+    return std::nullopt;
+  }
+  RawColumns joined = raw.value_or(RawColumns{});
+  std::vector<std::string> labels = labels_of(joined);
+  const std::vector<std::string> more = next ? labels_of(*next) : std::vector<std::string>{};
+  std::vector<Eigen::Index> columns;
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    const auto known = std::ranges::find(labels, more[i]);
+    columns.push_back(known - labels.begin());
+    if (known == labels.end()) {
+      labels.push_back(more[i]);
+      joined.add(next->names[i], next->units[i]);
+    }
+  }
+  Eigen::MatrixXd values = Eigen::MatrixXd::Constant(rows + next_rows, std::ssize(labels),
+                                                     std::numeric_limits<double>::quiet_NaN());
+  if (raw) {
+    values.topLeftCorner(rows, raw->values.cols()) = raw->values;
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    values.col(columns[i]).tail(next_rows) = next->values.col(static_cast<Eigen::Index>(i));
+  }
+  joined.values = std::move(values);
+  return joined;
 }
 
 double usual_step(const Eigen::VectorXd& times) {
@@ -270,6 +321,7 @@ RecordedTable joined_tables(std::span<const RecordedTable> tables,
     joined.times.tail(next.times.size()) = next.times.array() + begin;
     joined.values.conservativeResize(before + next.values.rows(), Eigen::NoChange);
     joined.values.bottomRows(next.values.rows()) = next.values;
+    joined.raw = joined_raw(joined.raw, before, next.raw, next.values.rows());
     joined.warnings.insert(joined.warnings.end(), next.warnings.begin(), next.warnings.end());
   }
   return joined;

@@ -6,6 +6,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/table_times.h"
 #include "handway/geometric/math/units.h"
+#include "recordings/raw_table.h"
 #include "recordings/recorded_rows.h"
 
 #include <fmt/format.h>
@@ -190,6 +191,7 @@ Recording recording_of(const std::filesystem::path& file, const NumberTable& tab
   recording.warnings = table.warnings;
   const std::vector<Eigen::Index> rows = rows_without_gaps(file, table, layout, recording.warnings);
   const std::vector<double> times = times_of(file, table, layout, rows, recording.warnings);
+  recording.raw = raw_columns_of_rows(table, layout, rows);
   recording.times = Eigen::VectorXd::Map(times.data(), std::ssize(times));
   recording.values.resize(recording.times.size(), static_cast<Eigen::Index>(layout.columns.size()));
   for (Eigen::Index to = 0; to < recording.times.size(); ++to) {

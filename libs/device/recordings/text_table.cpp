@@ -3,6 +3,7 @@
 #include "recordings/landmark_columns.h"
 #include "recordings/landmark_recording.h"
 #include "recordings/mano_recording.h"
+#include "recordings/raw_table.h"
 #include "recordings/recording_formats.h"
 #include "recordings/table_layout.h"
 #include "recordings/table_recording.h"
@@ -49,6 +50,7 @@ std::vector<SeenHand> hands_in(const std::filesystem::path& file, const NumberTa
   std::vector<SeenHand> hands;
   for (const Eigen::Index row : rows) {
     SeenHand& hand = hands.emplace_back();
+    hand.row = row;
     for (std::size_t i = 0; i < columns->size(); ++i) {
       hand.points(static_cast<Eigen::Index>(i % 3), static_cast<Eigen::Index>(i / 3)) =
           table.values(row, static_cast<Eigen::Index>(columns->at(i)));
@@ -136,7 +138,7 @@ Recording read_other_table(const std::filesystem::path& file, const std::vector<
   const NumberTable table = read_text_table(file, lines);
   std::vector<std::string> warnings;
   if (const std::vector<SeenHand> hands = hands_in(file, table, warnings); !hands.empty()) {
-    Recording recording = recording_of_hands(file, hands, {1.0});
+    Recording recording = recording_of_hands(file, hands, {1.0}, raw_columns_of_table(table, {}));
     recording.warnings.insert(recording.warnings.begin(), warnings.begin(), warnings.end());
     return recording;
   }

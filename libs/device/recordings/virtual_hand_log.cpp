@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -71,6 +72,21 @@ std::string iso_date(const Row& row) {
                      row[2], row[3], row[4], row[5]);
 }
 
+/// The cells of a row: date, time, switch, and angles by their sensors, or "slot_N" of others.
+RawColumns log_columns() {
+  RawColumns columns;
+  for (const char* name : {"year", "month", "day", "hour", "minute", "second", "switch"}) {
+    columns.add(name, "");
+  }
+  for (int slot = 0; slot < static_cast<int>(kSlots); ++slot) {
+    const auto sensor = std::ranges::find(cyberglove_sensors(), slot, &GloveSensor::slot);
+    columns.add(sensor == cyberglove_sensors().end() ? fmt::format("slot_{}", slot + 1)
+                                                     : std::string(sensor->name),
+                "rad");
+  }
+  return columns;
+}
+
 bool is_virtual_hand_row(const TextLine& line) {
   const std::optional<Row> row = numbers(line);
   return row && seconds(*row);
@@ -84,7 +100,7 @@ Recording read_virtual_hand_log(const std::filesystem::path& file,
   recording.header.origin = file.filename().string();
   recording.header.sensors.resize(kGloveSensors);
   std::iota(recording.header.sensors.begin(), recording.header.sensors.end(), 0);
-  RecordedRows rows(file, kGloveSensors);
+  RecordedRows rows(file, kGloveSensors, log_columns());
   std::optional<double> begin;
   const auto take = [&](const TextLine& line) {
     const std::optional<Row> row = numbers(line);
@@ -107,7 +123,7 @@ Recording read_virtual_hand_log(const std::filesystem::path& file,
     }
     // Times in such files have a resolution of 10 µs; their differences have the rounding of large
     // numbers.
-    rows.add(line, std::round((*time - *begin) * 1e5) / 1e5, angles);
+    rows.add(line, std::round((*time - *begin) * 1e5) / 1e5, angles, {row->begin(), row->end()});
   };
   take_rows(file, lines, recording.warnings, is_virtual_hand_row, take);
   rows.move_to(recording);

@@ -69,7 +69,7 @@ GloveAngles measured(const HandObservation& hand) {
                         : GloveAngles{0.0, *hand.angles};
 }
 
-std::string refusal_of(const std::string& text) {
+std::string refusal_of_message(const std::string& text) {
   try {
     static_cast<void>(read_hand_message(text));
   } catch (const LineProtocolError& error) {
@@ -108,7 +108,7 @@ TEST_P(EveryWire, TellsThatNoHandIsSeen) {
 TEST_P(EveryWire, RefusesEveryMessageThatIsCutOff) {
   const std::string whole = message_of(GetParam());
   for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 100) {
-    EXPECT_NE(refusal_of(whole.substr(0, length)), "") << length;
+    EXPECT_NE(refusal_of_message(whole.substr(0, length)), "") << length;
   }
 }
 
@@ -165,16 +165,16 @@ TEST(HandMessage, NamesWhatIsWrongInAFrameOfRokoko) {
   const Json good = Json::parse(message_of(HandWire::kRokoko));
   Json old = good;
   old["version"] = "2,0";
-  EXPECT_THAT(refusal_of(old.dump()), HasSubstr("version 2, expected 3 or 4"));
+  EXPECT_THAT(refusal_of_message(old.dump()), HasSubstr("version 2, expected 3 or 4"));
   Json boneless = good;
   boneless["scene"]["actors"][0]["body"].erase("rightRingTip");
-  EXPECT_THAT(refusal_of(boneless.dump()), HasSubstr("rightRingTip"));
+  EXPECT_THAT(refusal_of_message(boneless.dump()), HasSubstr("rightRingTip"));
   Json turned = good;
   turned["scene"]["actors"][0]["body"]["rightHand"]["rotation"]["w"] = 3.0;
-  EXPECT_THAT(refusal_of(turned.dump()), HasSubstr("quaternion of length"));
+  EXPECT_THAT(refusal_of_message(turned.dump()), HasSubstr("quaternion of length"));
   std::string damaged = message_of(HandWire::kRokokoLz4);
   damaged[4] ^= 0x55;  // its version
-  EXPECT_EQ(refusal_of(damaged), "a damaged frame of LZ4");
+  EXPECT_EQ(refusal_of_message(damaged), "a damaged frame of LZ4");
 }
 
 TEST(HandMessage, TakesJointsOfOpenXrAsPointsPosesAndObjects) {
@@ -219,17 +219,17 @@ TEST(HandMessage, NamesWhatIsWrongWithJointsOfOpenXr) {
   const Json good = Json::parse(message_of(HandWire::kOpenXr));
   Json few = good;
   few["joints"].erase(25);
-  EXPECT_EQ(refusal_of(few.dump()), "25 joints of a hand, expected 26");
+  EXPECT_EQ(refusal_of_message(few.dump()), "25 joints of a hand, expected 26");
   Json odd = good;
   odd["joints"][9] = {1.0, 2.0};
-  EXPECT_THAT(refusal_of(odd.dump()), HasSubstr("joint 9 is neither a point nor a pose"));
+  EXPECT_THAT(refusal_of_message(odd.dump()), HasSubstr("joint 9 is neither a point nor a pose"));
   Json millimetres = good;
   for (Json& joint : millimetres["joints"]) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       joint[axis] = 1000.0 * joint[axis].get<double>();
     }
   }
-  EXPECT_THAT(refusal_of(millimetres.dump()), HasSubstr("expected metres"));
+  EXPECT_THAT(refusal_of_message(millimetres.dump()), HasSubstr("expected metres"));
 }
 
 TEST(HandMessage, ReadsErgonomicsOfManusInEverySpelling) {
@@ -277,16 +277,16 @@ TEST(HandMessage, NamesWhatIsWrongWithErgonomicsOfManus) {
   const Json good = Json::parse(message_of(HandWire::kManus));
   Json few = good;
   few["ergonomics"].erase(6);
-  EXPECT_EQ(refusal_of(few.dump()), "no IndexPIPStretch in ergonomics");
+  EXPECT_EQ(refusal_of_message(few.dump()), "no IndexPIPStretch in ergonomics");
   Json sideless = good;
   sideless.erase("side");
-  EXPECT_EQ(refusal_of(sideless.dump()), "no key \"hand\"");
+  EXPECT_EQ(refusal_of_message(sideless.dump()), "no key \"hand\"");
   Json large = good;
   large["ergonomics"][0]["value"] = 5000.0;
-  EXPECT_THAT(refusal_of(large.dump()), HasSubstr("expected degrees"));
-  EXPECT_THAT(refusal_of("1, 2, 3"), HasSubstr("3 numbers, expected 40"));
-  EXPECT_THAT(refusal_of("1, x"), HasSubstr("is no number"));
-  EXPECT_THAT(refusal_of("hello"), HasSubstr("is no JSON object"));
+  EXPECT_THAT(refusal_of_message(large.dump()), HasSubstr("expected degrees"));
+  EXPECT_THAT(refusal_of_message("1, 2, 3"), HasSubstr("3 numbers, expected 40"));
+  EXPECT_THAT(refusal_of_message("1, x"), HasSubstr("is no number"));
+  EXPECT_THAT(refusal_of_message("hello"), HasSubstr("is no JSON object"));
 }
 
 }  // namespace

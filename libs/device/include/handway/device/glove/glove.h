@@ -3,6 +3,7 @@
 #include "handway/device/core/device_stream.h"
 #include "handway/device/export.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/raw_columns.h"
 
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct GloveInfo {
       0.0;  ///< Shortest time from a query to its answer, s; 0 if no query was made.
   /// Sensors with angles, of a source that measures angles itself. Empty: a glove of counts.
   SensorIndices angle_sensors;
+  /// Names and units of GloveFrame::raw, without values; empty for a glove of counts.
+  RawColumns raw = {};
 };
 
 /// A sensorized glove (paper, section 3), or a replacement: frames of raw counts. Every count of a

@@ -39,6 +39,8 @@ struct GloveFrame {
   /// Pose of the wrist in the frame of the source, m, from a source that measures it. The axes are
   /// those of the source.
   std::optional<geometric::Pose> X_SH = std::nullopt;
+  /// Numbers as the source sent them: see GloveInfo::raw.
+  std::vector<double> raw = {};
 };
 
 /// The angles of one frame after calibration.

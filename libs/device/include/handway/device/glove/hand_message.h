@@ -3,6 +3,7 @@
 #include "handway/device/export.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/human_hand.h"
+#include "handway/device/glove/raw_columns.h"
 #include "handway/geometric/math/pose.h"
 
 #include <array>
@@ -34,6 +35,9 @@ enum class HandWire { kLandmarks, kOpenXr, kRokoko, kRokokoLz4, kManus };
 /// ergonomics".
 [[nodiscard]] HANDWAY_DEVICE_EXPORT const std::string& name_of(HandWire wire);
 
+/// Returns the names and units of HandObservation::raw. @param left of Rokoko's bones.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT RawColumns raw_columns_of(HandWire wire, bool left);
+
 /// A hand in a message. It has landmarks or angles, or neither if it is not seen.
 struct HandObservation {
   std::optional<double> time = std::nullopt;  ///< s, on the sender's clock.
@@ -45,6 +49,8 @@ struct HandObservation {
   /// Pose of the wrist in the same frame as the landmarks, m, if the source has it. The axes of the
   /// wrist are those of the source.
   std::optional<geometric::Pose> X_SH = std::nullopt;
+  /// Numbers of a hand that is seen as they were sent: see raw_columns_of().
+  std::vector<double> raw = {};
 
   [[nodiscard]] bool is_seen() const { return landmarks.has_value() || angles.has_value(); }
 };

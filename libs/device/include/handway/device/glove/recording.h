@@ -4,6 +4,7 @@
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/human_hand.h"
+#include "handway/device/glove/raw_columns.h"
 
 #include <Eigen/Core>
 
@@ -30,7 +31,9 @@
 ///     0.01,146,122,…
 ///
 /// `kind` is `counts` (raw, 0 … 255) or `angles` (rad, flexion and spreading positive); `time` is
-/// in seconds; the other columns are sensors by name (see cyberglove_sensors()).
+/// in seconds; the other columns are sensors by name (see cyberglove_sensors()), and after them the
+/// columns of the source from which the values were derived: `raw:NAME [UNIT]`. Their cells may be
+/// empty.
 
 namespace handway::device {
 
@@ -59,6 +62,8 @@ struct Recording {
   Eigen::MatrixXd values;             ///< Counts or rad, finite, shape [rows, sensors].
   std::vector<std::string> warnings;  ///< Warnings of the reader about lines left out or guessed.
   std::optional<HandBones> bones = std::nullopt;  ///< The person's, if landmarks were measured.
+  /// Columns of the source, a row for each of `values`, if these were derived from others.
+  std::optional<RawColumns> raw = std::nullopt;
 };
 
 /// Header of a recording of the glove's counts or angles: kind, device and sensors.
@@ -128,14 +133,16 @@ class HANDWAY_DEVICE_EXPORT RecordingWriter {
   /// Replaces the file.
   /// @throws geometric::InputError if it can't be written.
   /// @throws std::invalid_argument for an unknown sensor, or one twice.
-  RecordingWriter(const std::filesystem::path& file, RecordingHeader header);
+  /// @param raw names and units of the source's columns, whose values are appended, too.
+  RecordingWriter(const std::filesystem::path& file, RecordingHeader header, RawColumns raw = {});
 
   /// @param time s since the recording began, not below that of the previous row.
   /// @param values counts or rad, finite, shape [sensors].
   /// @throws geometric::InputError if the row can't be written (a full disk).
   /// @throws std::invalid_argument if the shape differs, a value isn't finite or time
   /// runs backwards.
-  void append(double time, std::span<const double> values);
+  /// @param raw the source's columns; empty, or of another number than the columns: missing.
+  void append(double time, std::span<const double> values, std::span<const double> raw = {});
   /// The header's sensors of a frame: its counts or its angles, by the header's kind.
   /// @throws std::invalid_argument if the header's kind is kAngles and the frame has none.
   void append(const GloveFrame& frame);
@@ -165,6 +172,7 @@ class HANDWAY_DEVICE_EXPORT RecordingWriter {
 
   std::filesystem::path file_;
   RecordingHeader header_;
+  RawColumns raw_;
   Descriptor descriptor_;
   double last_time_ = 0.0;
   std::size_t rows_ = 0;
