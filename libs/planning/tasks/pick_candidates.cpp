@@ -5,6 +5,7 @@
 #include "step_candidates.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <string>
@@ -52,8 +53,8 @@ class PickCandidates : public StepCandidates {
   }
 
  private:
-  // The first search is short, and ends with grasps that hold: in most scenes one of them will do.
-  static constexpr int kFirstGrasps = 4;
+  // The first searches are short, and end with grasps that hold: in most scenes one will do.
+  static constexpr std::array kFirstGrasps = {2, 6};
   static constexpr double kEnoughEpsilon = 0.1;  // N
 
   // Takes the grasps of the options, and then those that the scene keeps for the object, in the
@@ -88,13 +89,14 @@ class PickCandidates : public StepCandidates {
     return options;
   }
 
-  // Searches for a few grasps at first, then for all that are wanted, and leaves out those that
-  // were tried.
+  // Searches for a few grasps at first, then for more, and leaves out those that were tried.
   void search_on() {
     std::ranges::transform(grasps_.found, std::back_inserter(tried_), &Pregrasp::closed);
     PregraspOptions options = search_options();
-    if (searched_ == 0) {
-      options.most = std::min(kFirstGrasps, options.most);
+    const auto few =
+        std::ranges::find_if(kFirstGrasps, [this](int count) { return count > searched_; });
+    if (few != kFirstGrasps.end() && *few < options.most) {
+      options.most = *few;
       options.enough_epsilon = kEnoughEpsilon;
     }
     grasps_ = find_pregrasps(*begin_.world.problem, pick_.object, options, context_.stop);
