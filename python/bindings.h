@@ -28,6 +28,9 @@ void bind_editing(pybind11::module_& module);
 /// Motion, find_pmds(), Scene.time(), Scene.grasps(). @pre bind_scene(), bind_basis()
 void bind_motion(pybind11::module_& module);
 
+/// calibrate_camera(), calibrate_camera_by_points().
+void bind_calibration(pybind11::module_& module);
+
 /// movement_smoothness(), motion_distance(), Scene.measure_motion(). @pre bind_scene()
 void bind_likeness(pybind11::module_& module);
 

@@ -134,6 +134,7 @@ PYBIND11_MODULE(_core, module) {
   handway::python::bind_tasks(module);
   handway::python::bind_motion(module);
   handway::python::bind_likeness(module);
+  handway::python::bind_calibration(module);
   handway::python::bind_devices(module);
   handway::python::refuse_uninitialised_instances(module);
 }

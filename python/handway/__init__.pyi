@@ -418,6 +418,12 @@ class Emulator:
     @property
     def stops(self) -> int: ...
 
+def calibrate_camera(
+    hand: npt.ArrayLike, target: npt.ArrayLike, *, mount: str = "hand", outliers: bool = False
+) -> dict[str, Any]: ...
+def calibrate_camera_by_points(
+    robot: npt.ArrayLike, camera: npt.ArrayLike, *, outliers: bool = False
+) -> dict[str, Any]: ...
 def load_scene(
     file: _File,
     *,
