@@ -91,7 +91,6 @@ class PickCandidates : public StepCandidates {
 
   // Searches for a few grasps at first, then for more, and leaves out those that were tried.
   void search_on() {
-    std::ranges::transform(grasps_.found, std::back_inserter(tried_), &Pregrasp::closed);
     PregraspOptions options = search_options();
     const auto few =
         std::ranges::find_if(kFirstGrasps, [this](int count) { return count > searched_; });
@@ -108,7 +107,13 @@ class PickCandidates : public StepCandidates {
     index_ = 0;
   }
 
+  // Of very few grasps, those without a straight reach wait for the next search.
+  [[nodiscard]] bool awaits_straight_reach() const {
+    return searched_ == kFirstGrasps.front() && searched_ < context_.options.grasps.most;
+  }
+
   std::optional<StepCandidate> try_grasp(const Pregrasp& grasp) {
+    tried_.push_back(grasp.closed);
     StepCandidate candidate;
     Path close{{grasp.q, grasp.closed}};
     if (const auto fault = contact_world_.conflict(close.waypoints, context_.stop)) {
@@ -123,7 +128,10 @@ class PickCandidates : public StepCandidates {
       return std::nullopt;
     }
     context_.log.succeed(step_, StageKind::kLift);
-    add_approach(grasp, candidate);
+    if (!add_approach(grasp, candidate) && awaits_straight_reach()) {
+      tried_.pop_back();
+      return std::nullopt;
+    }
     candidate.stages.push_back(
         fixed_stage(StageKind::kClose, step_, contact_world_, std::move(close), ""));
     TaskStage& closing = candidate.stages.back()->stage;
@@ -136,8 +144,9 @@ class PickCandidates : public StepCandidates {
     return candidate;
   }
 
-  // A straight reach where there is one; else the planner goes to the pre-grasp.
-  void add_approach(const Pregrasp& grasp, StepCandidate& candidate) {
+  // Adds a straight reach where there is one; else the planner goes to the pre-grasp.
+  // @returns whether the reach is straight.
+  bool add_approach(const Pregrasp& grasp, StepCandidate& candidate) {
     GraspingHand::WayOut reach = hand_->way_out(begin_.world, grasp, grasp.q, middle_W_,
                                                 pick_.approach, true, context_.stop);
     const bool is_straight = reach.fault.empty();
@@ -151,6 +160,7 @@ class PickCandidates : public StepCandidates {
     } else {
       context_.log.fail(step_, StageKind::kReach, reach.fault, reach.shown);
     }
+    return is_straight;
   }
 
   [[nodiscard]] TaskWorld carrying_world(const Pregrasp& grasp) const {
@@ -184,9 +194,8 @@ class PickCandidates : public StepCandidates {
   Eigen::Vector3d middle_W_;  ///< Middle of the object.
   TaskWorld contact_world_;   ///< The hand may touch the object.
   std::size_t index_ = 0;
-  int searched_ = 0;  ///< Number of grasps that the last search was for.
-  std::vector<Configuration>
-      tried_;  ///< The closed hand of grasps before those of the last search.
+  int searched_ = 0;                  ///< Number of grasps that the last search was for.
+  std::vector<Configuration> tried_;  ///< The closed hand of each grasp that was tried.
 };
 
 }  // namespace
