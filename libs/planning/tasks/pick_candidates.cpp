@@ -5,7 +5,6 @@
 #include "step_candidates.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
 #include <string>
@@ -53,8 +52,8 @@ class PickCandidates : public StepCandidates {
   }
 
  private:
-  // The first searches are short, and end with grasps that hold: in most scenes one will do.
-  static constexpr std::array kFirstGrasps = {2, 6};
+  // The first search is short, and ends with grasps that hold: in most scenes one of them will do.
+  static constexpr int kFirstGrasps = 4;
   static constexpr double kEnoughEpsilon = 0.1;  // N
 
   // Takes the grasps of the options, and then those that the scene keeps for the object, in the
@@ -89,13 +88,13 @@ class PickCandidates : public StepCandidates {
     return options;
   }
 
-  // Searches for a few grasps at first, then for more, and leaves out those that were tried.
+  // Searches for a few grasps at first, then for all that are wanted, and leaves out those that
+  // were tried.
   void search_on() {
+    std::ranges::transform(grasps_.found, std::back_inserter(tried_), &Pregrasp::closed);
     PregraspOptions options = search_options();
-    const auto few =
-        std::ranges::find_if(kFirstGrasps, [this](int count) { return count > searched_; });
-    if (few != kFirstGrasps.end() && *few < options.most) {
-      options.most = *few;
+    if (searched_ == 0) {
+      options.most = std::min(kFirstGrasps, options.most);
       options.enough_epsilon = kEnoughEpsilon;
     }
     grasps_ = find_pregrasps(*begin_.world.problem, pick_.object, options, context_.stop);
@@ -107,13 +106,7 @@ class PickCandidates : public StepCandidates {
     index_ = 0;
   }
 
-  // Of very few grasps, those without a straight reach wait for the next search.
-  [[nodiscard]] bool awaits_straight_reach() const {
-    return searched_ == kFirstGrasps.front() && searched_ < context_.options.grasps.most;
-  }
-
   std::optional<StepCandidate> try_grasp(const Pregrasp& grasp) {
-    tried_.push_back(grasp.closed);
     StepCandidate candidate;
     Path close{{grasp.q, grasp.closed}};
     if (const auto fault = contact_world_.conflict(close.waypoints, context_.stop)) {
@@ -128,10 +121,7 @@ class PickCandidates : public StepCandidates {
       return std::nullopt;
     }
     context_.log.succeed(step_, StageKind::kLift);
-    if (!add_approach(grasp, candidate) && awaits_straight_reach()) {
-      tried_.pop_back();
-      return std::nullopt;
-    }
+    add_approach(grasp, candidate);
     candidate.stages.push_back(
         fixed_stage(StageKind::kClose, step_, contact_world_, std::move(close), ""));
     TaskStage& closing = candidate.stages.back()->stage;
@@ -144,9 +134,8 @@ class PickCandidates : public StepCandidates {
     return candidate;
   }
 
-  // Adds a straight reach where there is one; else the planner goes to the pre-grasp.
-  // @returns whether the reach is straight.
-  bool add_approach(const Pregrasp& grasp, StepCandidate& candidate) {
+  // A straight reach where there is one; else the planner goes to the pre-grasp.
+  void add_approach(const Pregrasp& grasp, StepCandidate& candidate) {
     GraspingHand::WayOut reach = hand_->way_out(begin_.world, grasp, grasp.q, middle_W_,
                                                 pick_.approach, true, context_.stop);
     const bool is_straight = reach.fault.empty();
@@ -160,7 +149,6 @@ class PickCandidates : public StepCandidates {
     } else {
       context_.log.fail(step_, StageKind::kReach, reach.fault, reach.shown);
     }
-    return is_straight;
   }
 
   [[nodiscard]] TaskWorld carrying_world(const Pregrasp& grasp) const {
@@ -194,8 +182,9 @@ class PickCandidates : public StepCandidates {
   Eigen::Vector3d middle_W_;  ///< Middle of the object.
   TaskWorld contact_world_;   ///< The hand may touch the object.
   std::size_t index_ = 0;
-  int searched_ = 0;                  ///< Number of grasps that the last search was for.
-  std::vector<Configuration> tried_;  ///< The closed hand of each grasp that was tried.
+  int searched_ = 0;  ///< Number of grasps that the last search was for.
+  std::vector<Configuration>
+      tried_;  ///< The closed hand of grasps before those of the last search.
 };
 
 }  // namespace
