@@ -65,6 +65,58 @@ TEST_F(DatasetCommand, ContinuesWithWhatIsThere) {
   EXPECT_THAT(other.err, HasSubstr("of other settings"));
 }
 
+TEST_F(DatasetCommand, DrawsObjectsAndTheirSizes) {
+  line_.write("objects.yaml",
+              "objects:\n"
+              "  - object: can\n"
+              "  - name: post\n"
+              "    cylinder: {radius: [0.028, 0.034], length: [0.12, 0.14]}\n");
+  const Outcome made = make("--objects objects.yaml --episodes 4 --jobs 2");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::vector<nlohmann::json> first = episodes();
+  ASSERT_EQ(first.size(), 4U);
+  for (const nlohmann::json& episode : first) {
+    const nlohmann::json& object = episode["object"];
+    EXPECT_EQ(object["bounds_m"].size(), 3U);
+    if (object["name"] == "post") {
+      EXPECT_GE(object["radius_m"], 0.028);
+      EXPECT_LE(object["radius_m"], 0.034);
+      EXPECT_NEAR(object["bounds_m"][2].get<double>(), object["length_m"].get<double>(), 1e-3);
+    } else {
+      EXPECT_EQ(object["object"], "can");
+    }
+    if (episode["solved"] == true) {
+      const Outcome info = line_.run("recording info set/" + episode["file"].get<std::string>());
+      EXPECT_THAT(info.out, AllOf(HasSubstr("object.x"), HasSubstr("object.choice"),
+                                  HasSubstr("object.size_z")));
+    }
+  }
+  EXPECT_THAT(line_.read("set/README.md"),
+              AllOf(HasSubstr("| can | object of the scene |"),
+                    HasSubstr("| post | cylinder, radius 28–34 mm, length 120–140 mm |")));
+
+  const std::string again = "--objects objects.yaml --episodes 4 --jobs 1 --resume";
+  line_.write("set/episodes.jsonl", "");
+  ASSERT_EQ(make(again).exit_code, 0);
+  const std::vector<nlohmann::json> second = episodes();
+  ASSERT_EQ(second.size(), 4U);
+  for (std::size_t i = 0; i < second.size(); ++i) {
+    EXPECT_EQ(first[i]["object"], second[i]["object"]);
+    EXPECT_EQ(first[i]["solved"], second[i]["solved"]);
+  }
+  EXPECT_EQ(make("--episodes 4 --resume").exit_code, 3) << "without the objects";
+}
+
+TEST_F(DatasetCommand, RefusesBadObjects) {
+  line_.write("objects.yaml", "objects:\n  - sphere: {radius: [0.04, 0]}\n");
+  const Outcome range = make("--objects objects.yaml --episodes 1");
+  EXPECT_EQ(range.exit_code, 3);
+  EXPECT_THAT(range.err, AllOf(HasSubstr("objects.yaml:2"), HasSubstr("objects[0].sphere.radius")));
+  line_.write("objects.yaml", "objects:\n  - object: cna\n");
+  EXPECT_THAT(make("--objects objects.yaml --episodes 1").err, HasSubstr("Did you mean \"can\"?"));
+  EXPECT_EQ(make("--objects missing.yaml --episodes 1").exit_code, 3);
+}
+
 TEST_F(DatasetCommand, QuotesNamesOfTheScene) {
   const std::string shipped = (source_dir() / "scenes" / "can_on_table.yaml").string();
   std::string text = line_.read(shipped);
