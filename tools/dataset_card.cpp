@@ -61,6 +61,17 @@ std::string columns_text(const std::string& format) {
         "`world`. ",
         kStages);
   }
+  if (format == "lerobot") {
+    return fmt::format(
+        "The folder is a data set of LeRobot, version 3, without pictures. `observation.state` has "
+        "the joints (rad or m), `action` those of the next frame, `observation.environment_state` "
+        "the poses in the world of the palm and of each picked object (`.x`, `.y`, `.z` in m, "
+        "`.qx`, `.qy`, `.qz`, `.qw`), and `stage` is {}. Episodes without a motion are left out, "
+        "so that numbers of episodes differ from those in `episodes.jsonl`. The folder `episodes` "
+        "has the motions in double precision, from which the tables are made when the data set is "
+        "continued. ",
+        kStages);
+  }
   return fmt::format(
       "Each file has `time` (s), `values` [frames, columns] and `names` of the columns: the joints "
       "(rad or m), the poses in the world of the palm and of each picked object (`.x`, `.y`, `.z` "

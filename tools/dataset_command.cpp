@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "dataset_card.h"
 #include "dataset_episode.h"
+#include "dataset_lerobot.h"
 #include "dataset_objects.h"
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/io/input_error.h"
@@ -43,6 +44,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kListName = "episodes.jsonl";
 constexpr const char* kSettingsName = "dataset.json";
+constexpr const char* kLeRobotFormat = "lerobot";
 constexpr std::chrono::seconds kReportPeriod(5);
 
 struct DatasetCommand {
@@ -57,8 +59,12 @@ struct DatasetCommand {
   bool resume = false;
 };
 
+bool is_lerobot(const DatasetCommand& command) { return command.format == kLeRobotFormat; }
+
+// File of an episode in the folder of the data set.
 std::string file_of(const DatasetCommand& command, int episode) {
-  return fmt::format("episode_{:06}.{}", episode, command.format);
+  return is_lerobot(command) ? fmt::format("{}/episode_{:06}.npz", kEpisodeFolder, episode)
+                             : fmt::format("episode_{:06}.{}", episode, command.format);
 }
 
 // All that episodes depend on: a data set is only continued with the same.
@@ -108,6 +114,18 @@ void load_objects(DatasetCommand& command, LoadedTask& loaded) {
   std::ranges::move(see_files(notes.files()), std::back_inserter(loaded.files));
 }
 
+// Words for the steps of an episode, with the name of the drawn object.
+Json steps_of_episode(const Episode& episode, const DatasetCommand& command) {
+  const std::string name = command.variation.objects[episode.drawn->choice].name;
+  const planning::Task task =
+      with_picked_object(episode.task, picked_objects(episode.task).front(), name);
+  Json steps = Json::array();
+  for (const planning::TaskStep& step : task) {
+    steps.push_back(to_string(step));
+  }
+  return steps;
+}
+
 Json entry_of(const Episode& episode, int index, const DatasetCommand& command) {
   Json entry = {{"episode", index},
                 {"seed", episode.seed},
@@ -116,6 +134,7 @@ Json entry_of(const Episode& episode, int index, const DatasetCommand& command) 
                 {"planned_in_s", episode.plan.time_s}};
   if (episode.drawn) {
     entry["object"] = drawn_json(command.variation.objects, episode);
+    entry["steps"] = steps_of_episode(episode, command);
   }
   if (!episode.reason.empty()) {
     return entry;
@@ -169,7 +188,7 @@ class DatasetFolder {
   DatasetFolder(const DatasetCommand& command, Json settings)
       : folder_(command.out), settings_(std::move(settings)) {
     std::error_code ignored;
-    fs::create_directories(folder_, ignored);
+    fs::create_directories(is_lerobot(command) ? folder_ / kEpisodeFolder : folder_, ignored);
     const fs::path file = folder_ / kSettingsName;
     if (!fs::exists(file)) {
       geometric::replace_file(file, settings_.dump(2) + "\n");
@@ -187,6 +206,7 @@ class DatasetFolder {
 
   [[nodiscard]] const std::map<int, Json>& entries() const { return entries_; }
   [[nodiscard]] const fs::path& path() const { return folder_; }
+  [[nodiscard]] const Json& settings() const { return settings_; }
 
   /// Adds a finished episode, whose file is written. @throws OutputError if the list can't grow.
   void add(int index, const Json& entry) {
@@ -299,11 +319,15 @@ int make_dataset(DatasetCommand& command) {
   plugins.load_plugins(planning::plugin_directory());
   LoadedTask loaded = load_requested(command.request, plugins);
   load_objects(command, loaded);
+  const int fps = is_lerobot(command) ? frames_per_second(command.timing.period) : 0;
   DatasetFolder folder(command, settings_of(command, loaded));
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
   EpisodeWork(command, loaded, plugins, folder, stop).run();
   folder.finish();
+  if (is_lerobot(command)) {
+    write_lerobot_dataset(folder.path(), folder.settings(), folder.entries(), fps);
+  }
   const auto solved = std::ranges::count_if(
       folder.entries(), [](const auto& entry) { return entry.second.value("solved", false); });
   print_out("{} episodes, {} with a motion: {}\n", folder.entries().size(), solved,
@@ -331,7 +355,7 @@ void add_dataset_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
   dataset->add_option("--format", command->format, "Format of the files")
-      ->check(CLI::IsMember({"npz", "h5", "csv", "mcap"}))
+      ->check(CLI::IsMember({"npz", "h5", "csv", "mcap", kLeRobotFormat}))
       ->capture_default_str();
   dataset->add_option("--jobs", command->jobs, "Episodes at a time (default: one per core)")
       ->check(CLI::Range(1, 1024));
