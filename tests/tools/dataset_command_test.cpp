@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -105,6 +106,40 @@ TEST_F(DatasetCommand, DrawsObjectsAndTheirSizes) {
     EXPECT_EQ(first[i]["solved"], second[i]["solved"]);
   }
   EXPECT_EQ(make("--episodes 4 --resume").exit_code, 3) << "without the objects";
+}
+
+TEST_F(DatasetCommand, WritesDataSetsOfLeRobot) {
+  line_.write("objects.yaml",
+              "objects:\n  - name: post\n    cylinder: {radius: 0.03, length: [0.12, 0.14]}\n");
+  const std::string options = "--objects objects.yaml --format lerobot --episodes ";
+  ASSERT_EQ(make(options + "1").exit_code, 0);
+  const Outcome more = make(options + "2 --resume");
+  ASSERT_EQ(more.exit_code, 0) << more.err;
+  std::size_t frames = 0;
+  std::size_t solved = 0;
+  for (const nlohmann::json& episode : episodes()) {
+    if (episode["solved"] == true) {
+      frames += episode["frames"].get<std::size_t>();
+      ++solved;
+    }
+    EXPECT_EQ(episode["steps"][0], "pick post");
+  }
+  const nlohmann::json info = nlohmann::json::parse(line_.read("set/meta/info.json"));
+  EXPECT_EQ(info["fps"], 50);
+  EXPECT_EQ(info["total_episodes"], solved);
+  EXPECT_EQ(info["total_frames"], frames);
+  EXPECT_EQ(info["total_tasks"], 1);
+  EXPECT_EQ(info["features"]["observation.state"]["names"][0], "joint_1");
+  EXPECT_EQ(info["features"]["observation.environment_state"]["names"][7], "object.x");
+  const Outcome read = line_.run("recording info set#episode_0/observation.state");
+  EXPECT_EQ(read.exit_code, 0) << read.err;
+  EXPECT_THAT(read.out, HasSubstr("joint_1"));
+  EXPECT_THAT(line_.read("set/README.md"), HasSubstr("LeRobot, version 3"));
+  const Outcome period = line_.run(
+      "dataset " + (source_dir() / "scenes" / "can_on_table.yaml").string() +
+      " --pick can --place-on table --format lerobot --period-ms 30 --episodes 1 --out other");
+  EXPECT_EQ(period.exit_code, 3);
+  EXPECT_THAT(period.err, HasSubstr("a whole number of frames per second"));
 }
 
 TEST_F(DatasetCommand, RefusesBadObjects) {

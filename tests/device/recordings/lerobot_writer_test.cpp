@@ -1,6 +1,6 @@
 #include "handway/device/recordings/lerobot_writer.h"
 
-#include "handway/device/glove/recording.h"
+#include "handway/device/recordings/recording_contents.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
 
@@ -93,19 +93,19 @@ TEST_F(WrittenLeRobot, NamesItsFeaturesAndCounts) {
   EXPECT_EQ(info["total_frames"], 12);
   EXPECT_EQ(info["total_tasks"], 2);
   EXPECT_EQ(info["splits"]["train"], "0:3");
-  EXPECT_EQ(info["features"]["observation.state"]["shape"], nlohmann::json({2}));
-  EXPECT_EQ(info["features"]["action"]["names"], nlohmann::json({"pan", "tilt"}));
+  EXPECT_EQ(info["features"]["observation.state"]["shape"], nlohmann::json::array({2}));
+  EXPECT_EQ(info["features"]["action"]["names"], nlohmann::json::array({"pan", "tilt"}));
   EXPECT_EQ(info["features"]["stage"]["dtype"], "int64");
   EXPECT_TRUE(info["features"]["timestamp"]["names"].is_null());
   const nlohmann::json stats = json("stats.json");
-  EXPECT_EQ(stats["observation.state"]["count"], nlohmann::json({12}));
-  EXPECT_EQ(stats["observation.state"]["min"], nlohmann::json({0.0, -2.0}));
-  EXPECT_EQ(stats["observation.state"]["max"], nlohmann::json({2.5, 0.0}));
+  EXPECT_EQ(stats["observation.state"]["count"], nlohmann::json::array({12}));
+  EXPECT_EQ(stats["observation.state"]["min"], nlohmann::json::array({0.0, -2.0}));
+  EXPECT_EQ(stats["observation.state"]["max"], nlohmann::json::array({2.5, 0.0}));
   // Frames 0 to 3, 0 to 2 and 0 to 4: mean 19/12, mean square 49/12.
   EXPECT_NEAR(stats["frame_index"]["mean"][0].get<double>(), 19.0 / 12.0, 1e-12);
   EXPECT_NEAR(stats["frame_index"]["std"][0].get<double>(),
               std::sqrt(49.0 / 12.0 - 19.0 * 19.0 / 144.0), 1e-12);
-  EXPECT_EQ(stats["index"]["max"], nlohmann::json({11.0}));
+  EXPECT_EQ(stats["index"]["max"], nlohmann::json::array({11.0}));
   EXPECT_TRUE(fs::exists(folder_.path() / "meta" / "tasks.parquet"));
 }
 
@@ -121,7 +121,7 @@ TEST_F(WrittenLeRobot, ReplacesAnEarlierOne) {
   fs::copy_file(folder_.path() / "data" / "chunk-000" / "file-000.parquet", stray);
   write({2});
   EXPECT_FALSE(fs::exists(stray));
-  EXPECT_EQ(read("observation.state").values.rows(), 2);
+  EXPECT_EQ(read("episode_0/observation.state").values.rows(), 2);
 }
 
 TEST_F(WrittenLeRobot, RefusesOtherTimesAndColumns) {
