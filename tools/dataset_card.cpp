@@ -72,11 +72,14 @@ std::string columns_text(const std::string& format) {
         "continued. ",
         kStages);
   }
+  const std::string head = format == "csv"       ? "Each file is a table of `time` (s) and"
+                           : format == "parquet" ? "Each file is a table of `time_s` and"
+                                                 : "Each file has `time` (s), `values` [frames, "
+                                                   "columns] and `names` of the columns:";
   return fmt::format(
-      "Each file has `time` (s), `values` [frames, columns] and `names` of the columns: the joints "
-      "(rad or m), the poses in the world of the palm and of each picked object (`.x`, `.y`, `.z` "
-      "in m, `.qx`, `.qy`, `.qz`, `.qw`), and `stage`, {}. ",
-      kStages);
+      "{} the joints (rad or m), the poses in the world of the palm and of each picked object "
+      "(`.x`, `.y`, `.z` in m, `.qx`, `.qy`, `.qz`, `.qw`), and `stage`, {}. ",
+      head, kStages);
 }
 
 std::string objects_text(const CardJson& settings, const EpisodeCounts& counts) {

@@ -355,7 +355,7 @@ void add_dataset_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
   dataset->add_option("--format", command->format, "Format of the files")
-      ->check(CLI::IsMember({"npz", "h5", "csv", "mcap", kLeRobotFormat}))
+      ->check(CLI::IsMember({"npz", "h5", "csv", "mcap", "parquet", kLeRobotFormat}))
       ->capture_default_str();
   dataset->add_option("--jobs", command->jobs, "Episodes at a time (default: one per core)")
       ->check(CLI::Range(1, 1024));

@@ -47,7 +47,8 @@ joined_tables(std::span<const RecordedTable> tables, std::span<const std::filesy
 ///   - `.npz`: arrays `time` (s), `values` [rows, columns] and `names` of NumPy;
 ///   - `.h5`, `.hdf5`: data sets of these names;
 ///   - `.mcap`: a bag of ROS 2, poses (`NAME.x`, `.y`, `.z`, `.qx`, `.qy`, `.qz`, `.qw`) as
-///     geometry_msgs/PoseStamped `/NAME`, all else as sensor_msgs/JointState `/joint_states`.
+///     geometry_msgs/PoseStamped `/NAME`, all else as sensor_msgs/JointState `/joint_states`;
+///   - `.parquet`: a table with `time_s` and the columns, of doubles.
 /// Equal tables give equal bytes.
 /// @throws geometric::OutputError if the file can't be written or has another ending.
 HANDWAY_DEVICE_EXPORT void write_recorded_table(const RecordedTable& table,

@@ -46,7 +46,7 @@ struct ObjectChoice {
 struct DrawnObject {
   std::size_t choice = 0;                 ///< Index of its ObjectChoice.
   std::vector<double> sizes;              ///< One for each range of the choice.
-  std::optional<geometric::Shape> shape;  ///< Nothing for an object of the scene.
+  std::optional<geometric::Shape> shape;  ///< Empty for an object of the scene.
 };
 
 /// Reads a file with a list `objects`. Each entry is `object: NAME` of the scene, or has a `box`,
