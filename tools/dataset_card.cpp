@@ -106,9 +106,9 @@ std::string reasons_text(bool has_objects, const EpisodeCounts& counts) {
                                  : "\n| Episodes without a motion | |\n|---|---|\n";
   for (const auto& [what, count] : counts.reasons) {
     const auto& [object, reason] = what;
-    text += "| " + report::markdown_escaped(reason);
+    text.append("| ").append(report::markdown_escaped(reason));
     if (has_objects) {
-      text += " | " + report::markdown_escaped(object);
+      text.append(" | ").append(report::markdown_escaped(object));
     }
     text += fmt::format(" | {} |\n", count);
   }
@@ -122,7 +122,8 @@ std::string data_card(const CardJson& settings, const std::map<int, CardJson>& e
   const bool has_objects = settings.contains("objects");
   std::string steps;
   for (const CardJson& step : settings["steps"]) {
-    steps += (steps.empty() ? "" : ", ") + report::markdown_escaped(step.get<std::string>());
+    steps.append(steps.empty() ? "" : ", ");
+    steps.append(report::markdown_escaped(step.get<std::string>()));
   }
   std::string card = fmt::format(
       "# Motions of {} in \"{}\"\n\n"

@@ -38,7 +38,7 @@ std::string task_text(const EntryJson& settings, const EntryJson& entry) {
   const EntryJson& steps = entry.contains("steps") ? entry["steps"] : settings["steps"];
   std::string text;
   for (const EntryJson& step : steps) {
-    text += (text.empty() ? "" : ", ") + step.get<std::string>();
+    text.append(text.empty() ? "" : ", ").append(step.get<std::string>());
   }
   return text;
 }

@@ -91,10 +91,10 @@ std::string words_for_object(const SizesJson& object) {
                          range_words(size.at(2)));
   }
   if (object.contains("radius_m")) {
-    words += ", radius " + range_words(object.at("radius_m"));
+    words.append(", radius ").append(range_words(object.at("radius_m")));
   }
   if (object.contains("length_m")) {
-    words += ", length " + range_words(object.at("length_m"));
+    words.append(", length ").append(range_words(object.at("length_m")));
   }
   return words;
 }
