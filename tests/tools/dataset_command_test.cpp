@@ -49,6 +49,8 @@ TEST_F(DatasetCommand, MakesMotionsFromRandomPlaces) {
   EXPECT_NE(line_.read("set/episode_000000.npz"), line_.read("set/episode_000001.npz"));
   EXPECT_THAT(line_.read("set/README.md"),
               AllOf(HasSubstr("with a motion | 2 (100.0 %)"), HasSubstr("certified")));
+  EXPECT_FALSE(nlohmann::json::parse(line_.read("set/dataset.json")).contains("objects"))
+      << "older data sets lack it, and are continued";
 }
 
 TEST_F(DatasetCommand, ContinuesWithWhatIsThere) {
