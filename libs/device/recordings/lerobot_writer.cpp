@@ -291,7 +291,7 @@ class LeRobotWriter::Parts {
       const auto found = std::ranges::find(table.names, names[i]);
       if (found == table.names.end()) {
         throw InputError({source, "", "no column " + names[i], "the columns of the other episodes",
-                          "Make the data set anew"});
+                          "Make the data set again"});
       }
       values.col(static_cast<Eigen::Index>(i)) = table.values.col(found - table.names.begin());
     }
@@ -358,7 +358,7 @@ class LeRobotWriter::Parts {
   std::vector<FrameFeature> features_;
   NumberedTables frames_;
   NumberedTables episodes_;
-  std::vector<EpisodeRow> rows_;             ///< Those that are not in `episodes_` yet.
+  std::vector<EpisodeRow> rows_;             ///< Episodes that are not in `episodes_` yet.
   std::vector<FrameStatistics> statistics_;  ///< One for each feature.
   std::vector<std::string> tasks_;
   std::map<std::string, std::size_t> task_numbers_;
