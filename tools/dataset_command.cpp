@@ -1,12 +1,14 @@
 #include "commands.h"
+#include "dataset_card.h"
 #include "dataset_episode.h"
+#include "dataset_lerobot.h"
+#include "dataset_objects.h"
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/timing/timing_settings.h"
-#include "handway/report/document/escaping.h"
 #include "motion_sending.h"
 #include "parameter_options.h"
 #include "printing.h"
@@ -24,6 +26,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -41,12 +44,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kListName = "episodes.jsonl";
 constexpr const char* kSettingsName = "dataset.json";
+constexpr const char* kLeRobotFormat = "lerobot";
 constexpr std::chrono::seconds kReportPeriod(5);
 
 struct DatasetCommand {
   TaskRequest request;
   planning::TimingSettings timing;
   SceneVariation variation;
+  fs::path objects;  ///< File of objects; empty: the picked one alone.
   int episodes = 100;
   int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   std::string format = "npz";
@@ -54,8 +59,12 @@ struct DatasetCommand {
   bool resume = false;
 };
 
+bool is_lerobot(const DatasetCommand& command) { return command.format == kLeRobotFormat; }
+
+// File of an episode in the folder of the data set.
 std::string file_of(const DatasetCommand& command, int episode) {
-  return fmt::format("episode_{:06}.{}", episode, command.format);
+  return is_lerobot(command) ? fmt::format("{}/episode_{:06}.npz", kEpisodeFolder, episode)
+                             : fmt::format("episode_{:06}.{}", episode, command.format);
 }
 
 // All that episodes depend on: a data set is only continued with the same.
@@ -77,17 +86,44 @@ Json settings_of(DatasetCommand& command, const LoadedTask& loaded) {
   add(planning::parameters_of(command.request.options));
   add(planning::parameters_of(command.timing));
   add(parameters_of(command.variation));
-  return {{"scene", loaded.state.scene->name},
-          {"robot", loaded.state.scene->robots.front().model->name()},
-          {"steps", steps},
-          {"seed", command.request.options.seed},
-          {"planner", command.request.planner},
-          {"planner_settings", command.request.settings},
-          {"group", command.request.group},
-          {"format", command.format},
-          {"settings", values},
-          {"files", files},
-          {"version", kVersion}};
+  Json settings = {{"scene", loaded.state.scene->name},
+                   {"robot", loaded.state.scene->robots.front().model->name()},
+                   {"steps", steps},
+                   {"seed", command.request.options.seed},
+                   {"planner", command.request.planner},
+                   {"planner_settings", command.request.settings},
+                   {"group", command.request.group},
+                   {"format", command.format},
+                   {"settings", values},
+                   {"files", files},
+                   {"version", kVersion}};
+  if (!command.variation.objects.empty()) {
+    settings["objects"] = objects_json(command.variation.objects);
+  }
+  return settings;
+}
+
+// Reads the objects of which each motion uses one.
+void load_objects(DatasetCommand& command, LoadedTask& loaded) {
+  if (command.objects.empty()) {
+    return;
+  }
+  const geometric::FilesRead notes;
+  command.variation.objects =
+      planning::read_object_choices(command.objects, *loaded.state.scene, loaded.task);
+  std::ranges::move(see_files(notes.files()), std::back_inserter(loaded.files));
+}
+
+// Words for the steps of an episode, with the name of the drawn object.
+Json steps_of_episode(const Episode& episode, const DatasetCommand& command) {
+  const std::string name = command.variation.objects[episode.drawn->choice].name;
+  const planning::Task task =
+      with_picked_object(episode.task, picked_objects(episode.task).front(), name);
+  Json steps = Json::array();
+  for (const planning::TaskStep& step : task) {
+    steps.push_back(to_string(step));
+  }
+  return steps;
 }
 
 Json entry_of(const Episode& episode, int index, const DatasetCommand& command) {
@@ -96,6 +132,10 @@ Json entry_of(const Episode& episode, int index, const DatasetCommand& command) 
                 {"solved", episode.reason.empty()},
                 {"reason", episode.reason},
                 {"planned_in_s", episode.plan.time_s}};
+  if (episode.drawn) {
+    entry["object"] = drawn_json(command.variation.objects, episode);
+    entry["steps"] = steps_of_episode(episode, command);
+  }
   if (!episode.reason.empty()) {
     return entry;
   }
@@ -141,59 +181,6 @@ std::string text_of(const std::map<int, Json>& entries) {
   return text;
 }
 
-// The text that others need to use the data set, from its list.
-std::string data_card(const Json& settings, const std::map<int, Json>& entries) {
-  int solved = 0;
-  double duration = 0.0;
-  std::size_t frames = 0;
-  std::map<std::string, int> reasons;
-  for (const auto& [index, entry] : entries) {
-    if (entry.value("solved", false)) {
-      ++solved;
-      duration += entry.value("duration_s", 0.0);
-      frames += entry.value("frames", std::size_t{0});
-    } else {
-      ++reasons[entry.value("reason", std::string())];
-    }
-  }
-  std::string steps;
-  for (const Json& step : settings["steps"]) {
-    steps += (steps.empty() ? "" : ", ") + report::markdown_escaped(step.get<std::string>());
-  }
-  std::string card = fmt::format(
-      "# Motions of {} in \"{}\"\n\n"
-      "Made by `handway dataset`, version {}. Task: {}.\n\n"
-      "| | |\n|---|---|\n| episodes | {} |\n| with a motion | {} ({:.1f} %) |\n"
-      "| frames | {} |\n| duration of all motions | {:.1f} s |\n\n",
-      report::markdown_escaped(settings["robot"].get<std::string>()),
-      report::markdown_escaped(settings["scene"].get<std::string>()), kVersion, steps,
-      entries.size(), solved,
-      entries.empty() ? 0.0 : 100.0 * solved / static_cast<double>(entries.size()), frames,
-      duration);
-  const bool is_bag = settings["format"] == "mcap";
-  card +=
-      is_bag
-          ? "Each file is a bag of ROS 2 in MCAP: `/joint_states` has the joints (rad or m), and "
-            "`stage`, an index into the episode's `stages` in `episodes.jsonl`; `/palm` and a "
-            "topic for each picked object have their poses in the frame `world`. "
-          : "Each file has `time` (s), `values` [frames, columns] and `names` of the columns: "
-            "the joints (rad or m), the poses in the world of the palm and of each picked "
-            "object (`.x`, `.y`, `.z` in m, `.qx`, `.qy`, `.qz`, `.qw`), and `stage`, an index "
-            "into the episode's `stages` in `episodes.jsonl`. ";
-  card +=
-      "`dataset.json` has all settings.\n\n"
-      "Every motion is certified to be free of collisions along its whole length, in the scene of "
-      "each stage, and passes the pre-flight check. The motions are planned, not measured: objects "
-      "are assumed not to move in the hand, and contact forces are not simulated.\n";
-  if (!reasons.empty()) {
-    card += "\n| Episodes without a motion | |\n|---|---|\n";
-    for (const auto& [reason, count] : reasons) {
-      card += fmt::format("| {} | {} |\n", report::markdown_escaped(reason), count);
-    }
-  }
-  return card;
-}
-
 /// A folder with episodes, which grows one by one.
 class DatasetFolder {
  public:
@@ -201,7 +188,7 @@ class DatasetFolder {
   DatasetFolder(const DatasetCommand& command, Json settings)
       : folder_(command.out), settings_(std::move(settings)) {
     std::error_code ignored;
-    fs::create_directories(folder_, ignored);
+    fs::create_directories(is_lerobot(command) ? folder_ / kEpisodeFolder : folder_, ignored);
     const fs::path file = folder_ / kSettingsName;
     if (!fs::exists(file)) {
       geometric::replace_file(file, settings_.dump(2) + "\n");
@@ -219,6 +206,7 @@ class DatasetFolder {
 
   [[nodiscard]] const std::map<int, Json>& entries() const { return entries_; }
   [[nodiscard]] const fs::path& path() const { return folder_; }
+  [[nodiscard]] const Json& settings() const { return settings_; }
 
   /// Adds a finished episode, whose file is written. @throws OutputError if the list can't grow.
   void add(int index, const Json& entry) {
@@ -303,8 +291,7 @@ class EpisodeWork {
       return;
     }
     if (episode.reason.empty()) {
-      write_recorded_table(table_of(episode, loaded_.task),
-                           folder_.path() / file_of(command_, index));
+      write_recorded_table(table_of(episode), folder_.path() / file_of(command_, index));
     }
     const std::scoped_lock lock(mutex_);
     folder_.add(index, entry_of(episode, index, command_));
@@ -330,12 +317,17 @@ class EpisodeWork {
 int make_dataset(DatasetCommand& command) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
-  const LoadedTask loaded = load_requested(command.request, plugins);
+  LoadedTask loaded = load_requested(command.request, plugins);
+  load_objects(command, loaded);
+  const int fps = is_lerobot(command) ? frames_per_second(command.timing.period) : 0;
   DatasetFolder folder(command, settings_of(command, loaded));
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
   EpisodeWork(command, loaded, plugins, folder, stop).run();
   folder.finish();
+  if (is_lerobot(command)) {
+    write_lerobot_dataset(folder.path(), folder.settings(), folder.entries(), fps);
+  }
   const auto solved = std::ranges::count_if(
       folder.entries(), [](const auto& entry) { return entry.second.value("solved", false); });
   print_out("{} episodes, {} with a motion: {}\n", folder.entries().size(), solved,
@@ -356,11 +348,14 @@ void add_dataset_command(CLI::App& app, int& exit_code) {
       "dataset", "Make a data set of motions that carry out a task in varied scenes");
   add_task_request(*dataset, command->request);
   dataset->add_option("--out", command->out, "Folder of the data set")->required();
+  dataset->add_option("--objects", command->objects,
+                      "File (YAML) with objects and ranges of sizes, of which each motion uses one "
+                      "in place of the picked object");
   dataset->add_option("--episodes", command->episodes, "Number of episodes")
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
   dataset->add_option("--format", command->format, "Format of the files")
-      ->check(CLI::IsMember({"npz", "h5", "csv", "mcap"}))
+      ->check(CLI::IsMember({"npz", "h5", "csv", "mcap", "parquet", kLeRobotFormat}))
       ->capture_default_str();
   dataset->add_option("--jobs", command->jobs, "Episodes at a time (default: one per core)")
       ->check(CLI::Range(1, 1024));

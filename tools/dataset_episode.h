@@ -1,10 +1,12 @@
 #pragma once
 
 #include "handway/device/recordings/recorded_table.h"
+#include "handway/planning/tasks/object_choice.h"
 #include "handway/planning/tasks/timed_task.h"
 #include "task_request.h"
 
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -14,9 +16,11 @@ namespace handway::tools {
 /// Differences of the scenes of a data set from the given one.
 struct SceneVariation {
   double spread = 0.15;  ///< m: distance up to which an object is moved from its place.
+  /// Objects of which each motion uses one in place of the picked object; empty: always that one.
+  std::vector<planning::ObjectChoice> objects = {};
 };
 
-/// Describes the variation for the command line.
+/// Describes the variation for the command line, but the objects.
 [[nodiscard]] std::vector<geometric::BoundParameter> parameters_of(SceneVariation& variation);
 
 /// Returns the scene with each of some objects at a random place on what it stands on, turned
@@ -31,6 +35,8 @@ struct SceneVariation {
 /// A motion of a data set, or the reason why there is none.
 struct Episode {
   std::uint64_t seed = 0;
+  planning::Task task;                         ///< With the drawn object.
+  std::optional<planning::DrawnObject> drawn;  ///< If SceneVariation has objects.
   planning::SceneState state;
   planning::TaskPlan plan;
   planning::TimedTask timed;
@@ -45,10 +51,15 @@ struct Episode {
                                    const SceneVariation& variation, std::uint64_t seed,
                                    const std::stop_token& stop);
 
+/// Returns the object of the scene that an episode with a drawn object picks.
+/// @pre an object was drawn.
+[[nodiscard]] const geometric::SceneObject& drawn_object(const Episode& episode);
+
 /// Returns the rows of an episode's motion: the joints (rad or m), for "palm" and each picked
 /// object its pose in the world (`NAME.x`, `.y`, `.z` in m, and `.qx`, `.qy`, `.qz`, `.qw`), and
-/// `stage`, the index of the stage.
+/// `stage`, the index of the stage. A drawn object has the name "object", its index among the
+/// choices in `object.choice`, and the edges of the box around it in `object.size_x`, `_y`, `_z`.
 /// @pre the episode has a motion.
-[[nodiscard]] device::RecordedTable table_of(const Episode& episode, const planning::Task& task);
+[[nodiscard]] device::RecordedTable table_of(const Episode& episode);
 
 }  // namespace handway::tools

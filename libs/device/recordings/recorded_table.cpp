@@ -344,7 +344,8 @@ const std::vector<WrittenFormat>& written_formats() {
                                                    {".npz", write_bytes<npz_bytes>},
                                                    {".h5", write_bytes<hdf5_bytes>},
                                                    {".hdf5", write_bytes<hdf5_bytes>},
-                                                   {".mcap", write_bytes<mcap_bytes>}};
+                                                   {".mcap", write_bytes<mcap_bytes>},
+                                                   {".parquet", write_bytes<parquet_bytes>}};
   return kFormats;
 }
 

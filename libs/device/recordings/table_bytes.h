@@ -15,6 +15,9 @@ namespace handway::device {
 /// positions of a sensor_msgs/JointState `/joint_states`. Times that no stamp can hold begin at 0.
 [[nodiscard]] std::string mcap_bytes(const RecordedTable& table);
 
+/// A table of doubles: `time_s` and a column for each of the table.
+[[nodiscard]] std::string parquet_bytes(const RecordedTable& table);
+
 /// From any thread.
 [[nodiscard]] std::string hdf5_bytes(const RecordedTable& table);
 

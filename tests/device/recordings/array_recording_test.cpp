@@ -151,7 +151,8 @@ TEST_F(Arrays, ThatAreShorterThanTheirShapeAreRefused) {
 }
 
 TEST_F(Arrays, KeepNamesAndTimesInEveryFormatThatIsWritten) {
-  for (const char* name : {"joints.npz", "joints.h5", "joints.csv", "joints.mcap"}) {
+  for (const char* name :
+       {"joints.npz", "joints.h5", "joints.csv", "joints.mcap", "joints.parquet"}) {
     SCOPED_TRACE(name);
     const fs::path file = folder_.path() / name;
     write_recorded_table(small_table(), file);

@@ -52,7 +52,8 @@ joined_tables(std::span<const RecordedTable> tables, std::span<const std::filesy
 ///   - `.h5`, `.hdf5`: data sets of these names;
 ///   - `.mcap`: a bag of ROS 2, poses (`NAME.x`, `.y`, `.z`, `.qx`, `.qy`, `.qz`, `.qw`) as
 ///     geometry_msgs/PoseStamped `/NAME`, all else as sensor_msgs/JointState `/joint_states`; the
-///     source's columns as sensor_msgs/JointState `/raw`.
+///     source's columns as sensor_msgs/JointState `/raw`;
+///   - `.parquet`: a table with `time_s` and the columns, of doubles.
 /// Equal tables give equal bytes.
 /// @throws geometric::OutputError if the file can't be written or has another ending.
 HANDWAY_DEVICE_EXPORT void write_recorded_table(const RecordedTable& table,
