@@ -111,10 +111,13 @@ void bind_calibration(py::module_& module) {
       py::arg("mount") = "hand", py::arg("outliers") = false,
       "Returns the pose of a camera from poses of the hand and of a target that it sees.\n\n"
       "hand: poses of the hand in the robot's base, [n, 4, 4]. target: poses of the target in the\n"
-      "camera, [n, 4, 4]. mount: \"hand\", with a target that stands still, or \"fixed\", with the\n"
+      "camera, [n, 4, 4]. mount: \"hand\", with a target that stands still, or \"fixed\", with "
+      "the\n"
       "target on the hand. outliers: use all pairs, also those that contradict the others.\n"
-      "Returns a dict of pose, of the camera in the hand or the base; target, its pose in the base\n"
-      "or the hand; rms_position (m), rms_angle (rad); position_residuals and angle_residuals, [n];\n"
+      "Returns a dict of pose, of the camera in the hand or the base; target, its pose in the "
+      "base\n"
+      "or the hand; rms_position (m), rms_angle (rad); position_residuals and angle_residuals, "
+      "[n];\n"
       "and outliers, the pairs that were not used.");
   module.def(
       "calibrate_camera_by_points", &calibrate_camera_by_points, py::arg("robot"),

@@ -81,7 +81,9 @@ void print_calibration(const CameraCalibration& calibration,
   const bool on_hand = mount == CameraMount::kOnHand;
   const auto count = calibration.residuals.size();
   print_out("camera in the {}: {}\n",
-            !mount ? "robot's frame" : on_hand ? "hand's frame" : "base's frame",
+            !mount    ? "robot's frame"
+            : on_hand ? "hand's frame"
+                      : "base's frame",
             pose_words(calibration.X_AC));
   if (mount) {
     print_out("target in the {}: {}\n", on_hand ? "base's frame" : "hand's frame",
@@ -91,8 +93,7 @@ void print_calibration(const CameraCalibration& calibration,
             geometric::plural(count, mount ? "pose pair" : "point"), calibration.used,
             mean_words(calibration, mount.has_value()));
   for (const CalibrationResidual& residual : calibration.residuals) {
-    print_out("  {}: {:.3f} mm{}{}\n", residual.place,
-              residual.position / geometric::kMillimetre,
+    print_out("  {}: {:.3f} mm{}{}\n", residual.place, residual.position / geometric::kMillimetre,
               mount ? fmt::format(", {:.3f} deg", residual.angle / geometric::kDegree) : "",
               residual.is_outlier ? "  outlier, not used" : "");
   }
@@ -127,8 +128,7 @@ void print_json(const CameraCalibration& calibration, const std::optional<Camera
 }
 
 int calibrate_camera(const CalibrateOptions& options) {
-  const CameraMeasurements measurements =
-      geometric::read_camera_measurements(options.measurements);
+  const CameraMeasurements measurements = geometric::read_camera_measurements(options.measurements);
   const std::optional<CameraMount> mount = mount_of(options, measurements);
   const CameraCalibration calibration = calibrated(options, measurements, mount);
   if (!options.out.empty()) {

@@ -106,8 +106,7 @@ std::string frame_json(const GloveFrame& frame, int sensors) {
       values[name] = frame.angles->at(static_cast<std::size_t>(sensor));
     }
   }
-  nlohmann::ordered_json object{{"time", frame.time},
-                                {frame.angles ? "angles" : "counts", values}};
+  nlohmann::ordered_json object{{"time", frame.time}, {frame.angles ? "angles" : "counts", values}};
   if (frame.X_SH) {
     const Eigen::Vector3d p = frame.X_SH->translation();
     const Eigen::Quaterniond q(frame.X_SH->linear());
@@ -132,10 +131,11 @@ std::string statistics_json(const StreamStatistics& s) {
 
 void add_glove_device_options(CLI::App& command, GloveDeviceOptions& options) {
   command
-      .add_option("--device", options.device,
-                  "Serial port (/dev/ttyUSB0) or HOST:PORT of a CyberGlove; udp://PORT to receive "
-                  "hands of a headset, a camera, Rokoko Studio or Manus Core, landmarks://HOST:PORT "
-                  "to fetch them, pipe://PATH or - (standard input) to read them from a pipe")
+      .add_option(
+          "--device", options.device,
+          "Serial port (/dev/ttyUSB0) or HOST:PORT of a CyberGlove; udp://PORT to receive "
+          "hands of a headset, a camera, Rokoko Studio or Manus Core, landmarks://HOST:PORT "
+          "to fetch them, pipe://PATH or - (standard input) to read them from a pipe")
       ->required();
   command.add_option("--rate", options.rate_hz, "Frames per second to request")
       ->check(CLI::Range(0.5, 480.0))
@@ -148,7 +148,7 @@ void add_glove_device_options(CLI::App& command, GloveDeviceOptions& options) {
   command
       .add_option("--hand", options.hand,
                   "With hands of other programs: left or right hand (default: the first that is "
-                   "detected)")
+                  "detected)")
       ->check(CLI::IsMember({"left", "right"}));
 }
 

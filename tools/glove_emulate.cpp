@@ -144,12 +144,13 @@ void add_signal_options(CLI::App& command, EmulateOptions& options) {
                   "landmarks (21 points of a hand as JSON lines), openxr (26 joints as JSON "
                   "lines), rokoko, rokoko-lz4 (frames of Rokoko Studio, plain or compressed), or "
                   "manus (ergonomics of Manus Core as JSON lines)")
-      ->check(CLI::IsMember({"cyberglove", "cyberglove3", "landmarks", "openxr", "rokoko",
-                             "rokoko-lz4", "manus"}))
+      ->check(CLI::IsMember(
+          {"cyberglove", "cyberglove3", "landmarks", "openxr", "rokoko", "rokoko-lz4", "manus"}))
       ->capture_default_str();
   command.add_option(
       "--to", options.receiver,
-      "HOST:PORT, or PORT of this computer: for landmarks, openxr, rokoko and manus the destination "
+      "HOST:PORT, or PORT of this computer: for landmarks, openxr, rokoko and manus the "
+      "destination "
       "of UDP datagrams, otherwise the address to connect to, as a CyberGlove III does over WiFi");
   command.add_option("--sensors", options.sensors, "Number of sensors, 18 or 22")
       ->check(CLI::IsMember({18, 22}))

@@ -68,9 +68,12 @@ std::vector<std::string> raw_labels(const RecordedTable& table) {
 }
 
 Json table_json(const RecordedTable& table) {
-  return {{"rows", table.times.size()}, {"duration_s", duration_of(table)},
-          {"rate_hz", rate_of(table)},  {"values", unit_of(table)},
-          {"columns", table.names},     {"raw_columns", raw_labels(table)},
+  return {{"rows", table.times.size()},
+          {"duration_s", duration_of(table)},
+          {"rate_hz", rate_of(table)},
+          {"values", unit_of(table)},
+          {"columns", table.names},
+          {"raw_columns", raw_labels(table)},
           {"warnings", geometric::merged_alike(table.warnings)}};
 }
 

@@ -23,8 +23,8 @@ std::string touched_points(int wrong) {
     const Eigen::Vector3d p_A(0.3 + 0.1 * (i % 3), 0.1 * (i / 3), 0.02 * i * (i % 4));
     Eigen::Vector3d p_C = kCamera.inverse() * p_A;
     p_C.z() += i == wrong ? 0.04 : 0.0;
-    text += fmt::format("{},{},{},{},{},{}\n", p_A.x(), p_A.y(), p_A.z(), p_C.x(), p_C.y(),
-                        p_C.z());
+    text +=
+        fmt::format("{},{},{},{},{},{}\n", p_A.x(), p_A.y(), p_A.z(), p_C.x(), p_C.y(), p_C.z());
   }
   return text;
 }
@@ -32,11 +32,12 @@ std::string touched_points(int wrong) {
 /// Pairs of poses of a camera on the hand.
 std::string pose_pairs(int count) {
   const geometric::Pose target = geometric::pose_from_rpy({0.6, 0.1, 0.0}, 3.0, 0.1, 0.2);
-  std::string text = "hand_x,hand_y,hand_z,hand_qx,hand_qy,hand_qz,hand_qw,"
-                     "target_x,target_y,target_z,target_qx,target_qy,target_qz,target_qw\n";
+  std::string text =
+      "hand_x,hand_y,hand_z,hand_qx,hand_qy,hand_qz,hand_qw,"
+      "target_x,target_y,target_z,target_qx,target_qy,target_qz,target_qw\n";
   for (int i = 0; i < count; ++i) {
-    const geometric::Pose X_BH = geometric::pose_from_rpy(
-        {0.5, 0.05 * i, 0.4}, 3.0 + 0.3 * (i % 2), 0.4 * (i % 3), 0.5 * (i % 4));
+    const geometric::Pose X_BH = geometric::pose_from_rpy({0.5, 0.05 * i, 0.4}, 3.0 + 0.3 * (i % 2),
+                                                          0.4 * (i % 3), 0.5 * (i % 4));
     const geometric::Pose X_CT = kCamera.inverse() * X_BH.inverse() * target;
     std::string row;
     for (const geometric::Pose& X : {X_BH, X_CT}) {
@@ -53,8 +54,7 @@ std::string pose_pairs(int count) {
 TEST(CalibrateCamera, FindsACameraByPosesAndWritesIt) {
   const CommandLine line;
   line.write("pairs.csv", pose_pairs(6));
-  const Outcome json =
-      line.run("calibrate camera pairs.csv --mount hand --out camera.yaml --json");
+  const Outcome json = line.run("calibrate camera pairs.csv --mount hand --out camera.yaml --json");
   ASSERT_EQ(json.exit_code, 0) << json.err;
   const auto found = nlohmann::json::parse(json.out);
   EXPECT_NEAR(found.at("pose").at("xyz").at(2).get<double>(), 0.09, 1e-6);

@@ -66,10 +66,11 @@ void DeviceField::refresh() {
               tr("Plays a file in a loop, like a connected glove. ") + recording_kinds(),
               Qt::ToolTipRole);
   addItem(tr("Hand sent by UDP: port 5006"), QStringLiteral("udp://5006"));
-  setItemData(count() - 1,
-              tr("Landmarks of a camera, joints of OpenXR, frames of Rokoko Studio (JSON v3 or v4), "
-                 "or ergonomics of Manus Core. The format is recognised."),
-              Qt::ToolTipRole);
+  setItemData(
+      count() - 1,
+      tr("Landmarks of a camera, joints of OpenXR, frames of Rokoko Studio (JSON v3 or v4), "
+         "or ergonomics of Manus Core. The format is recognised."),
+      Qt::ToolTipRole);
   const QList<GlovePort> ports = find_glove_ports();
   if (!ports.isEmpty()) {
     insertSeparator(count());

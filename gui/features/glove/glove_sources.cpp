@@ -59,7 +59,8 @@ QString recording_kinds() {
   return QObject::tr(
       "Files are recognised by their contents: recordings of this window, tables with sensor names "
       "or in VirtualHand's order, MATLAB data sets with 'angles' or 'glove', hand landmarks "
-      "and messages of OpenXR, Rokoko and Manus as JSON lines. For any other table open a map of its columns, a small YAML file.");
+      "and messages of OpenXR, Rokoko and Manus as JSON lines. For any other table open a map of "
+      "its columns, a small YAML file.");
 }
 
 QStringList recent_gloves() { return QSettings().value(key()).toStringList(); }

@@ -22,8 +22,7 @@ namespace handway::gui {
 
 void RecordingTap::begin(const std::filesystem::path& file, device::RecordingHeader header,
                          device::RawColumns raw) {
-  auto writer =
-      std::make_unique<device::RecordingWriter>(file, std::move(header), std::move(raw));
+  auto writer = std::make_unique<device::RecordingWriter>(file, std::move(header), std::move(raw));
   const std::lock_guard lock(mutex_);
   writer_ = std::move(writer);
   rows_ = 0;

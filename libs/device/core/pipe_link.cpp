@@ -58,8 +58,8 @@ FileDescriptor opened_pipe(const std::string& name, const std::string& path) {
   // Opened for writing, too, it does not end with its first writer.
   FileDescriptor pipe(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
   if (!pipe.valid()) {
-    throw DeviceError({name, "", std::strerror(errno), "a pipe that may be read",
-                       "Check its permissions."});
+    throw DeviceError(
+        {name, "", std::strerror(errno), "a pipe that may be read", "Check its permissions."});
   }
   return pipe;
 }

@@ -71,15 +71,13 @@ std::string rokoko_frame(const EmulatedHand& hand) {
   HandJson body;
   for (const bool left : {true, false}) {
     const bool measured = hand.landmarks && left == hand.left;
-    const Eigen::Quaterniond q =
-        measured ? mirrored_rotation(
-                       Eigen::Quaterniond(openxr_pose(*hand.landmarks, hand.left).linear()))
-                 : Eigen::Quaterniond::Identity();
+    const Eigen::Quaterniond q = measured ? mirrored_rotation(Eigen::Quaterniond(
+                                                openxr_pose(*hand.landmarks, hand.left).linear()))
+                                          : Eigen::Quaterniond::Identity();
     Eigen::Index landmark = 0;
     for (const std::string& bone : rokoko_bones()) {
-      const Eigen::Vector3d p = measured
-                                    ? mirrored_point(hand.landmarks->col(landmark))
-                                    : Eigen::Vector3d::Zero();
+      const Eigen::Vector3d p =
+          measured ? mirrored_point(hand.landmarks->col(landmark)) : Eigen::Vector3d::Zero();
       body[(left ? "left" : "right") + bone] = rokoko_bone(p, q);
       ++landmark;
     }

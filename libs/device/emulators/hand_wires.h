@@ -16,7 +16,7 @@ namespace handway::device {
 struct EmulatedHand {
   double time = 0.0;  ///< s, on the sender's clock.
   bool left = false;
-  std::optional<HandLandmarks> landmarks;  ///< m, in a right-handed frame.
+  std::optional<HandLandmarks> landmarks;                   ///< m, in a right-handed frame.
   std::optional<std::array<double, kGloveSensors>> angles;  ///< rad, by sensor.
 };
 

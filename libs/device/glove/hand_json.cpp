@@ -31,8 +31,8 @@ Eigen::Matrix<double, Count, 1> coordinates(const HandJson& value, const std::st
     if (value.is_object() && !value.contains(kCoordinates.at(axis))) {
       throw LineProtocolError("no " + element);
     }
-    result[static_cast<Eigen::Index>(axis)] =
-        finite_number(value.is_object() ? value.at(kCoordinates.at(axis)) : value.at(axis), element);
+    result[static_cast<Eigen::Index>(axis)] = finite_number(
+        value.is_object() ? value.at(kCoordinates.at(axis)) : value.at(axis), element);
   }
   return result;
 }

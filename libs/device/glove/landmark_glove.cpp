@@ -46,8 +46,8 @@ TcpAddress parse_landmark_address(const std::string& address) {
     return parse_udp_address(address.substr(kUdp.size()));
   }
   if (!address.starts_with(kTcp)) {
-    throw geometric::InputError(
-        {address, "", "no address of landmarks", "udp://PORT, landmarks://HOST:PORT, pipe://PATH or -", ""});
+    throw geometric::InputError({address, "", "no address of landmarks",
+                                 "udp://PORT, landmarks://HOST:PORT, pipe://PATH or -", ""});
   }
   return std::get<TcpAddress>(parse_device_address("tcp://" + address.substr(kTcp.size())));
 }
@@ -100,10 +100,10 @@ struct LandmarkGlove::Session {
   std::deque<GloveFrame> frames;  ///< Arrived and not yet taken.
   Watchdog watchdog;
   Clock::duration silence{};
-  bool heard = false;    ///< A good line has arrived.
-  bool ended = false;    ///< The input has ended.
+  bool heard = false;                    ///< A good line has arrived.
+  bool ended = false;                    ///< The input has ended.
   HandWire wire = HandWire::kLandmarks;  ///< Format of the last good line.
-  bool no_hand = false;  ///< The last line had no hand.
+  bool no_hand = false;                  ///< The last line had no hand.
   SeenSide side;
   std::optional<double> sent;  ///< The sender's time of the last frame.
   std::string problem;         ///< Problem of the last bad line.
@@ -220,8 +220,7 @@ void LandmarkGlove::check_sender() const {
     throw DeviceError(
         {address_, "",
          fmt::format("no hand landmarks for {} ms{}", settings_.timeout.count(), last),
-         kExpectedMessages,
-         "Look whether the sender runs, and sends to this computer and port."});
+         kExpectedMessages, "Look whether the sender runs, and sends to this computer and port."});
   }
 }
 

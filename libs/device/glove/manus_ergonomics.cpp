@@ -22,10 +22,26 @@ constexpr double kWidestDegrees = 360.0;
 
 /// Sensor of each angle that one sensor measures; empty: a spread, which is measured between
 /// fingers.
-constexpr std::array<const char*, kManusAngles> kSensors{
-    "ThumbAbduct", "ThumbRotate", "ThumbMPJ",  "ThumbIJ",   "",          "IndexMPJ", "IndexPIJ",
-    "IndexDIJ",    "",            "MiddleMPJ", "MiddlePIJ", "MiddleDIJ", "",         "RingMPJ",
-    "RingPIJ",     "RingDIJ",     "",          "PinkieMPJ", "PinkiePIJ", "PinkieDIJ"};
+constexpr std::array<const char*, kManusAngles> kSensors{"ThumbAbduct",
+                                                         "ThumbRotate",
+                                                         "ThumbMPJ",
+                                                         "ThumbIJ",
+                                                         "",
+                                                         "IndexMPJ",
+                                                         "IndexPIJ",
+                                                         "IndexDIJ",
+                                                         "",
+                                                         "MiddleMPJ",
+                                                         "MiddlePIJ",
+                                                         "MiddleDIJ",
+                                                         "",
+                                                         "RingMPJ",
+                                                         "RingPIJ",
+                                                         "RingDIJ",
+                                                         "",
+                                                         "PinkieMPJ",
+                                                         "PinkiePIJ",
+                                                         "PinkieDIJ"};
 
 std::size_t sensor_index(const char* name) { return static_cast<std::size_t>(*find_sensor(name)); }
 
@@ -171,7 +187,8 @@ std::vector<HandObservation> read_manus_numbers(std::string_view text) {
     while (word.starts_with(' ')) {
       word.remove_prefix(1);
     }
-    numbers.push_back(checked_degrees(number_of(word), fmt::format("angle {}", numbers.size() + 1)));
+    numbers.push_back(
+        checked_degrees(number_of(word), fmt::format("angle {}", numbers.size() + 1)));
     if (end == text.size()) {
       break;
     }

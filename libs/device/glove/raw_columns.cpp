@@ -1,6 +1,5 @@
 #include "handway/device/glove/raw_columns.h"
 
-
 #include <fmt/format.h>
 
 #include <cstddef>

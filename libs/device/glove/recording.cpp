@@ -53,8 +53,8 @@ void add_field(std::string& text, const char* key, const std::string& value) {
 // A label without separators and quotes.
 std::string one_cell(std::string label) {
   std::ranges::replace_if(
-      label, [](char c) { return std::string_view(",;\t\n\r\"").find(c) != std::string_view::npos; },
-      ' ');
+      label,
+      [](char c) { return std::string_view(",;\t\n\r\"").find(c) != std::string_view::npos; }, ' ');
   return label;
 }
 
@@ -207,10 +207,7 @@ RecordingWriter::Descriptor::Descriptor(Descriptor&& other) noexcept
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, RecordingHeader header,
                                  RawColumns raw)
-    : file_(file),
-      header_(std::move(header)),
-      raw_(std::move(raw)),
-      descriptor_(open_anew(file)) {
+    : file_(file), header_(std::move(header)), raw_(std::move(raw)), descriptor_(open_anew(file)) {
   write(header_text(header_, raw_));
 }
 

@@ -39,9 +39,10 @@ void check_version(const HandJson& frame) {
   if (version == frame.end()) {
     return;
   }
-  const double number = version->is_string()
-                            ? std::strtol(version->get_ref<const std::string&>().c_str(), nullptr, 10)
-                            : finite_number(*version, "version");
+  const double number =
+      version->is_string()
+          ? std::strtol(version->get_ref<const std::string&>().c_str(), nullptr, 10)
+          : finite_number(*version, "version");
   if (number < kLowestVersion) {
     throw LineProtocolError(
         fmt::format("a frame of Rokoko Studio, version {:g}, expected {} or 4: choose JSON v3 in "
@@ -107,9 +108,8 @@ std::vector<HandObservation> read_rokoko_hands(const HandJson& frame) {
     HandObservation hand;
     hand.time = time;
     hand.left = left;
-    const auto actor = std::find_if(actors.begin(), actors.end(), [&](const HandJson& one) {
-      return has_glove(one, left);
-    });
+    const auto actor = std::find_if(actors.begin(), actors.end(),
+                                    [&](const HandJson& one) { return has_glove(one, left); });
     if (actor != actors.end()) {
       read_bones(actor->at("body"), hand);
     }

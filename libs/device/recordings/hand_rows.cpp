@@ -126,10 +126,9 @@ Recording recording_of_hand_lines(const std::filesystem::path& file,
   take_rows(file, lines, recording.warnings, is_row,
             [&](const TextLine& line) { followed.take(line, read_row(file, line)); });
   if (followed.others() > 0) {
-    recording.warnings.push_back(
-        fmt::format("{}: {} rows of the {} hand left out, the first is of the {} one",
-                    file.string(), followed.others(), side_name(!followed.left()),
-                    side_name(followed.left())));
+    recording.warnings.push_back(fmt::format(
+        "{}: {} rows of the {} hand left out, the first is of the {} one", file.string(),
+        followed.others(), side_name(!followed.left()), side_name(followed.left())));
   }
   const bool left = side_by_bending(followed);
   if (left != followed.left()) {

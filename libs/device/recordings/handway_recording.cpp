@@ -132,8 +132,7 @@ class CsvReader {
     std::vector<double> values;
     std::vector<double> raw;
     for (std::size_t c = 0; c < columns; ++c) {
-      const bool is_raw =
-          !raw_columns_.empty() && c >= raw_columns_.front() && c != time_column_;
+      const bool is_raw = !raw_columns_.empty() && c >= raw_columns_.front() && c != time_column_;
       if (is_raw && trimmed(parts[c]).empty()) {
         raw.push_back(std::numeric_limits<double>::quiet_NaN());
         continue;

@@ -145,8 +145,8 @@ std::string npz_bytes(const RecordedTable& table) {
   std::string raw;
   std::string raw_names;
   if (table.raw) {
-    raw = number_array(table.raw->values, fmt::format("({}, {})", table.raw->values.rows(),
-                                                      table.raw->values.cols()));
+    raw = number_array(table.raw->values,
+                       fmt::format("({}, {})", table.raw->values.rows(), table.raw->values.cols()));
     raw_names = text_array(labels_of(*table.raw));
   }
   ZipWriter archive;

@@ -32,11 +32,9 @@ std::string unit_of_column(const TableLayout& layout, Eigen::Index column,
 
 /// Returns whether the sensors have every column of the table as it is, but for times.
 bool is_taken_whole(const NumberTable& table, const TableLayout& layout) {
-  const bool unchanged = std::ranges::all_of(layout.columns, [](const ColumnUse& use) {
-    return use.gain == 1.0 && use.offset == 0.0;
-  });
-  return unchanged &&
-         table.values.cols() == std::ssize(layout.columns) + std::ssize(layout.times);
+  const bool unchanged = std::ranges::all_of(
+      layout.columns, [](const ColumnUse& use) { return use.gain == 1.0 && use.offset == 0.0; });
+  return unchanged && table.values.cols() == std::ssize(layout.columns) + std::ssize(layout.times);
 }
 
 }  // namespace

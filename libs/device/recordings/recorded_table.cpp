@@ -257,8 +257,7 @@ std::optional<RawColumns> joined_raw(const std::optional<RawColumns>& raw, Eigen
   }
   RawColumns joined = raw.value_or(RawColumns{});
   std::vector<std::string> labels = labels_of(joined);
-  const std::vector<std::string> more =
-      next ? labels_of(*next) : std::vector<std::string>{};
+  const std::vector<std::string> more = next ? labels_of(*next) : std::vector<std::string>{};
   std::vector<Eigen::Index> columns;
   for (std::size_t i = 0; i < more.size(); ++i) {
     const auto known = std::ranges::find(labels, more[i]);
@@ -268,8 +267,8 @@ std::optional<RawColumns> joined_raw(const std::optional<RawColumns>& raw, Eigen
       joined.add(next->names[i], next->units[i]);
     }
   }
-  Eigen::MatrixXd values = Eigen::MatrixXd::Constant(
-      rows + next_rows, std::ssize(labels), std::numeric_limits<double>::quiet_NaN());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Constant(rows + next_rows, std::ssize(labels),
+                                                     std::numeric_limits<double>::quiet_NaN());
   if (raw) {
     values.topLeftCorner(rows, raw->values.cols()) = raw->values;
   }

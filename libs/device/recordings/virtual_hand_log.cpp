@@ -79,8 +79,7 @@ RawColumns log_columns() {
     columns.add(name, "");
   }
   for (int slot = 0; slot < static_cast<int>(kSlots); ++slot) {
-    const auto sensor =
-        std::ranges::find(cyberglove_sensors(), slot, &GloveSensor::slot);
+    const auto sensor = std::ranges::find(cyberglove_sensors(), slot, &GloveSensor::slot);
     columns.add(sensor == cyberglove_sensors().end() ? fmt::format("slot_{}", slot + 1)
                                                      : std::string(sensor->name),
                 "rad");

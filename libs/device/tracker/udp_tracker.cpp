@@ -133,8 +133,8 @@ std::vector<SentSample> read_wrists(std::span<const std::uint8_t> datagram) {
       throw LineProtocolError(name_of(message.wire) + " without the pose of the wrist");
     }
     if (hand.X_SH) {
-      samples.push_back({{hand.time.value_or(0.0), hand.left ? 1 : 0, *hand.X_SH, {}},
-                         hand.time.has_value()});
+      samples.push_back(
+          {{hand.time.value_or(0.0), hand.left ? 1 : 0, *hand.X_SH, {}}, hand.time.has_value()});
     }
   }
   return samples;
@@ -155,7 +155,7 @@ struct UdpTracker::Session {
   std::vector<std::uint8_t> datagram = std::vector<std::uint8_t>(kLongestDatagramOfHands);
   std::string problem = {};                ///< Problem of the last bad datagram.
   std::deque<TrackerSample> samples = {};  ///< Arrived and not yet taken.
-  std::map<int, double> sent = {};  ///< Sender's time of each sensor's last sample.
+  std::map<int, double> sent = {};         ///< Sender's time of each sensor's last sample.
   Clock::time_point last_sign = Clock::now();
 };
 
@@ -201,8 +201,7 @@ void UdpTracker::take_sample(TrackerSample sample, bool has_time, Clock::time_po
 
 TrackerInfo UdpTracker::do_connect(const std::stop_token& stop) {
   session_.reset();  // Its port is needed.
-  session_ = std::make_unique<Session>(
-      Session{UdpReceiver(address_, parse_udp_address(address_))});
+  session_ = std::make_unique<Session>(Session{UdpReceiver(address_, parse_udp_address(address_))});
   const auto end = Clock::now() + settings_.timeout;
   while (session_->samples.empty() && Clock::now() < end && !stop.stop_requested()) {
     take_datagram(kDatagramWait);

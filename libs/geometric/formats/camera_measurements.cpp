@@ -97,8 +97,8 @@ CameraMeasurements read_yaml_measurements(const std::filesystem::path& file) {
   measurements.mount = mount_of(top);
   for (const YamlElement& pair : top.items_of("pairs")) {
     pair.allow_keys({"hand", "target"});
-    measurements.pairs.push_back({pose_of_element(pair.need("hand")),
-                                  pose_of_element(pair.need("target")), pair.where()});
+    measurements.pairs.push_back(
+        {pose_of_element(pair.need("hand")), pose_of_element(pair.need("target")), pair.where()});
   }
   for (const YamlElement& point : top.items_of("points")) {
     point.allow_keys({"robot", "camera"});
@@ -143,8 +143,8 @@ class TableRow {
       const std::string_view cell = cells_.at(columns_.at(column));
       const std::optional<double> value = parse_cell(cell);
       if (!value) {
-        throw InputError({where_, "column " + column, fmt::format("\"{:.40}\"", cell),
-                          "a finite number", ""});
+        throw InputError(
+            {where_, "column " + column, fmt::format("\"{:.40}\"", cell), "a finite number", ""});
       }
       values[static_cast<Eigen::Index>(i)] = *value;
     }
@@ -184,7 +184,8 @@ Pose pose_of_row(const TableRow& row, const std::string& name) {
 
 void take_row(const TableRow& row, CameraMeasurements& measurements) {
   if (has_pose(row, "hand") && has_pose(row, "target")) {
-    measurements.pairs.push_back({pose_of_row(row, "hand"), pose_of_row(row, "target"), row.where()});
+    measurements.pairs.push_back(
+        {pose_of_row(row, "hand"), pose_of_row(row, "target"), row.where()});
   } else if (row.has("robot", kPositionParts) && row.has("camera", kPositionParts)) {
     measurements.points.push_back(
         {checked_position(row.numbers("robot", kPositionParts), {row.where(), "robot"}),
@@ -243,10 +244,10 @@ CameraMeasurements read_camera_measurements(const std::filesystem::path& file) {
   CameraMeasurements measurements =
       is_yaml ? read_yaml_measurements(file) : read_table_measurements(file);
   if (measurements.pairs.empty() == measurements.points.empty()) {
-    throw InputError({file.string(), "",
-                      measurements.pairs.empty() ? "neither pairs nor points"
-                                                 : "pairs of poses and points",
-                      "pairs of poses of hand and target, or points of robot and camera", ""});
+    throw InputError(
+        {file.string(), "",
+         measurements.pairs.empty() ? "neither pairs nor points" : "pairs of poses and points",
+         "pairs of poses of hand and target, or points of robot and camera", ""});
   }
   return measurements;
 }
@@ -267,8 +268,7 @@ std::string camera_calibration_text(const CameraCalibration& calibration,
   }
   text += fmt::format("used: {}\nresiduals:\n", calibration.used);
   for (const CalibrationResidual& residual : calibration.residuals) {
-    const std::string angle =
-        mount ? fmt::format(", deg: {:.4f}", residual.angle / kDegree) : "";
+    const std::string angle = mount ? fmt::format(", deg: {:.4f}", residual.angle / kDegree) : "";
     text += fmt::format("  - {{mm: {:.4f}{}, outlier: {}}}\n", residual.position / kMillimetre,
                         angle, residual.is_outlier);
   }

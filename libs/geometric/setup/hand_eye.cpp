@@ -23,13 +23,13 @@ namespace {
 using Indices = std::vector<std::size_t>;
 
 constexpr std::size_t kLeastMeasurements = 3;
-constexpr std::size_t kMostPartners = 100;            // with which a measurement is compared
-constexpr double kLeastTurn = 5.0 * kDegree;          // of the hand between two postures
-constexpr double kLargestTurn = 170.0 * kDegree;      // beyond it the axis has two directions
-constexpr double kLeastAxisSpread = 0.06;             // about 3.5° between axes
-constexpr double kLeastWidth = 0.03;                  // of points, as a share of their length
-constexpr double kMostScale = 1.25;                   // between the extents of points
-constexpr double kLeastPositionOutlier = 1e-3;        // m
+constexpr std::size_t kMostPartners = 100;        // with which a measurement is compared
+constexpr double kLeastTurn = 5.0 * kDegree;      // of the hand between two postures
+constexpr double kLargestTurn = 170.0 * kDegree;  // beyond it the axis has two directions
+constexpr double kLeastAxisSpread = 0.06;         // about 3.5° between axes
+constexpr double kLeastWidth = 0.03;              // of points, as a share of their length
+constexpr double kMostScale = 1.25;               // between the extents of points
+constexpr double kLeastPositionOutlier = 1e-3;    // m
 
 double angle_of(const Eigen::Matrix3d& R) { return Eigen::AngleAxisd(R).angle(); }
 
@@ -104,8 +104,7 @@ AxisSpread spread_of(const std::vector<RelativeMotion>& motions) {
     moments += motion.alpha * motion.alpha.transpose();
   }
   const Eigen::Vector3d values =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly)
-          .eigenvalues();
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
   spread.share = values[2] > 0.0 ? std::sqrt(std::max(values[1], 0.0) / values[2]) : 0.0;
   return spread;
 }
@@ -147,8 +146,7 @@ std::optional<HandEyeModel> solve_hand_eye(const std::vector<PosePair>& pairs,
   for (const RelativeMotion& motion : motions) {
     const Eigen::Matrix3d C = motion.A.linear() - Eigen::Matrix3d::Identity();
     normal += C.transpose() * C;
-    right += C.transpose() *
-             (model.X.linear() * motion.B.translation() - motion.A.translation());
+    right += C.transpose() * (model.X.linear() * motion.B.translation() - motion.A.translation());
   }
   model.X.translation() = normal.ldlt().solve(right);
   model.target = mean_target(pairs, used, model.X);
@@ -162,8 +160,7 @@ Deviation deviation_of(const PosePair& pair, const HandEyeModel& model) {
 }
 
 [[noreturn]] void refuse_count(std::size_t count, const char* what, const std::string& source) {
-  throw InputError({source, "", plural(count, what),
-                    fmt::format("{} or more", kLeastMeasurements),
+  throw InputError({source, "", plural(count, what), fmt::format("{} or more", kLeastMeasurements),
                     "Ten, spread over the workspace, give a good calibration."});
 }
 
@@ -188,8 +185,7 @@ CameraCalibration calibration_of(const Fit& fit, const Place& place) {
   for (std::size_t i = 0; i < fit.deviations.size(); ++i) {
     const Deviation& deviation = fit.deviations[i];
     const bool is_used = std::ranges::binary_search(fit.used, i);
-    calibration.residuals.push_back(
-        {place(i), deviation.position, deviation.angle, !is_used});
+    calibration.residuals.push_back({place(i), deviation.position, deviation.angle, !is_used});
     if (is_used) {
       calibration.rms_position += deviation.position * deviation.position;
       calibration.rms_angle += deviation.angle * deviation.angle;
@@ -245,10 +241,10 @@ namespace {
 /// Extents of points about their mean, m: along, across and out of the plane in which they lie.
 Eigen::Vector3d extents_of(const Eigen::Matrix3Xd& points) {
   const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean().eval();
-  const Eigen::Matrix3d moments = centred * centred.transpose() / static_cast<double>(points.cols());
+  const Eigen::Matrix3d moments =
+      centred * centred.transpose() / static_cast<double>(points.cols());
   const Eigen::Vector3d values =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly)
-          .eigenvalues();
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
   return values.reverse().cwiseMax(0.0).cwiseSqrt();
 }
 
@@ -293,8 +289,7 @@ void check_points(const PointSets& points, const std::string& source) {
                       fmt::format("points of the camera that are {:.4g} times as far apart as "
                                   "those of the robot",
                                   scale),
-                      "equal distances",
-                      "Give both in metres, in the same order."});
+                      "equal distances", "Give both in metres, in the same order."});
   }
 }
 

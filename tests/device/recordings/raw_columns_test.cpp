@@ -17,8 +17,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -239,8 +239,8 @@ TEST(JoinedTables, KeepTheRawColumnsOfAll) {
   const RecordedTable joined = joined_tables(tables, files);
   ASSERT_TRUE(joined.raw);
   EXPECT_THAT(joined.raw->names, ElementsAre("IndexMCPStretch", "quality", "score"));
-  const Eigen::MatrixXd expected{{5.5, 1.0, kMissing},      {17.0, kMissing, kMissing},
-                                 {28.0, 0.5, kMissing},     {5.5, kMissing, 1.0},
+  const Eigen::MatrixXd expected{{5.5, 1.0, kMissing},       {17.0, kMissing, kMissing},
+                                 {28.0, 0.5, kMissing},      {5.5, kMissing, 1.0},
                                  {17.0, kMissing, kMissing}, {28.0, kMissing, 0.5}};
   EXPECT_TRUE(are_alike(joined.raw->values, expected)) << joined.raw->values;
 }

@@ -21,8 +21,8 @@ using HandSignal = std::function<GloveAngles(double time)>;
 /// Properties of an emulated sender of a hand.
 struct LandmarkUnitSettings {
   HandWire wire = HandWire::kLandmarks;  ///< Format of its messages.
-  double rate = 30.0;  ///< Messages a second, Hz.
-  bool left = false;   ///< A left hand.
+  double rate = 30.0;                    ///< Messages a second, Hz.
+  bool left = false;                     ///< A left hand.
   bool wrong_label =
       false;           ///< Lines name the other hand, as senders do that see a mirrored picture.
   double noise = 0.0;  ///< Standard deviation of each coordinate, m.

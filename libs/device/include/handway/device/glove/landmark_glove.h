@@ -34,8 +34,8 @@ class HANDWAY_DEVICE_EXPORT LandmarkGlove final : public Glove {
  public:
   /// @param address "udp://PORT" to receive from this computer, "udp://0.0.0.0:PORT" from all (one
   /// line, or one frame of LZ4, per datagram); "landmarks://HOST:PORT" to connect to a sender's TCP
-  /// port; "pipe://PATH" to read a named pipe; "-" to read the standard input, whose end is reported
-  /// as that of a recording.
+  /// port; "pipe://PATH" to read a named pipe; "-" to read the standard input, whose end is
+  /// reported as that of a recording.
   /// @throws geometric::InputError for a wrong address.
   explicit LandmarkGlove(std::string address, const LandmarkGloveSettings& settings = {});
   ~LandmarkGlove() override;

@@ -86,7 +86,8 @@ struct Recording {
 ///     "right" or "left", "landmarks": [[x, y, z], …]}, points as {"x", "y", "z"} too. The
 ///     recording holds the angles between them (see glove_angles()); a left hand is mirrored, and
 ///     if both are there, the hand of the first row is taken;
-///   - JSON lines with the joints of OpenXR, frames of Rokoko Studio or ergonomics of Manus Core, as
+///   - JSON lines with the joints of OpenXR, frames of Rokoko Studio or ergonomics of Manus Core,
+///   as
 ///     they are sent (see hand_message.h), each with its time;
 ///   - text rows of a VirtualHand log: year month day hour minute second switch, then 23 angles
 ///     in rad in the order of its slots, with its signs (flexion negative; they are converted);

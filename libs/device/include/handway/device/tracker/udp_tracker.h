@@ -37,10 +37,10 @@ struct UdpTrackerSettings {
 };
 
 /// Poses received as UDP datagrams: see read_pose_datagram(). Messages of hands with the pose of
-/// the wrist (see hand_message.h) are poses, too: of the right hand as sensor 0, of the left hand as
-/// sensor 1. Samples are stamped when they arrive.
-/// A datagram that is older than one of the same sensor before (by its own time, by less than a
-/// second; by more, its sender has restarted) is dropped.
+/// the wrist (see hand_message.h) are poses, too: of the right hand as sensor 0, of the left hand
+/// as sensor 1. Samples are stamped when they arrive. A datagram that is older than one of the same
+/// sensor before (by its own time, by less than a second; by more, its sender has restarted) is
+/// dropped.
 class HANDWAY_DEVICE_EXPORT UdpTracker final : public Tracker {
  public:
   /// @param address "PORT" to receive from this computer, "0.0.0.0:PORT" from all, or "HOST:PORT"
