@@ -11,21 +11,12 @@ std::string parquet_bytes(const RecordedTable& table) {
   for (const std::string& name : table.names) {
     fields.push_back({name, ParquetType::kDouble});
   }
-  for (const std::string& label : table.raw ? labels_of(*table.raw) : std::vector<std::string>{}) {
-    fields.push_back({label, ParquetType::kDouble});
-  }
   ParquetWriter writer(fields);
   for (Eigen::Index first = 0; first < table.values.rows(); first += kRowsOfGroup) {
     const Eigen::Index rows = std::min(kRowsOfGroup, table.values.rows() - first);
     std::vector<ParquetCells> cells{Eigen::MatrixXd(table.times.segment(first, rows))};
-    const auto append_columns = [&](const Eigen::MatrixXd& values) {
-      for (Eigen::Index column = 0; column < values.cols(); ++column) {
-        cells.emplace_back(Eigen::MatrixXd(values.col(column).segment(first, rows)));
-      }
-    };
-    append_columns(table.values);
-    if (table.raw) {
-      append_columns(table.raw->values);
+    for (Eigen::Index column = 0; column < table.values.cols(); ++column) {
+      cells.emplace_back(Eigen::MatrixXd(table.values.col(column).segment(first, rows)));
     }
     writer.add_rows(cells);
   }

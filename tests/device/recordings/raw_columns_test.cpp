@@ -62,7 +62,7 @@ RecordedTable derived_table() {
   table.times = Eigen::Vector3d(0.0, 0.25, 0.5);
   table.values = Eigen::MatrixXd{{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}};
   table.raw.emplace();
-  table.raw->add("IndexMCPStretch", "deg");
+  table.raw->add("force", "N");
   table.raw->add("quality", "");
   table.raw->values = Eigen::MatrixXd{{5.5, 1.0}, {17.0, kMissing}, {28.0, 0.5}};
   return table;
@@ -106,7 +106,7 @@ TEST_F(Raw, IsAVariableThatIsChosenByItsNameOnly) {
 TEST_F(Raw, HasEmptyCellsForMissingValues) {
   write_recorded_table(derived_table(), folder_.path() / "hand.csv");
   EXPECT_THAT(content("hand.csv"),
-              HasSubstr("time,IndexMPJ,IndexPIJ,raw:IndexMCPStretch [deg],raw:quality\n"
+              HasSubstr("time,IndexMPJ,IndexPIJ,raw:force [N],raw:quality\n"
                         "0,0.1,0.2,5.5,1\n0.25,0.3,0.4,17,\n"));
 }
 
@@ -238,7 +238,7 @@ TEST(JoinedTables, KeepTheRawColumnsOfAll) {
   const std::vector<fs::path> files{"a.csv", "b.csv"};
   const RecordedTable joined = joined_tables(tables, files);
   ASSERT_TRUE(joined.raw);
-  EXPECT_THAT(joined.raw->names, ElementsAre("IndexMCPStretch", "quality", "score"));
+  EXPECT_THAT(joined.raw->names, ElementsAre("force", "quality", "score"));
   const Eigen::MatrixXd expected{{5.5, 1.0, kMissing},       {17.0, kMissing, kMissing},
                                  {28.0, 0.5, kMissing},      {5.5, kMissing, 1.0},
                                  {17.0, kMissing, kMissing}, {28.0, kMissing, 0.5}};
