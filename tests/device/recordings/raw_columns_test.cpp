@@ -105,9 +105,8 @@ TEST_F(Raw, IsAVariableThatIsChosenByItsNameOnly) {
 
 TEST_F(Raw, HasEmptyCellsForMissingValues) {
   write_recorded_table(derived_table(), folder_.path() / "hand.csv");
-  EXPECT_THAT(content("hand.csv"),
-              HasSubstr("time,IndexMPJ,IndexPIJ,raw:force [N],raw:quality\n"
-                        "0,0.1,0.2,5.5,1\n0.25,0.3,0.4,17,\n"));
+  EXPECT_THAT(content("hand.csv"), HasSubstr("time,IndexMPJ,IndexPIJ,raw:force [N],raw:quality\n"
+                                             "0,0.1,0.2,5.5,1\n0.25,0.3,0.4,17,\n"));
 }
 
 TEST_F(Raw, ColumnsOfARecordingAreCheckedLikeOthers) {
