@@ -128,7 +128,7 @@ void check_scene_object(const YamlElement& element, const geometric::Scene& scen
     std::ranges::transform(scene.objects, std::back_inserter(there), &SceneObject::name);
     element.refuse(element.found(), "an object of the scene", geometric::advise_name(name, there));
   }
-  if (object->attachment) {
+  if (object != nullptr && object->attachment) {
     element.refuse("an object on a link of a robot", "an object that stands in the world");
   }
   if (is_support(task, name)) {
