@@ -84,7 +84,7 @@ void StepList::dropEvent(QDropEvent* event) {
     QMetaObject::invokeMethod(
         this, [this, from, to] { emit step_dragged(from, to); }, Qt::QueuedConnection);
   }
-  event->setDropAction(Qt::CopyAction);  // the editor moves the rows
+  event->setDropAction(Qt::IgnoreAction);  // the editor moves the rows
   event->accept();
   stopAutoScroll();
   setState(NoState);
