@@ -83,6 +83,7 @@ ProgramEditor::ProgramEditor(QWidget* parent)
     steps[static_cast<std::size_t>(row())] = step;
     take(std::move(steps), row(), tr("Change step"));
   });
+  fields_->setContentsMargins(0, 0, scaled(10), 0);  // beside the scroll bar
   auto* area = new FieldsArea(fields_);
   lay_out(*this, in_column({list_,
                             in_row({add_, up_, down_, duplicate_, disable_, remove_, room(1)}, 2),
