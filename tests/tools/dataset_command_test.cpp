@@ -149,7 +149,8 @@ TEST_F(DatasetCommand, RefusesBadObjects) {
   EXPECT_EQ(range.exit_code, 3);
   EXPECT_THAT(range.err, AllOf(HasSubstr("objects.yaml:2"), HasSubstr("objects[0].sphere.radius")));
   line_.write("objects.yaml", "objects:\n  - object: cna\n");
-  EXPECT_THAT(make("--objects objects.yaml --episodes 1").err, HasSubstr("There are: pedestal, table, can."));
+  EXPECT_THAT(make("--objects objects.yaml --episodes 1").err,
+              HasSubstr("There are: pedestal, table, can."));
   EXPECT_EQ(make("--objects missing.yaml --episodes 1").exit_code, 3);
 }
 

@@ -19,15 +19,17 @@ namespace {
 
 using geometric::ProgramStep;
 
-/// The fields of a step, which scroll in a small view.
+/// The fields of a step, which scroll in a small view and with large text.
 class FieldsArea final : public PanelArea {
  public:
-  using PanelArea::PanelArea;
+  explicit FieldsArea(QWidget* fields) : PanelArea(fields) {
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  }
 
   /// Has the height of two rows, or of the fields if that is less.
   [[nodiscard]] QSize minimumSizeHint() const override {
-    constexpr int kTwoRows = 64;  // px
-    return {PanelArea::minimumSizeHint().width(), std::min(sizeHint().height(), scaled(kTwoRows))};
+    constexpr QSize kTwoRows(160, 64);  // px
+    return {scaled(kTwoRows.width()), std::min(sizeHint().height(), scaled(kTwoRows.height()))};
   }
 };
 

@@ -27,8 +27,8 @@ StepList::StepList(QWidget* parent) : QTreeWidget(parent) {
   setColumnCount(2);
   setRootIsDecorated(false);
   setUniformRowHeights(true);
-  header()->setStretchLastSection(true);
-  header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   setDragDropMode(QAbstractItemView::InternalMove);
 }
 

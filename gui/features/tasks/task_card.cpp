@@ -3,6 +3,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "widgets/forms/arrangement.h"
+#include "widgets/forms/folding_row.h"
 #include "widgets/forms/parameter_form.h"
 #include "widgets/panels/film_bar.h"
 #include "widgets/style/actions.h"
@@ -146,21 +147,21 @@ TaskCard::TaskCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_see
   });
   lay_out(*choices_,
           in_column({in_row({new QLabel(tr("Place on")), {support_, 1}}, 8), return_}, 6));
-  lay_out(
-      *this,
-      in_column(
-          {in_row({{title_, 1}, {close, 0, Qt::AlignTop}}),
-           choices_,
-           in_row({new QLabel(tr("Mass")), {mass_, 1}, new QLabel(tr("Speed")), {speed_, 1}}, 8),
-           note_,
-           editor_,
-           search_,
-           {list_, 1},
-           film_,
-           in_row({{play_, 1}, {simulate_, 1}, {export_, 1}, {run_, 1}}, 8),
-           in_row({{plan_, 2}, {edit_, 1}, {keep_, 1}}, 8)},
-          6),
-      {12, 6, 8, 10});
+  lay_out(*this,
+          in_column({in_row({{title_, 1}, {close, 0, Qt::AlignTop}}),
+                     choices_,
+                     new FoldingRow({in_row({new QLabel(tr("Mass")), {mass_, 1}}, 8),
+                                     in_row({new QLabel(tr("Speed")), {speed_, 1}}, 8)},
+                                    8),
+                     note_,
+                     editor_,
+                     search_,
+                     {list_, 1},
+                     film_,
+                     in_row({{play_, 1}, {simulate_, 1}, {export_, 1}, {run_, 1}}, 8),
+                     in_row({{plan_, 2}, {edit_, 1}, {keep_, 1}}, 8)},
+                    6),
+          {12, 6, 8, 10});
 }
 
 void TaskCard::ask(const QString& title, const QStringList& supports, bool simulates) {

@@ -12,9 +12,11 @@
 #include "handway/device/emulators/glove_emulator.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/formats/obj_writer.h"
+#include "handway_test/fake_xacro.h"
 #include "handway_test/paths.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
+#include "widgets/panels/xacro_dialog.h"
 
 #include <QComboBox>
 #include <QDialog>
@@ -28,6 +30,7 @@
 #include <QToolButton>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -291,6 +294,12 @@ std::vector<DialogCase> StopInDialogs::cases() const {
        [this] { open_both("Robot…", QStringLiteral("From a file…")); }},
       {"features/robots/robots.cpp", "export a robot", trigger("Export robot…")},
       {"features/robots/setup_dialog.h", "robot setup", trigger("Robot setup…")},
+      {"widgets/panels/xacro_dialog.h", "xacro arguments",
+       [this] {
+         const std::filesystem::path file = cell().folder() / "box.xacro";
+         std::ofstream(file) << kXacroBox;
+         gui::with_xacro_arguments(&window(), file, [](const geometric::XacroArguments&) {});
+       }},
       {"features/planning/preset_bar.cpp", "save a preset",
        [menu_of] { menu_of("preset_menu")[0]->trigger(); }},
       {"features/planning/preset_bar.cpp", "rename a preset",
