@@ -24,7 +24,7 @@ class Editing(unittest.TestCase):
     def test_gives_xacro_files_arguments(self):
         with tempfile.TemporaryDirectory() as folder:
             program = pathlib.Path(folder) / "xacro"
-            program.write_text('#!/bin/sh\nsed "s|SIDE|${2#side:=}|g" "$1"\n')
+            program.write_text('#!/bin/sh\nsed "s|<xacro[^>]*>||; s|SIDE|${2#side:=}|g" "$1"\n')
             program.chmod(0o700)
             file = pathlib.Path(folder) / "r.xacro"
             file.write_text(
