@@ -19,9 +19,10 @@ inline constexpr int kOpenXrWrist = 1;
 /// none: 21 landmarks go from the wrist to the knuckles at once.
 [[nodiscard]] constexpr std::array<int, 21> openxr_joints_of_landmarks() {
   std::array<int, 21> joints{kOpenXrWrist, 2, 3, 4, 5};
+  std::size_t landmark = 5;
   for (int finger = 1; finger < kFingers; ++finger) {
     for (int joint = 0; joint < 4; ++joint) {
-      joints.at(static_cast<std::size_t>(1 + 4 * finger + joint)) = 5 * finger + 2 + joint;
+      joints.at(landmark++) = 5 * finger + 2 + joint;
     }
   }
   return joints;

@@ -200,6 +200,7 @@ CameraCalibration calibration_of(const Fit& fit, const Place& place) {
 /// Typical distance of the target from the camera, m: a turn by an angle moves it so far.
 double lever_of(const std::vector<PosePair>& pairs) {
   std::vector<double> distances;
+  distances.reserve(pairs.size());
   for (const PosePair& pair : pairs) {
     distances.push_back(pair.C.translation().norm());
   }

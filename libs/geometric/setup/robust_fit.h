@@ -94,6 +94,7 @@ template <typename Model, typename Solve, typename Deviate>
   };
   const auto costs = [&](const Model& model) {
     std::vector<double> values;
+    values.reserve(count);
     for (const std::size_t i : all) {
       values.push_back(cost(model, i));
     }
