@@ -168,6 +168,10 @@ RecordedTable table_of_joint_text(const fs::path& file) {
   constexpr const char* kWhatJoints = "a recording of joints";
   const JointsOfText joints(file, kWhatJoints);
   const auto count = static_cast<int>(joints.names().size());
+  if (count == 0) {
+    throw InputError(
+        {file.string(), "", "no names of joints", "names and positions of joints", ""});
+  }
   const JointTable read = geometric::read_joint_table(file, joints.lookup(), count, kWhatJoints);
   RawRows rows;
   rows.names = joints.names();

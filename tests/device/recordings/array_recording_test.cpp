@@ -292,5 +292,12 @@ TEST_F(Arrays, OfHdf5SurviveAnyDamage) {
   survive_damage("d.h5", valid.substr(0, 4096), 61);
 }
 
+TEST_F(Arrays, AreNoTablesOfTimesAlone) {
+  const std::filesystem::path file = folder_.path() / "times.csv";
+  std::ofstream(file) << "stamp\n1\n2\n";
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(read_recorded_table(file)); }),
+              HasSubstr("found stamp, expected columns named as the glove's sensors"));
+}
+
 }  // namespace
 }  // namespace handway::device
