@@ -7,6 +7,8 @@
 
 #include <QString>
 
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -31,5 +33,16 @@ struct Film {
   /// Returns the moment at a fraction of the time, in [0, 1].
   std::function<FilmMoment(double fraction)> at;
 };
+
+/// Returns Film::at of frames that are evenly spread over the time: the nearest one, as `moment`
+/// shows it. @pre there are frames.
+template <typename Frame, typename Moment>
+[[nodiscard]] std::function<FilmMoment(double)> nearest_of(std::vector<Frame> frames,
+                                                           Moment moment) {
+  return [frames = std::move(frames), moment = std::move(moment)](double fraction) {
+    const auto last = static_cast<double>(frames.size() - 1);
+    return moment(frames[static_cast<std::size_t>(std::lround(fraction * last))]);
+  };
+}
 
 }  // namespace handway::gui

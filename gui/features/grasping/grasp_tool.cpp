@@ -21,7 +21,6 @@
 #include "widgets/style/actions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -347,15 +346,12 @@ void GraspTool::begin_film(int index) {
 }
 
 Film GraspTool::film() const {
-  const auto moment = [frames = tests_[filmed_].frames,
-                       item = object_item(object_)](double fraction) {
-    const auto last = static_cast<double>(frames.size() - 1);
-    const planning::HoldFrame& frame =
-        frames[static_cast<std::size_t>(std::lround(fraction * last))];
+  const std::vector<planning::HoldFrame>& frames = tests_[filmed_].frames;
+  const auto moment = [item = object_item(object_)](const planning::HoldFrame& frame) {
     return FilmMoment{frame.q, {{item, frame.X_WO}}, frame.forces};
   };
   return {tr("Export pictures of the test"), QString::fromStdString(object_), document_.scene(),
-          FilmBar::seconds(tests_[filmed_].frames.size()), moment};
+          FilmBar::seconds(frames.size()), nearest_of(frames, moment)};
 }
 
 void GraspTool::show_frame(int index) {

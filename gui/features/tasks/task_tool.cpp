@@ -495,9 +495,7 @@ void TaskTool::ask_for_export() {
 Film TaskTool::film() const {
   std::vector<SceneItem> items;
   std::ranges::transform(objects_, std::back_inserter(items), object_item);
-  const auto moment = [frames = frames_, items](double fraction) {
-    const auto last = static_cast<double>(frames.size() - 1);
-    const TaskFrame& frame = frames[static_cast<std::size_t>(std::lround(fraction * last))];
+  const auto moment = [items](const TaskFrame& frame) {
     FilmMoment shown{frame.moment.q, {}, frame.forces};
     for (std::size_t i = 0; i < frame.X_WO.size(); ++i) {
       shown.X_WO.emplace_back(items[i], frame.X_WO[i]);
@@ -506,7 +504,7 @@ Film TaskTool::film() const {
   };
   return {tr("Export pictures of the task"),
           QString::fromStdString(planning::motion_name(shown_program().name)), document_.scene(),
-          FilmBar::seconds(frames_.size()), moment};
+          FilmBar::seconds(frames_.size()), nearest_of(frames_, moment)};
 }
 
 void TaskTool::show_frame(int index) {

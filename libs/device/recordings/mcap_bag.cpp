@@ -1,6 +1,6 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/printable.h"
-#include "recordings/bag_storage.h"
+#include "recordings/bag_of_parts.h"
 #include "recordings/decompression.h"
 #include "recordings/file_bytes.h"
 #include "recordings/mcap_records.h"
@@ -54,7 +54,7 @@ struct TimedMessage {
   std::string_view data;
 };
 
-class McapBag final : public BagStorage {
+class McapBag final : public BagOfParts<std::uint16_t, MessagePart> {
  public:
   explicit McapBag(const fs::path& file) : bytes_(file, kWhatMcap) {
     const std::string magic = bytes_.read(0, kMcapMagic.size());
@@ -78,49 +78,22 @@ class McapBag final : public BagStorage {
     }
   }
 
-  [[nodiscard]] std::vector<BagTopic> topics() const override {
-    std::map<std::string, BagTopic> by_name;
+ protected:
+  [[nodiscard]] std::map<std::uint16_t, BagTopic> connections() const override {
+    std::map<std::uint16_t, BagTopic> topics;
     for (const auto& [id, channel] : channels_) {
-      by_name.emplace(channel.topic.name, channel.topic);
-    }
-    std::vector<BagTopic> topics;
-    topics.reserve(by_name.size());
-    for (const auto& [name, topic] : by_name) {
-      topics.push_back(topic);
+      topics.emplace(id, channel.topic);
     }
     return topics;
   }
 
-  [[nodiscard]] std::size_t message_count(const std::string& topic) const override {
-    const std::set<std::uint16_t> channels = channels_of(topic);
-    std::uint64_t count = 0;
-    for (const MessagePart& part : parts_) {
-      for (const auto& [channel, messages] : part.counts) {
-        count += channels.contains(channel) ? messages : 0;
-      }
-    }
-    return static_cast<std::size_t>(count);
-  }
-
-  void for_messages(const std::string& topic, std::size_t most, const Take& take) const override {
-    const std::set<std::uint16_t> channels = channels_of(topic);
-    for (const MessagePart& part : parts_) {
-      const bool has_messages = std::ranges::any_of(
-          part.counts, [&](const auto& count) { return channels.contains(count.first); });
-      if (most == 0 || !has_messages) {
-        continue;
-      }
-      const std::string records = records_of(part.place);
-      for (const TimedMessage& message : messages_in(part.place, records, channels)) {
-        if (most > 0) {
-          --most;
-          take(message.data, 1e-9 * static_cast<double>(message.received));
-        }
-      }
+  void for_messages_of(const MessagePart& part, const std::set<std::uint16_t>& channels,
+                       const Take& take) const override {
+    const std::string records = records_of(part.place);
+    for (const TimedMessage& message : messages_in(part.place, records, channels)) {
+      take(message.data, 1e-9 * static_cast<double>(message.received));
     }
   }
-
-  [[nodiscard]] std::vector<std::string> warnings() const override { return warnings_; }
 
  private:
   /// Calls `read`, and names the file and the record in its errors.
@@ -239,16 +212,6 @@ class McapBag final : public BagStorage {
     });
   }
 
-  [[nodiscard]] std::set<std::uint16_t> channels_of(const std::string& topic) const {
-    std::set<std::uint16_t> channels;
-    for (const auto& [id, channel] : channels_) {
-      if (channel.topic.name == topic) {
-        channels.insert(id);
-      }
-    }
-    return channels;
-  }
-
   /// The content of a record. @throws RecordError if it is too large.
   const std::string& read_record(const RecordPlace& place) {
     if (place.size > kLargestRecord) {
@@ -341,8 +304,6 @@ class McapBag final : public BagStorage {
   std::string record_;  ///< Content of the last schema or channel.
   std::map<std::uint16_t, std::string> schemas_;
   std::map<std::uint16_t, Channel> channels_;
-  std::vector<MessagePart> parts_;  ///< In the order of the file.
-  std::vector<std::string> warnings_;
 };
 
 }  // namespace

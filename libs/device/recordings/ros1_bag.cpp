@@ -1,7 +1,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/plural.h"
 #include "handway/geometric/io/printable.h"
-#include "recordings/bag_storage.h"
+#include "recordings/bag_of_parts.h"
 #include "recordings/decompression.h"
 #include "recordings/file_bytes.h"
 #include "recordings/record_fields.h"
@@ -105,7 +105,7 @@ double time_in(const BagRecordHeader& header) {
   return static_cast<double>(time & 0xFFFFFFFFU) + 1e-9 * static_cast<double>(time >> 32U);
 }
 
-class Ros1Bag final : public BagStorage {
+class Ros1Bag final : public BagOfParts<std::uint32_t, BagPart> {
  public:
   explicit Ros1Bag(const fs::path& file) : bytes_(file, kWhatBag) {
     if (bytes_.read(0, kRos1BagMagic.size()) != kRos1BagMagic) {
@@ -120,49 +120,18 @@ class Ros1Bag final : public BagStorage {
     }
   }
 
-  [[nodiscard]] std::vector<BagTopic> topics() const override {
-    std::map<std::string, BagTopic> by_name;
-    for (const auto& [id, topic] : connections_) {
-      by_name.emplace(topic.name, topic);
-    }
-    std::vector<BagTopic> topics;
-    topics.reserve(by_name.size());
-    for (const auto& [name, topic] : by_name) {
-      topics.push_back(topic);
-    }
-    return topics;
+ protected:
+  [[nodiscard]] std::map<std::uint32_t, BagTopic> connections() const override {
+    return connections_;
   }
 
-  [[nodiscard]] std::size_t message_count(const std::string& topic) const override {
-    const std::set<std::uint32_t> connections = connections_of(topic);
-    std::uint64_t count = 0;
-    for (const BagPart& part : parts_) {
-      for (const auto& [connection, messages] : part.counts) {
-        count += connections.contains(connection) ? messages : 0;
-      }
-    }
-    return static_cast<std::size_t>(count);
-  }
-
-  void for_messages(const std::string& topic, std::size_t most, const Take& take) const override {
-    const std::set<std::uint32_t> connections = connections_of(topic);
-    for (const BagPart& part : parts_) {
-      const bool has_messages = std::ranges::any_of(
-          part.counts, [&](const auto& count) { return connections.contains(count.first); });
-      if (most == 0 || !has_messages) {
-        continue;
-      }
-      const std::string records = records_of(part);
-      for (const BagMessage& message : messages_in(part, records, connections)) {
-        if (most > 0) {
-          --most;
-          take(message.data, message.received);
-        }
-      }
+  void for_messages_of(const BagPart& part, const std::set<std::uint32_t>& connections,
+                       const Take& take) const override {
+    const std::string records = records_of(part);
+    for (const BagMessage& message : messages_in(part, records, connections)) {
+      take(message.data, message.received);
     }
   }
-
-  [[nodiscard]] std::vector<std::string> warnings() const override { return warnings_; }
 
  private:
   /// Calls `read`, and names the file and the record in its errors.
@@ -289,16 +258,6 @@ class Ros1Bag final : public BagStorage {
     });
   }
 
-  [[nodiscard]] std::set<std::uint32_t> connections_of(const std::string& topic) const {
-    std::set<std::uint32_t> connections;
-    for (const auto& [id, connection] : connections_) {
-      if (connection.name == topic) {
-        connections.insert(id);
-      }
-    }
-    return connections;
-  }
-
   /// The records in a part, decompressed; of a message its data alone.
   [[nodiscard]] std::string records_of(const BagPart& part) const {
     return at_record(part.place.offset, [&] {
@@ -371,8 +330,6 @@ class Ros1Bag final : public BagStorage {
 
   FileBytes bytes_;
   std::map<std::uint32_t, BagTopic> connections_;
-  std::vector<BagPart> parts_;  ///< In the order of the file.
-  std::vector<std::string> warnings_;
 };
 
 }  // namespace
